@@ -4,6 +4,9 @@
 #define JOSTLE_ANALYSIS_H
 
 #include "jostle/model.h"
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
 
 // The state at the end of a step, as an observer sees it. Arrays are borrowed and valid during the
 // call.
@@ -127,5 +130,7 @@ void results_free(struct results *r);  // NULL is allowed
 
 // Whether the impact is one of totals.coarse.
 bool impacts_is_coarse(const struct model *m, const struct impact *i);
+
+JOSTLE_C_END
 
 #endif

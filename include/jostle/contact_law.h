@@ -6,7 +6,10 @@
 
 #include "jostle/curve.h"
 #include "jostle/error.h"
+#include "jostle/names.h"
 #include "jostle/row.h"
+
+JOSTLE_C_BEGIN
 
 // A law has at most this many rows, constants and history values.
 enum { CONTACT_ROWS_MAX = 12, CONTACT_CONSTANTS_MAX = 16, CONTACT_HISTORY_MAX = 8 };
@@ -113,5 +116,7 @@ int contact_law_curve(const struct contact_law *law);
 // Values of the law's rows and its curve, and constants, as many as `value` says.
 int contact_law_n_value(const struct contact_law *law, const double *value);
 int contact_law_n_constant(const struct contact_law *law, const double *value);
+
+JOSTLE_C_END
 
 #endif

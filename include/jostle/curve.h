@@ -3,6 +3,10 @@
 #ifndef JOSTLE_CURVE_H
 #define JOSTLE_CURVE_H
 
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
+
 // Numbers of one point.
 enum curve_column { CURVE_PENETRATION, CURVE_LOADING, CURVE_UNLOADING, CURVE_COLUMNS };
 
@@ -12,5 +16,7 @@ struct curve {
     int n;                // at least 2
     const double *point;  // (n, CURVE_COLUMNS)
 };
+
+JOSTLE_C_END
 
 #endif

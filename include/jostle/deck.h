@@ -10,8 +10,11 @@
 
 #include "jostle/checksum.h"
 #include "jostle/error.h"
+#include "jostle/names.h"
 #include "jostle/row.h"
 #include "jostle/units.h"
+
+JOSTLE_C_BEGIN
 
 struct source;  // one file of the deck
 
@@ -216,5 +219,7 @@ struct deck_statement {
 };
 extern const struct deck_statement deck_statements[];
 extern const int n_deck_statement;
+
+JOSTLE_C_END
 
 #endif

@@ -5,6 +5,9 @@
 #define JOSTLE_ENSEMBLE_H
 
 #include "jostle/analysis.h"
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
 
 enum { ENSEMBLE_MAX = 8 };  // runs at once
 
@@ -34,5 +37,7 @@ bool ensemble_alike(const struct model *a, const struct model *b);
 // them run alone. The observer's poll is asked for each run; an observer that wants rows makes all
 // run alone. totals.seconds of a run are those of all that went with it.
 void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer);
+
+JOSTLE_C_END
 
 #endif

@@ -8,6 +8,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
+
 // Result of a function that can fail: 0 success, > 0 recoverable (try a smaller step), < 0 final.
 enum status {
     STATUS_OK = 0,
@@ -78,5 +82,7 @@ int diagnostics_cause(const struct diagnostics *d, struct error *e);
 // Writes `file:line:column: error: message`, the source line and a caret line for each entry, with
 // ANSI colours if `colour`.
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour);
+
+JOSTLE_C_END
 
 #endif

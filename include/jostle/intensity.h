@@ -4,7 +4,10 @@
 #ifndef JOSTLE_INTENSITY_H
 #define JOSTLE_INTENSITY_H
 
+#include "jostle/names.h"
 #include "jostle/signal.h"
+
+JOSTLE_C_BEGIN
 
 // Times are since the first sample; a peak's time is where it is first reached.
 struct intensity {
@@ -19,5 +22,7 @@ struct intensity {
 
 // `gravity` [L/T^2] is that in the Arias intensity.
 struct intensity intensity_of(const struct signal *ground, double gravity);
+
+JOSTLE_C_END
 
 #endif

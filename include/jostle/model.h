@@ -9,9 +9,12 @@
 
 #include "jostle/contact_law.h"
 #include "jostle/deck.h"
+#include "jostle/names.h"
 #include "jostle/part.h"
 #include "jostle/signal.h"
 #include "jostle/storey_law.h"
+
+JOSTLE_C_BEGIN
 
 enum { FLOORS_MAX = 1000 };  // of one building
 enum { WALL = -1 };          // in place of a building or degree of freedom
@@ -43,6 +46,8 @@ struct building {
     const struct word *damping;      // the last statement of Rayleigh damping; NULL: none
     bool elastic;                    // every storey is, and every part is linear
     bool smooth;                     // the tangent of some storey or part changes all the time
+    bool predictable;                // it is of straight lines: its shears may be foretold by its
+                                     // tangents
     int ground;                      // index into model.ground
 };
 
@@ -56,6 +61,7 @@ struct chain {
     const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
     const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
     bool full_damping;  // some building has a full matrix C, as those with parts
+    bool parts;         // some building has parts
 };
 
 // The restoring law of one storey.
@@ -243,5 +249,7 @@ struct statement_kind {
 };
 extern const struct statement_kind *const statement_kinds[];
 extern const int n_statement_kind;
+
+JOSTLE_C_END
 
 #endif

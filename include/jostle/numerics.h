@@ -5,6 +5,12 @@
 #ifndef JOSTLE_NUMERICS_H
 #define JOSTLE_NUMERICS_H
 
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
+
 enum { NUMERICS_VERSION = 5 };
+
+JOSTLE_C_END
 
 #endif

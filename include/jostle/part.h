@@ -12,6 +12,10 @@
 
 #include <stdbool.h>
 
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
+
 enum part_trait {
     PART_LINEAR = 1,  // the shears are one matrix times the drifts: no rates, no history
 };
@@ -47,5 +51,7 @@ struct part_kind {
     // Recoverable energy at these drifts with the committed history [F L].
     double (*stored)(const struct part *p, const double *history, const double *drift);
 };
+
+JOSTLE_C_END
 
 #endif

@@ -8,6 +8,9 @@
 #include <stddef.h>
 
 #include "jostle/error.h"
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
 
 struct arena;
 
@@ -68,5 +71,7 @@ struct record_format {
 };
 extern const struct record_format *const record_formats[];
 extern const int n_record_format;
+
+JOSTLE_C_END
 
 #endif

@@ -9,6 +9,9 @@
 #include "jostle/analysis.h"
 #include "jostle/checksum.h"
 #include "jostle/model.h"
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
 
 enum { RESULT_FORMAT_VERSION = 1 };
 
@@ -172,5 +175,7 @@ int result_link_history(const struct result_file *f, enum field field, int link,
                         struct error *e);
 int result_ground(const struct result_file *f, int building, double *out, struct error *e);
 int result_energy(const struct result_file *f, enum energy energy, double *out, struct error *e);
+
+JOSTLE_C_END
 
 #endif

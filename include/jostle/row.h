@@ -7,7 +7,10 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "jostle/names.h"
 #include "jostle/units.h"
+
+JOSTLE_C_BEGIN
 
 enum row_kind {
     ROW_NUMBER,   // one number
@@ -52,5 +55,7 @@ struct row {
 
 // The dimension of the row where the exponent is `power`.
 struct dimension row_dimension(const struct row *row, double power);
+
+JOSTLE_C_END
 
 #endif

@@ -6,6 +6,9 @@
 #include <stddef.h>
 
 #include "jostle/error.h"
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
 
 struct arena;
 
@@ -44,5 +47,7 @@ void signal_integrals(const struct signal *s, double t, double *velocity, double
 
 // The largest absolute value.
 double signal_peak(const struct signal *s);
+
+JOSTLE_C_END
 
 #endif

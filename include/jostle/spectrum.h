@@ -6,7 +6,10 @@
 #define JOSTLE_SPECTRUM_H
 
 #include "jostle/error.h"
+#include "jostle/names.h"
 #include "jostle/signal.h"
+
+JOSTLE_C_BEGIN
 
 struct arena;
 
@@ -53,5 +56,7 @@ int spectra_compute(struct spectra *s, const struct signal *ground, struct arena
 // The point of a record, or of the statistic `n_record + SPECTRA_MEAN` and so on.
 const struct spectrum_point *spectra_at(const struct spectra *s, int series, int damping,
                                         int period);
+
+JOSTLE_C_END
 
 #endif

@@ -7,9 +7,12 @@
 #include <stdbool.h>
 
 #include "jostle/error.h"
+#include "jostle/names.h"
 #include "jostle/row.h"
 
-enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 8, STOREY_HISTORY_MAX = 8 };
+JOSTLE_C_BEGIN
+
+enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 9, STOREY_HISTORY_MAX = 8 };
 
 // What an integrator of high order must know about a law.
 enum storey_trait {
@@ -61,5 +64,7 @@ extern const int n_storey_law;
 
 // The law called `name`; NULL: there is none.
 const struct storey_law *storey_law_find(const char *name);
+
+JOSTLE_C_END
 
 #endif

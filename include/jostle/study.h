@@ -6,8 +6,11 @@
 #define JOSTLE_STUDY_H
 
 #include "jostle/model.h"
+#include "jostle/names.h"
 #include "jostle/result.h"
 #include "jostle/study_file.h"
+
+JOSTLE_C_BEGIN
 
 struct study_progress {
     long n_run;           // of the study, or of the part of it
@@ -49,5 +52,7 @@ struct study_request {
 // is that of another study; runs differ in their buildings or contacts; a file changed),
 // STATUS_SYSTEM, or what `poll` returned.
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e);
+
+JOSTLE_C_END
 
 #endif

@@ -7,7 +7,10 @@
 #include <stdint.h>
 
 #include "jostle/deck.h"
+#include "jostle/names.h"
 #include "jostle/result.h"
+
+JOSTLE_C_BEGIN
 
 enum { STUDY_MESSAGE_MAX = 512 };
 
@@ -175,5 +178,7 @@ struct study_run {
 // STATUS_INPUT (a damaged file), STATUS_SYSTEM, and those of `take`, which end it.
 typedef int study_run_function(void *context, const struct study_run *r, struct error *e);
 int study_file_each(struct study_file *f, study_run_function *take, void *context, struct error *e);
+
+JOSTLE_C_END
 
 #endif

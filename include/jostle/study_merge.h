@@ -3,7 +3,10 @@
 #ifndef JOSTLE_STUDY_MERGE_H
 #define JOSTLE_STUDY_MERGE_H
 
+#include "jostle/names.h"
 #include "jostle/study_file.h"
+
+JOSTLE_C_BEGIN
 
 // How many of the `n_run` runs of a study a part has, and the number, from 0, of its run `i`.
 //
@@ -42,5 +45,7 @@ struct study_merged {
 // each run. Errors: STATUS_FAILED (runs are missing), STATUS_INPUT (no parts, or of different
 // studies; the file exists), STATUS_SYSTEM, or what `poll` returned.
 int study_merge(const struct study_merge_request *q, struct study_merged *out, struct error *e);
+
+JOSTLE_C_END
 
 #endif

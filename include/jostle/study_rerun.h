@@ -3,7 +3,10 @@
 #ifndef JOSTLE_STUDY_RERUN_H
 #define JOSTLE_STUDY_RERUN_H
 
+#include "jostle/names.h"
 #include "jostle/study.h"
+
+JOSTLE_C_BEGIN
 
 struct study_rerun_request {
     const struct model *first;  // the model of the deck of the study
@@ -28,5 +31,7 @@ struct study_rerun {
 // is not one of the study), STATUS_SYSTEM, and those of the poll.
 int study_rerun(struct study_file *f, const struct study_rerun_request *q, struct study_rerun *out,
                 struct error *e);
+
+JOSTLE_C_END
 
 #endif

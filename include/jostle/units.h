@@ -6,6 +6,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "jostle/names.h"
+
+JOSTLE_C_BEGIN
+
 // Exponents of force, length and time.
 struct dimension {
     double force, length, time;
@@ -83,5 +87,7 @@ const char *unit_suffix(const char *text);
 
 // Names of all simple units, for "nearest word" messages; NULL-terminated.
 extern const char *const unit_names[];
+
+JOSTLE_C_END
 
 #endif

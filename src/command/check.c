@@ -7,7 +7,9 @@
 #include "command/deck_command.h"
 #include "command/guidance_print.h"
 #include "command/law_words.h"
+#include "command/printer.h"
 #include "command/sweeps.h"
+#include "core/safe.h"
 
 static int check_command(int argc, char **argv);
 
@@ -21,8 +23,7 @@ const struct command command_check = {
 enum { UNIT_TEXT = 48, MODES_SHOWN = 3 };
 
 struct unit_texts {
-    char force[UNIT_TEXT], length[UNIT_TEXT], mass[UNIT_TEXT], stiffness[UNIT_TEXT];
-    char acceleration[UNIT_TEXT];
+    char force[UNIT_TEXT], mass[UNIT_TEXT], acceleration[UNIT_TEXT];
     const char *time;
 };
 
@@ -30,37 +31,52 @@ static struct unit_texts units_of(const struct model *m) {
     const struct unit_system *s = &m->deck->units;
     struct unit_texts t = {.time = s->time_name};
     unit_text(s, dimension_force, t.force, sizeof t.force);
-    unit_text(s, dimension_length, t.length, sizeof t.length);
     unit_text(s, dimension_mass, t.mass, sizeof t.mass);
-    unit_text(s, dimension_stiffness, t.stiffness, sizeof t.stiffness);
     unit_text(s, dimension_acceleration, t.acceleration, sizeof t.acceleration);
     return t;
 }
 
-static void print_storeys(const struct model *m, const struct building *g,
-                          const struct unit_texts *t) {
-    printf("%8s %14s %18s %10s  %s\n", "floor", "mass", "storey stiffness", "height", "storey law");
-    printf("%8s %14s %18s %10s\n", "", t->mass, t->stiffness, t->length);
-    for (int i = 0; i < g->n_floor;) {
-        int last = i;
-        const struct storey_law *law = m->storey[g->first + i].law;
-        while (last + 1 < g->n_floor && g->mass[last + 1] == g->mass[i] &&
-               g->stiffness[last + 1] == g->stiffness[i] &&
-               (!g->height || g->height[last + 1] == g->height[i]) &&
-               m->storey[g->first + last + 1].law == law) {
-            last++;
-        }
-        char floors[32];
-        snprintf(floors, sizeof floors, last > i ? "%d:%d" : "%d", i + 1, last + 1);
-        printf("%8s %14.6g %18.6g ", floors, g->mass[i], g->stiffness[i]);
-        if (g->height) {
-            printf("%10.4g", g->height[i]);
-        } else {
-            printf("%10s", "-");
-        }
-        printf("  %s\n", law->name);
-        i = last + 1;
+static const struct printer_column storey_columns[] = {
+    COLUMN_TEXT("floor", 8),
+    {"mass", NULL, NULL, &dimension_mass, 14, 6, LOOK_G},
+    {"storey stiffness", NULL, NULL, &dimension_stiffness, 18, 6, LOOK_G},
+    {"height", NULL, NULL, &dimension_length, 10, 4, LOOK_G},
+    COLUMN_TEXT("storey law", 0)};
+static const struct printer_column link_columns[] = {
+    COLUMN_TEXT("contact or link", -28),
+    {"gap", NULL, NULL, &dimension_length, 10, 4, LOOK_G},
+    {"m*", NULL, NULL, &dimension_mass, 12, 6, LOOK_G},
+    COLUMN_TEXT("law", 0)};
+
+// The last of the storeys from `first` on that are like it.
+static int last_alike(const struct model *m, const struct building *g, int first) {
+    const struct storey_law *law = m->storey[g->first + first].law;
+    int last = first;
+    while (last + 1 < g->n_floor && g->mass[last + 1] == g->mass[first] &&
+           g->stiffness[last + 1] == g->stiffness[first] &&
+           (!g->height || g->height[last + 1] == g->height[first]) &&
+           m->storey[g->first + last + 1].law == law) {
+        last++;
     }
+    return last;
+}
+
+static int print_storeys(const struct model *m, const struct building *g) {
+    struct printer t = {.to = stdout, .units = &m->deck->units, .at_head = UNITS_BELOW_BARE};
+    PRINTER_ADD(&t, storey_columns);
+    printer_head(&t);
+    for (int i = 0, last; i < g->n_floor; i = last + 1) {
+        char floors[32];
+        last = last_alike(m, g, i);
+        snprintf(floors, sizeof floors, last > i ? "%d:%d" : "%d", i + 1, last + 1);
+        printer_text(&t, floors);
+        printer_number(&t, g->mass[i]);
+        printer_number(&t, g->stiffness[i]);
+        printer_number(&t, g->height ? g->height[i] : (double)NAN);
+        printer_text(&t, m->storey[g->first + i].law->name);
+        printer_line(&t);
+    }
+    return printer_close(&t);
 }
 
 // Periods and damping ratios of the first modes.
@@ -79,20 +95,21 @@ static void print_modes(const struct building *g, const struct unit_texts *t) {
     }
 }
 
-static void print_building(const struct model *m, const struct building *g,
-                           const struct unit_texts *t) {
+static int print_building(const struct model *m, const struct building *g,
+                          const struct unit_texts *t) {
     double mass = 0.0;
     for (int i = 0; i < g->n_floor; i++) {
         mass += g->mass[i];
     }
-    printf("\nbuilding %s: %d floor%s, mass %.6g %s\n", g->name, g->n_floor,
-           g->n_floor == 1 ? "" : "s", mass, t->mass);
+    fputc('\n', stdout);
+    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
+              g->n_floor == 1 ? "" : "s", mass, t->mass);
     print_modes(g, t);
     for (int i = 0; i < g->n_part; i++) {
-        printf("  %s: %d x %d from %s\n", g->part[i].name, g->n_floor, g->n_floor,
-               g->part[i].source);
+        safe_line(stdout, "  %s: %d x %d from %s", g->part[i].name, g->n_floor, g->n_floor,
+                  g->part[i].source);
     }
-    print_storeys(m, g, t);
+    return print_storeys(m, g);
 }
 
 static void print_signals(const struct model *m, const struct unit_texts *t) {
@@ -109,13 +126,14 @@ static void print_signals(const struct model *m, const struct unit_texts *t) {
         printf(g->n_signal ? ":\n" : ": at rest\n");
         for (int i = 0; i < g->n_signal; i++) {
             const struct signal *s = &g->signal[i];
-            printf("  %s: peak %.4g %s = %.4g g, from %.4g to %.4g %s\n", s->name, signal_peak(s),
-                   t->acceleration, signal_peak(s) * gravity, s->start, s->end, t->time);
+            safe_line(stdout, "  %s: peak %.4g %s = %.4g g, from %.4g to %.4g %s", s->name,
+                      signal_peak(s), t->acceleration, signal_peak(s) * gravity, s->start, s->end,
+                      t->time);
             if (s->mean != 0.0) {
                 printf("    a mean of %.4g %s was subtracted\n", s->mean, t->acceleration);
             }
             if (s->scaled) {
-                printf("    %s\n", s->scaled);
+                safe_line(stdout, "    %s", s->scaled);
             }
         }
     }
@@ -128,8 +146,9 @@ static void print_loads(const struct model *m, const struct unit_texts *t) {
         while (load->dof >= g->first + g->n_floor) {
             g++;
         }
-        printf("%sload on %s:%d: %s, peak %.4g %s\n", i ? "" : "\n", g->name,
-               load->dof - g->first + 1, load->signal.name, signal_peak(&load->signal), t->force);
+        fputs(i ? "" : "\n", stdout);
+        safe_line(stdout, "load on %s:%d: %s, peak %.4g %s", g->name, load->dof - g->first + 1,
+                  load->signal.name, signal_peak(&load->signal), t->force);
     }
 }
 
@@ -151,35 +170,35 @@ static void print_laws(const struct model *m) {
         while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
             last++;
         }
-        char words[WORDS_SIZE];
+        char words[WORDS_SIZE], calibrated[48] = "";
         law_words(l->law, l->value, words, sizeof words);
-        printf("%s%s%s: %s", l->name, last > first ? " to " : "",
-               last > first ? m->link[last].name : "", words);
         if (l->calibrated) {
-            printf(", calibrated for e = %.6g", l->restitution);
+            snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
         }
-        printf("\n");
+        safe_line(stdout, "%s%s%s: %s%s", l->name, last > first ? " to " : "",
+                  last > first ? m->link[last].name : "", words, calibrated);
     }
 }
 
-static void print_links(const struct model *m, const struct unit_texts *t) {
+static int print_links(const struct model *m) {
+    struct printer t = {.to = stdout, .units = &m->deck->units, .at_head = UNITS_BELOW_BARE};
     if (m->n_link == 0) {
         printf("\nno contacts\n");
-        return;
+        return EXIT_DONE;
     }
-    printf("\n%-28s %10s %12s  %s\n", "contact or link", "gap", "m*", "law");
-    printf("%-28s %10s %12s\n", "", t->length, t->mass);
+    printf("\n");
+    PRINTER_ADD(&t, link_columns);
+    printer_head(&t);
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        printf("%-28s ", l->name);
-        if (l->bilateral) {
-            printf("%10s", "-");
-        } else {
-            printf("%10.4g", l->gap);
-        }
-        printf(" %12.6g  %s\n", l->mass, l->law->name);
+        printer_text(&t, l->name);
+        printer_number(&t, l->bilateral ? (double)NAN : l->gap);
+        printer_number(&t, l->mass);
+        printer_text(&t, l->law->name);
+        printer_line(&t);
     }
     print_laws(m);
+    return printer_close(&t);
 }
 
 static void print_adaptive(const struct model *m, const struct unit_texts *t) {
@@ -221,13 +240,19 @@ static int check(void *options, const struct model *m) {
     const struct check_options *o = options;
     struct unit_texts t = units_of(m);
     const struct unit_system *s = &m->deck->units;
-    printf("%s%sunits %s %s %s, mass in %s\n", m->deck->title, m->deck->title[0] ? "\n" : "",
-           s->force_name, s->length_name, s->time_name, t.mass);
-    sweeps_print_first(m->deck, "\n", "");
-    for (int k = 0; k < m->n_building; k++) {
-        print_building(m, &m->building[k], &t);
+    if (m->deck->title[0]) {
+        safe_line(stdout, "%s", m->deck->title);
     }
-    print_links(m, &t);
+    printf("units %s %s %s, mass in %s\n", s->force_name, s->length_name, s->time_name, t.mass);
+    sweeps_print_first(m->deck, "\n", "");
+    int status = EXIT_DONE;
+    for (int k = 0; k < m->n_building && status == EXIT_DONE; k++) {
+        status = print_building(m, &m->building[k], &t);
+    }
+    status = status == EXIT_DONE ? print_links(m) : status;
+    if (status != EXIT_DONE) {
+        return status;
+    }
     print_signals(m, &t);
     print_loads(m, &t);
     print_time(m, &t);
@@ -241,9 +266,9 @@ static int check(void *options, const struct model *m) {
 }
 
 static int check_command(int argc, char **argv) {
-    static const struct option option[] = {DECK_COMMAND_OPTIONS};
-    static const struct deck_command c = {
-        &command_check, deck_command_details, ":D:h", option, NULL, NULL, check};
+    static const struct option_row rows[] = {DECK_DEFINE_ROW, {0}};
+    static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
+    static const struct deck_command c = {&command_check, parts, NULL, check};
     struct check_options o = {.load = {.guidance = &o.guidance, .checks = true}};
-    return deck_command_run(&c, argc, argv, &o.load, &o);
+    return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -64,15 +64,34 @@ static const char *softest_where(void *context, int k) {
     return t->text;
 }
 
+// The diagnostics beyond the first `known`.
+static void print_from(const struct diagnostics *d, int known) {
+    const int n = d->n_item - known;
+    diagnostics_print(&(struct diagnostics){.item = d->item + known, .n_item = n, .n_warning = n},
+                      stderr, command_colour());
+}
+
 static void print_softest(const struct survey *s) {
     const struct model *first = s->plan->first;
     const struct diagnostics *d = &first->deck->diagnostics;
     const int known = d->n_item;
     guidance_warn_storeys(first, s->n_contact, s->softest, softest_where,
                           &(struct soft_text){.survey = s});
-    const int n = d->n_item - known;
-    diagnostics_print(&(struct diagnostics){.item = d->item + known, .n_item = n, .n_warning = n},
-                      stderr, command_colour());
+    print_from(d, known);
+}
+
+// The warnings about the damping of the first run have been given.
+static void print_damped(const struct survey *s) {
+    const struct model *first = s->plan->first;
+    const struct diagnostics *d = &first->deck->diagnostics;
+    struct plan_text run;
+    const int known = d->n_item;
+    if (s->damped_run == 0) {
+        return;
+    }
+    deck_warning(first->deck, first->building[s->damped.building].damping, "in %s, %s",
+                 plan_describe(s->plan, s->damped_run, &run), s->damped.text);
+    print_from(d, known);
 }
 
 static int report(struct survey *s, struct error *e) {
@@ -80,13 +99,14 @@ static int report(struct survey *s, struct error *e) {
            s->plan->n_run, s->n_file, s->n_file == 1 ? "" : "s");
     print_errors(s);
     print_softest(s);
+    print_damped(s);
     const bool adaptive = s->plan->first->adaptive;
     return adaptive || isinf(s->bound) ? STATUS_OK : survey_strongest(s, print_strongest, s, e);
 }
 
 int check_study(const struct load_request *load, const struct model *first) {
     const struct study_request request = {
-        .first = first, .define = load->define, .n_define = load->n_define};
+        .first = first, .define = load->define.word, .n_define = load->define.n};
     struct plan plan;
     struct survey survey;
     struct error e;

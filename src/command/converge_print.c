@@ -2,12 +2,23 @@
 #include "command/converge_print.h"
 
 #include <math.h>
-#include <stdio.h>
 
-#include "command/cells.h"
 #include "command/sweeps.h"
+#include "core/safe.h"
 
 enum { SHOWN_MAX = 20, LABEL_WIDTH = 23, SHOWN_LEVELS = 3 };
+
+// Behind the levels in text; before and behind them in data.
+static const struct printer_column orders[] = {
+    COLUMN_F("order", 5, 2),
+    COLUMN_G("estimate", 11, 6),
+    {.head = "error bar", .width = 9, .digits = 1, .look = LOOK_E},
+    COLUMN_TEXT("converged", 0)};
+static const struct printer_column of_result[] = {COLUMN_DATA("owner"), COLUMN_DATA("name"),
+                                                  COLUMN_DATA("quantity"), COLUMN_DATA("unit")};
+static const struct printer_column of_convergence[] = {
+    COLUMN_DATA("order"), COLUMN_DATA("estimate"), COLUMN_DATA("error"), COLUMN_DATA("converged"),
+    COLUMN_DATA("reason")};
 
 // A contact and a link between the same floors have the same name, if the deck gives none.
 static const char *owner_of(const struct model *m, const struct refined *f) {
@@ -59,39 +70,51 @@ static double halvings(const struct refined *f, double finest, double rtol) {
     return ceil(log2(c->error / (rtol * fabs(finest))) / c->order);
 }
 
-static void print_result(const struct model *m, const struct refinement *r,
-                         const struct refined *f) {
+static void print_label(struct printer *t, const struct model *m, const struct refined *f) {
     char unit[48], label[96];
-    const double *last = f->value + r->n_level - 1;
-    snprintf(label, sizeof label, "%s%s%s%s", f->quantity, f->dimension ? " [" : "",
-             f->dimension ? unit_of(m, f, unit, sizeof unit) : "", f->dimension ? "]" : "");
-    printf("  %-*s", LABEL_WIDTH, label);
-    for (int i = 1 - SHOWN_LEVELS; i <= 0; i++) {
-        printf(" %11.6g", last[i]);
-    }
-    if (isnan(f->convergence.order)) {
-        printf("     -");
-    } else {
-        printf(" %5.2f", f->convergence.order);
-    }
-    printf(" %11.6g %9.1e  %s\n", f->convergence.estimate,
-           f->convergence.error != 0.0 ? f->convergence.error / fabs(*last) : 0.0,
-           f->within ? "yes" : "no");
+    snprintf(label, sizeof label, f->dimension ? "%s [%s]" : "%s", f->quantity,
+             f->dimension ? unit_of(m, f, unit, sizeof unit) : "");
+    printer_text(t, label);
 }
 
-static void print_heading(const struct refinement *r, const struct model *m) {
+static void print_result(struct printer *t, const struct model *m, const struct refinement *r,
+                         const struct refined *f) {
+    const struct convergence *c = &f->convergence;
+    const double *last = f->value + r->n_level - 1;
+    print_label(t, m, f);
+    printer_numbers(t, last + 1 - SHOWN_LEVELS, SHOWN_LEVELS);
+    printer_number(t, c->order);
+    printer_number(t, c->estimate);
+    printer_number(t, c->error != 0.0 ? c->error / fabs(*last) : 0.0);
+    printer_text(t, f->within ? "yes" : "no");
+    printer_line(t);
+}
+
+static void print_heading(struct printer *t, const struct refinement *r, const struct model *m) {
     const char *unit = m->adaptive ? " " : m->deck->units.time_name;
-    printf("%s%s", m->deck->title, m->deck->title[0] ? "\n" : "");
+    struct printer_column level[SHOWN_LEVELS];
+    char head[SHOWN_LEVELS][48];
+    if (m->deck->title[0]) {
+        safe_line(stdout, "%s", m->deck->title);
+    }
     sweeps_print_first(m->deck, "", "");
     printf("%d levels, %s", r->n_level, m->adaptive ? "tolerances" : "steps");
     for (int i = 0; i < r->n_level; i++) {
         printf(" %.6g", r->step[i]);
     }
-    printf(" %s\n\n  %-*s", unit, LABEL_WIDTH, m->adaptive ? "at a tolerance of" : "at a step of");
-    for (int i = r->n_level - SHOWN_LEVELS; i < r->n_level; i++) {
-        printf(" %9.4g %s", r->step[i], unit);
+    printf(" %s\n\n", unit);
+    for (int i = 0; i < SHOWN_LEVELS; i++) {
+        const double step = r->step[r->n_level - SHOWN_LEVELS + i];
+        snprintf(head[i], sizeof head[i], "%.4g %s", step, unit);
+        level[i] = (struct printer_column)COLUMN_G(head[i], 11, 6);
     }
-    printf(" order    estimate error bar  converged\n");
+    printer_add(t,
+                &(struct printer_column)COLUMN_TEXT(
+                    m->adaptive ? "at a tolerance of" : "at a step of", -LABEL_WIDTH),
+                1);
+    PRINTER_ADD(t, level);
+    PRINTER_ADD(t, orders);
+    printer_head(t);
 }
 
 // The longest lists are cut to the results that have not converged, then the first ones.
@@ -101,10 +124,11 @@ static bool is_shown(const struct refined *f, int *n_shown) {
     return shown;
 }
 
-static void print_results(const struct model *m, const struct refinement *r) {
+static int print_results(const struct model *m, const struct refinement *r) {
+    struct printer t = {.to = stdout, .indent = 2};
     int left = SHOWN_MAX, n_hidden = 0;
     const struct refined *before = NULL;
-    print_heading(r, m);
+    print_heading(&t, r, m);
     for (int i = 0; i < r->n_result; i++) {
         const struct refined *f = &r->result[i];
         if (!is_shown(f, &left)) {
@@ -113,14 +137,15 @@ static void print_results(const struct model *m, const struct refinement *r) {
         }
         if (f->owner != OF_MODEL &&
             (!before || before->owner != f->owner || before->index != f->index)) {
-            printf("%s %s\n", owner_of(m, f), name_of(m, f));
+            safe_line(stdout, "%s %s", owner_of(m, f), name_of(m, f));
         }
-        print_result(m, r, f);
+        print_result(&t, m, r, f);
         before = f;
     }
     if (n_hidden > 0) {
         printf("  %d more results not shown; --tsv prints all\n", n_hidden);
     }
+    return printer_close(&t);
 }
 
 static void print_verdict(const struct model *m, const struct refinement *r, double rtol) {
@@ -149,31 +174,38 @@ static void print_verdict(const struct model *m, const struct refinement *r, dou
     }
 }
 
-void converge_print_tsv(const struct model *m, const struct refinement *r) {
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
-    char unit[48];
-    printf("owner\tname\tquantity\tunit");
+static int print_data(const struct model *m, const struct refinement *r, enum printer_form form) {
+    struct printer t = {.to = stdout, .form = form};
+    char key[CONVERGENCE_LEVELS_MAX][32], unit[48];
+    PRINTER_ADD(&t, of_result);
     for (int i = 0; i < r->n_level; i++) {
-        printf("\t%s_%.9g", m->adaptive ? "tolerance" : "step", r->step[i]);
+        snprintf(key[i], sizeof key[i], "%s_%.9g", m->adaptive ? "tolerance" : "step", r->step[i]);
+        printer_add(&t, &(struct printer_column)COLUMN_DATA(key[i]), 1);
     }
-    printf("\torder\testimate\terror\tconverged\treason\n");
+    PRINTER_ADD(&t, of_convergence);
+    printer_head(&t);
     for (int i = 0; i < r->n_result; i++) {
         const struct refined *f = &r->result[i];
-        cells_text(&c, owner_of(m, f));
-        cells_text(&c, name_of(m, f));
-        cells_text(&c, f->quantity);
-        cells_text(&c, unit_of(m, f, unit, sizeof unit));
-        cells_numbers(&c, f->value, r->n_level);
-        cells_number(&c, f->convergence.order);
-        cells_number(&c, f->convergence.estimate);
-        cells_number(&c, f->convergence.error);
-        cells_whole(&c, f->within);
-        cells_text(&c, reason_of(f));
-        cells_end(&c);
+        const struct convergence *c = &f->convergence;
+        printer_text(&t, owner_of(m, f));
+        printer_text(&t, name_of(m, f));
+        printer_text(&t, f->quantity);
+        printer_text(&t, unit_of(m, f, unit, sizeof unit));
+        printer_numbers(&t, f->value, r->n_level);
+        printer_numbers(&t, (const double[]){c->order, c->estimate, c->error}, 3);
+        printer_whole(&t, f->within);
+        printer_text(&t, reason_of(f));
+        printer_line(&t);
     }
+    return printer_close(&t);
 }
 
-void converge_print(const struct model *m, const struct refinement *r, double rtol) {
-    print_results(m, r);
+int converge_print(const struct model *m, const struct refinement *r, double rtol,
+                   enum printer_form form) {
+    if (form != FORM_TEXT) {
+        return print_data(m, r, form);
+    }
+    const int status = print_results(m, r);
     print_verdict(m, r, rtol);
+    return status;
 }

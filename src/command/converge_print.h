@@ -3,12 +3,13 @@
 #ifndef JOSTLE_CONVERGE_PRINT_H
 #define JOSTLE_CONVERGE_PRINT_H
 
+#include "command/printer.h"
 #include "study/refinement.h"
 
-// The last levels with orders and error bars, then what has not converged to `rtol` and why.
-void converge_print(const struct model *m, const struct refinement *r, double rtol);
-
-// owner, name, quantity, unit, the result of each level, order, estimate, error, converged, reason.
-void converge_print_tsv(const struct model *m, const struct refinement *r);
+// In text the last levels with orders and error bars, then what has not converged to `rtol` and
+// why; as data owner, name, quantity, unit, the result of each level, order, estimate, error,
+// converged, reason. Returns EXIT_DONE or, after a message, the exit status.
+int converge_print(const struct model *m, const struct refinement *r, double rtol,
+                   enum printer_form form);
 
 #endif

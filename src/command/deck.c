@@ -144,13 +144,7 @@ static int print_one(enum page page, const char *name) {
     return command_unknown(&command_deck, "statement", name, known, n);
 }
 
-static int deck_command(int argc, char **argv) {
-    enum page page;
-    const char *name;
-    const int status = rows_options(&command_deck, argc, argv, &page, &name);
-    if (status != GO_ON) {
-        return status;
-    }
+static int print(enum page page, const char *name) {
     if (name) {
         return print_one(page, name);
     }
@@ -160,4 +154,8 @@ static int deck_command(int argc, char **argv) {
         print_list();
     }
     return EXIT_DONE;
+}
+
+static int deck_command(int argc, char **argv) {
+    return rows_command(&command_deck, argc, argv, print);
 }

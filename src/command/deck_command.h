@@ -6,30 +6,33 @@
 
 #include "command/load.h"
 
-// Rows of their tables of options.
-#define DECK_COMMAND_OPTIONS                                                                       \
-    {"define", required_argument, NULL, 'D'}, {"help", no_argument, NULL, 'h'}, {                  \
-        NULL, 0, NULL, 0                                                                           \
+// Rows of -D, of a request that begins with a struct load_request, and of -j.
+#define DECK_DEFINE_ROW                                                                            \
+    {                                                                                              \
+        "define", 'D', "NAME=VALUE", OPTION_WORDS, OPTION_LETTER_ONLY,                             \
+            offsetof(struct load_request, define),                                                 \
+            .doc = "overrides a param of the deck; may be repeated"                                \
     }
+#define DECK_THREADS_ROW(place, text)                                                              \
+    {                                                                                              \
+        "threads", 'j', "THREADS", OPTION_WHOLE, OPTION_LETTER_ONLY, place,                        \
+            .least = 1, .most = THREADS_MAX, .what = "a number of threads", .doc = text            \
+    }
+enum { THREADS_MAX = 4096 };
 
-// Help on these alone.
-extern const char deck_command_details[];
-
-// Functions get the `options` of deck_command_run, and return EXIT_DONE or, after a message, the
-// exit status.
+// Functions get the options, and return EXIT_DONE or, after a message, the exit status.
 struct deck_command {
     const struct command *command;
-    const char *details;                     // the options, for its help
-    const char *letters;                     // as of getopt_long, -D and -h too
-    const struct option *option;             // likewise
-    int (*take)(void *options, int letter);  // takes an option of its own, with optarg; or NULL
-    int (*settle)(void *options);            // when all options are known; or NULL
+    const struct option_part *part;  // of its help
+    int (*settle)(void *options);    // when all options are known; or NULL
     int (*use)(void *options, const struct model *m);
 };
 
-// Runs the command. `load`, a part of `options`, is filled from the command line. Returns the exit
-// status.
-int deck_command_run(const struct deck_command *c, int argc, char **argv, struct load_request *load,
-                     void *options);
+// Runs the command. Its options begin with `load`. Returns the exit status.
+int deck_command_run(const struct deck_command *c, int argc, char **argv,
+                     struct load_request *load);
+
+// As many threads as the system has cores.
+int deck_command_threads(void);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/show_study.h"
+#include "command/printer.h"
 #include "command/study_print.h"
 #include "command/suite_options.h"
 #include "core/arena.h"
@@ -15,21 +15,35 @@ static int fragility_command(int argc, char **argv);
 
 const struct command command_fragility = {
     .name = "fragility",
-    .usage = "FILE.h5 [--tsv|--csv] --edp EDP --limit VALUE[,VALUE...]\n"
+    .usage = "FILE.h5 [--tsv|--csv|--json] --edp EDP --limit VALUE[,VALUE...]\n"
              "                        [--im NAME] [--over NAME] [--at NAME=VALUE]\n"
              "                        [--failed above|left-out] [--method counts|ida]",
     .summary = "fits lognormal fragility curves to a study",
     .run = fragility_command,
 };
 
-enum form { FORM_TEXT, FORM_TSV, FORM_CSV };
 enum method { METHOD_COUNTS, METHOD_IDA };
 static const char *const method_name[] = {"counts", "ida"};
 struct request {
     struct suite_options suite;
     enum method method;
-    enum form form;
+    enum printer_form form;
 };
+#define AT(member) offsetof(struct request, member)
+
+// Of text, behind the intensity.
+static const struct printer_column level_columns[] = {
+    COLUMN_TEXT("n", 7), COLUMN_TEXT("exceeded", 9), COLUMN_F("fraction", 10, 3),
+    COLUMN_F("curve", 9, 3)};
+// Of data, before and behind the sweeps of the groups.
+static const struct printer_column of_limit[] = {COLUMN_DATA("edp"), COLUMN_DATA("limit"),
+                                                 COLUMN_DATA("limit_unit")};
+static const struct printer_column of_level[] = {
+    COLUMN_DATA("im"),         COLUMN_DATA("im_unit"),         COLUMN_DATA("n"),
+    COLUMN_DATA("exceeded"),   COLUMN_DATA("probability"),     COLUMN_DATA("median"),
+    COLUMN_DATA("dispersion"), COLUMN_DATA("ln_median_error"), COLUMN_DATA("dispersion_error"),
+    COLUMN_DATA("method"),     COLUMN_DATA("never"),           COLUMN_DATA("always"),
+    COLUMN_DATA("outcome")};
 
 // What is printed of one group of runs and one limit.
 struct result {
@@ -41,29 +55,6 @@ struct result {
     struct fragility_record *record;  // (n_sample), by METHOD_IDA
     struct fragility fit;
 };
-
-static void print_details(void) {
-    printf(
-        "  --edp EDP      the demand, such as drift:A\n"
-        "  --limit VALUE[,VALUE...]\n"
-        "                 what it is not to exceed: 20mm, 0.5%%, 2MN; without a unit, in those\n"
-        "                 of the deck\n"
-        "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
-        "                 scale, or the only sweep of numbers)\n"
-        "%s"
-        "  --method counts|ida\n"
-        "                 from the counts at each intensity (the default), or from the intensity\n"
-        "                 at which each sample first exceeds the limit\n"
-        "  --tsv, --csv   a line for each limit and intensity\n"
-        "  --help         this text\n",
-        suite_options_help);
-    suite_options_print_edps();
-    printf("\nThe median and the dispersion are those of largest likelihood for the counts (Baker\n"
-           "2015, Earthquake Spectra 31, 579-599), or for the first exceedances and the samples "
-           "that have\n"
-           "none. A value equal to the limit does not exceed it. Standard errors are those of\n"
-           "independent runs, or samples.\n");
-}
 
 // Where all runs are on one side of the limit, how far they are from it: it may be in a wrong unit.
 static void print_distance(const struct result *r) {
@@ -98,15 +89,6 @@ static void print_parameters(const struct result *r) {
     }
     print_distance(r);
     printf("\n");
-}
-
-// A share of one; NaN: there is none.
-static void print_share(double share) {
-    if (isnan(share)) {
-        printf(" %9s", "-");
-    } else {
-        printf(" %9.3f", share);
-    }
 }
 
 static int count_crossings(const struct result *r, enum fragility_crossing crossing) {
@@ -146,96 +128,92 @@ static void print_records(const struct result *r) {
     print_crossings(r, CROSSING_NO_RUNS, "have no runs and are left out");
 }
 
-static void print_text(const struct result *r) {
+static int print_text(const struct result *r, struct error *e) {
     const struct suite *s = r->suite;
     const char *unit = unit_suffix(s->edp.units);
-    char head[64];
+    struct printer t = {.to = stdout};
+    printer_add(&t,
+                &(struct printer_column){
+                    .head = s->abscissa->name, .unit = s->abscissa_units, .width = 16, .digits = 6},
+                1);
+    PRINTER_ADD(&t, level_columns);
     putchar('\n');
     safe_line(stdout, "%s > %.6g%s%s%s%s%s", s->edp.text, r->limit, unit[0] ? " " : "", unit,
               study_print_g(&s->view->units, s->edp.units, r->limit).added,
               s->group[r->group][0] ? ", " : "", s->group[r->group]);
-    snprintf(head, sizeof head, "%s%s%s%s", s->abscissa->name, s->abscissa_units[0] ? " [" : "",
-             s->abscissa_units, s->abscissa_units[0] ? "]" : "");
-    safe_line(stdout, "%16s %7s %9s  %9s %9s", head, "n", "exceeded", "fraction", "curve");
+    printer_head(&t);
     for (int j = 0; j < s->n_point; j++) {
         const struct fragility_level *l = &r->level[j];
-        printf("%16.6g %7d %9d ", l->intensity, l->n, l->exceeded);
-        print_share(l->n > 0 ? (double)l->exceeded / l->n : (double)NAN);
-        print_share(fragility_probability(&r->fit, l->intensity));
-        printf("\n");
+        printer_number(&t, l->intensity);
+        printer_whole(&t, l->n);
+        printer_whole(&t, l->exceeded);
+        printer_number(&t, l->n > 0 ? (double)l->exceeded / l->n : (double)NAN);
+        printer_number(&t, fragility_probability(&r->fit, l->intensity));
+        printer_line(&t);
     }
     if (r->method == METHOD_IDA) {
         print_records(r);
     }
     print_parameters(r);
+    return printer_end(&t, STATUS_OK, e);
 }
 
-static void cell_of_fit(struct cells *c, const struct result *r, double value) {
-    if (r->fit.outcome == FRAGILITY_FITTED) {
-        cells_number(c, value);
-    } else {
-        cells_empty(c);
+static void print_fit(struct printer *t, const struct fragility *f, double intensity) {
+    const double value[] = {fragility_probability(f, intensity), f->median, f->dispersion,
+                            f->log_median_error, f->dispersion_error};
+    for (int i = 0; i < 5; i++) {
+        if (f->outcome == FRAGILITY_FITTED) {
+            printer_number(t, value[i]);
+        } else {
+            printer_empty(t);
+        }
     }
 }
 
-static void cell_of_crossings(struct cells *c, const struct result *r,
-                              enum fragility_crossing crossing) {
-    if (r->method == METHOD_IDA) {
-        cells_whole(c, count_crossings(r, crossing));
-    } else {
-        cells_empty(c);
-    }
-}
-
-static void print_cells(const struct result *r, struct cells *c) {
+static void print_data(const struct result *r, struct printer *t) {
     const struct suite *s = r->suite;
     const struct fragility *f = &r->fit;
+    const bool ida = r->method == METHOD_IDA;
     for (int j = 0; j < s->n_point; j++) {
         const struct fragility_level *l = &r->level[j];
-        cells_text(c, s->edp.text);
-        cells_number(c, r->limit);
-        cells_text(c, s->edp.units);
+        printer_text(t, s->edp.text);
+        printer_number(t, r->limit);
+        printer_text(t, s->edp.units);
         for (int i = 0; i < s->n_group_sweep; i++) {
-            show_sweep_value(c, s->view->sweep[s->group_sweep[i]],
-                             suite_group_choice(s, r->group, i));
+            printer_sweep(t, s->view->sweep[s->group_sweep[i]], suite_group_choice(s, r->group, i));
         }
-        cells_number(c, l->intensity);
-        cells_text(c, s->abscissa_units[0] ? s->abscissa_units : "1");
-        cells_whole(c, l->n);
-        cells_whole(c, l->exceeded);
-        cell_of_fit(c, r, fragility_probability(f, l->intensity));
-        cell_of_fit(c, r, f->median);
-        cell_of_fit(c, r, f->dispersion);
-        cell_of_fit(c, r, f->log_median_error);
-        cell_of_fit(c, r, f->dispersion_error);
-        cells_text(c, method_name[r->method]);
-        cell_of_crossings(c, r, CROSSING_ABOVE);
-        cell_of_crossings(c, r, CROSSING_BELOW);
-        cells_text(c, f->outcome == FRAGILITY_FITTED ? "fitted" : fragility_reason(f));
-        cells_end(c);
+        printer_number(t, l->intensity);
+        printer_text(t, s->abscissa_units[0] ? s->abscissa_units : "1");
+        printer_whole(t, l->n);
+        printer_whole(t, l->exceeded);
+        print_fit(t, f, l->intensity);
+        printer_text(t, method_name[r->method]);
+        printer_sign(t, ida ? count_crossings(r, CROSSING_ABOVE) : -1);
+        printer_sign(t, ida ? count_crossings(r, CROSSING_BELOW) : -1);
+        printer_text(t, f->outcome == FRAGILITY_FITTED ? "fitted" : fragility_reason(f));
+        printer_line(t);
     }
 }
 
-static void print_head(const struct request *q, const struct suite *s, struct cells *c) {
-    if (q->form != FORM_TEXT) {
-        cells_words(c, "edp limit limit_unit");
-        for (int i = 0; i < s->n_group_sweep; i++) {
-            show_sweep_name(c, s->view->sweep[s->group_sweep[i]]);
-        }
-        cells_words(c, "im im_unit n exceeded probability median dispersion ln_median_error "
-                       "dispersion_error method never always outcome");
-        cells_end(c);
-        return;
-    }
+static void print_title(const struct suite *s) {
+    char over[32] = "";
     if (s->view->title[0]) {
         safe_line(stdout, "%s", s->view->title);
     }
-    char over[32] = "";
     if (s->over[0]) {
         snprintf(over, sizeof over, ", %d sample%s of ", s->n_sample, s->n_sample == 1 ? "" : "s");
     }
     safe_line(stdout, "fragility over %s%s%s%s%s", s->abscissa->name, over, s->over,
               s->fixed[0] ? "; " : "", s->fixed);
+}
+
+static void print_head(const struct suite *s, struct printer *t) {
+    PRINTER_ADD(t, of_limit);
+    for (int i = 0; i < s->n_group_sweep; i++) {
+        printer_add_sweep(t, s->view->sweep[s->group_sweep[i]]);
+    }
+    PRINTER_ADD(t, of_level);
+    printer_head(t);
 }
 
 static int fit(struct result *r, struct error *e) {
@@ -251,25 +229,29 @@ static int fit(struct result *r, struct error *e) {
 static int print_all(const struct request *q, const struct suite *s, const double *limit, int n,
                      struct error *e) {
     struct result r = {.suite = s, .method = q->method};
-    struct cells c = {.to = stdout, .form = q->form == FORM_CSV ? CELLS_CSV : CELLS_TSV};
+    struct printer t = {.to = stdout, .form = q->form};
     r.level = arena_alloc(s->arena, (size_t)s->n_point, sizeof *r.level);
     r.record = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *r.record);
     if (!r.level || !r.record) {
         return error_no_memory(e);
     }
-    print_head(q, s, &c);
+    if (q->form == FORM_TEXT) {
+        print_title(s);
+    } else {
+        print_head(s, &t);
+    }
     int status = STATUS_OK;
     for (int i = 0; i < n * s->n_group && status == STATUS_OK; i++) {
         r.group = i % s->n_group;
         r.limit = limit[i / s->n_group];
         status = fit(&r, e);
         if (status == STATUS_OK && q->form == FORM_TEXT) {
-            print_text(&r);
+            status = print_text(&r, e);
         } else if (status == STATUS_OK) {
-            print_cells(&r, &c);
+            print_data(&r, &t);
         }
     }
-    return status;
+    return printer_end(&t, status, e);
 }
 
 // Can first exceedances be found? Where a demand that is never below 0 does not exceed 0 it is 0,
@@ -288,8 +270,8 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
     for (int i = 0; i < n; i++) {
         if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST) {
             return error_set(e, STATUS_INPUT,
-                             "--method ida: zeros do not tell where a limit of 0 on %s is first "
-                             "exceeded; use --method counts%s",
+                             "--method ida cannot locate the first exceedance of 0 on %s, which is 0 "
+                             "until the first contact; use --method counts%s",
                              s->edp.text,
                              quantity->owner == EDP_OF_CONTACT ? ", or --edp penetration" : "");
         }
@@ -302,7 +284,7 @@ static int check_suite(const struct request *q, const struct suite *s, const dou
                        struct error *e) {
     if (s->point_name) {
         return error_set(e, STATUS_INPUT, "--im %s: %s", s->abscissa->name,
-                         s->mixed ? "it only numbers what goes together"
+                         s->mixed ? "it only numbers paired sweeps"
                                   : "its values are not numbers");
     }
     return q->method == METHOD_IDA ? check_ida(s, limit, n, e) : STATUS_OK;
@@ -321,14 +303,14 @@ static int fit_all(const struct request *q, const struct suite *s, struct error 
     return status;
 }
 
-static int open_and_fit(const struct request *q, const char *path) {
+static int open_and_fit(struct request *q, const char *path) {
     struct study_file *f;
     struct suite *s;
     struct error e;
     if (study_file_open(path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    int status = suite_create(f, &q->suite.request, &s, &e);
+    int status = suite_create(f, suite_options_request(&q->suite), &s, &e);
     if (status == STATUS_OK) {
         status = fit_all(q, s, &e);
         suite_free(s);
@@ -337,63 +319,47 @@ static int open_and_fit(const struct request *q, const char *path) {
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-static int take_method(struct request *q) {
-    for (enum method m = METHOD_COUNTS; m <= METHOD_IDA; m++) {
-        if (strcmp(optarg, method_name[m]) == 0) {
-            q->method = m;
-            return EXIT_DONE;
-        }
-    }
-    return command_usage(&command_fragility, "--method is counts or ida, not '%s'", optarg);
-}
-
-static int take(void *request, int letter) {
+static int use(void *request, struct arena *a, const struct words *operand) {
+    (void)a;
     struct request *q = request;
-    if (suite_options_has(letter)) {
-        return suite_options_take(&command_fragility, letter, &q->suite);
-    }
-    if (letter == 'm') {
-        return take_method(q);
-    }
-    const enum form form = letter == 't' ? FORM_TSV : FORM_CSV;
-    if (q->form != FORM_TEXT && q->form != form) {
-        return command_usage(&command_fragility, "--tsv and --csv exclude each other");
-    }
-    q->form = form;
-    return EXIT_DONE;
+    return q->suite.request.edp && q->suite.limits
+               ? open_and_fit(q, operand->word[0])
+               : command_usage(&command_fragility, "give --edp EDP and --limit VALUE");
 }
 
-// GO_ON, or the exit status.
-static int parse(int argc, char **argv, struct request *q) {
-    static const struct option option[] = {SUITE_OPTIONS,
-                                           {"tsv", no_argument, NULL, 't'},
-                                           {"csv", no_argument, NULL, 'c'},
-                                           {"method", required_argument, NULL, 'm'},
-                                           {"help", no_argument, NULL, 'h'},
-                                           {NULL, 0, NULL, 0}};
-    static const struct command_options options = {
-        &command_fragility, "", print_details, getopt_long, ":h", option, take, SUITE_REPEATABLE};
-    const int status = command_parse(&options, argc, argv, q);
-    if (status == GO_ON && argc - optind != 1) {
-        return command_usage(&command_fragility, "one result file is expected, not %d",
-                             argc - optind);
-    }
-    if (status == GO_ON && (!q->suite.request.edp || !q->suite.limits)) {
-        return command_usage(&command_fragility, "give --edp EDP and --limit VALUE");
-    }
-    return status;
-}
+static const struct option_row rows[] = {
+    {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
+    {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
+     .doc = "what it is not to exceed: 20mm, 0.5%, 2MN; without a unit, in those of the deck"},
+    {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
+     .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
+            "only sweep of numbers)"},
+    {0}};
+
+static const struct option_row form_rows[] = {
+    {"method", 0, "counts|ida", OPTION_CHOICE, 0, AT(method),
+     .doc = "from the counts at each intensity (the default), or from the intensity at which each "
+            "sample first exceeds the limit"},
+    {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+     .doc = "a line for each limit and intensity, separated by tabs"},
+    {0}};
 
 static int fragility_command(int argc, char **argv) {
+    static const struct option_part parts[] = {
+        {.row = rows},
+        {.row = suite_options_rows, .at = AT(suite)},
+        {.row = form_rows},
+        {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},
+        {.print = suite_options_print_edps},
+        {.text =
+             "\nThe median and the dispersion are those of largest likelihood for the counts "
+             "(Baker\n2015, Earthquake Spectra 31, 579-599), or for the first exceedances and the "
+             "samples that have\nnone. A value equal to the limit does not exceed it. Standard "
+             "errors are those of\nindependent runs, or samples.\n"},
+        {0}};
+    static const struct option_list list = {&command_fragility, parts, .operand = "result file",
+                                            .use = use};
     struct request q = {.form = FORM_TEXT};
-    struct error e;
-    if (suite_options_init(&q.suite, argc, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    int status = parse(argc, argv, &q);
-    if (status == GO_ON) {
-        status = open_and_fit(&q, argv[optind]);
-    }
-    suite_options_close(&q.suite);
-    return status;
+    return option_run(&list, argc, argv, &q);
 }

@@ -11,7 +11,6 @@
 #include "command/progress.h"
 #include "command/quantity_word.h"
 #include "command/suite_options.h"
-#include "command/threads.h"
 #include "core/arena.h"
 
 static int gap_command(int argc, char **argv);
@@ -19,28 +18,16 @@ static int gap_command(int argc, char **argv);
 const struct command command_gap = {
     .name = "gap",
     .usage =
-        "DECK [-D NAME=VALUE]... [-j THREADS] [--tsv]\n"
+        "DECK [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]\n"
         "       jostle gap DECK --limit EDP=VALUE [--range FROM:TO:N] [--tolerance LENGTH]\n"
         "                  [--percentile P] [--parameter PARAM] [-D NAME=VALUE]... [-j THREADS]\n"
-        "                  [--tsv]",
+        "                  [--tsv|--csv|--json]",
     .summary = "prints the gap that would avoid contact, or meet a limit",
     .run = gap_command,
 };
 
-static const char details[] =
-    "  -D NAME=VALUE       overrides a param of the deck; may be repeated\n"
-    "  -j THREADS          threads, default: all cores\n"
-    "  --limit EDP=VALUE   the gap beyond which the demand EDP is at most VALUE, with its unit or\n"
-    "                      that of the deck: drift-ratio=1%, force:A:5-B:5=2MN, impacts=0;\n"
-    "                      jostle fragility --help lists the demands\n"
-    "  --range FROM:TO:N   gaps to scan; default 0 to the largest closing displacement, 33 gaps\n"
-    "  --tolerance LENGTH  of the bisection; default a thousandth of the range\n"
-    "  --percentile P      of the runs that must meet the limit; default 100, all of them\n"
-    "  --parameter PARAM   the parameter of the deck that is the gap; default: all contacts get "
-    "it\n"
-    "  --tsv               a table separated by tabs: every run and contact, or every gap\n"
-    "  --help              this text\n\n"
-    "Runs all runs of the deck's sweeps. Without --limit they are run without contact, links "
+static const char explanation[] =
+    "\nRuns all runs of the deck's sweeps. Without --limit they are run without contact, links "
     "acting,\n"
     "and the largest closing displacement at each contact stands next to what codes combine from "
     "the\n"
@@ -55,9 +42,10 @@ enum { POINTS_DEFAULT = 33 };
 struct options {
     struct load_request load;
     int n_thread;
-    bool tsv;
+    enum printer_form form;
     const char *limit, *range, *tolerance, *percentile, *parameter;
 };
+#define AT(member) offsetof(struct options, member)
 
 // EXIT_DONE, or the status of what ended the runs.
 static int run_apart(const struct plan *p, const struct options *o, struct apart *a) {
@@ -89,10 +77,9 @@ static int print_apart(const struct plan *p, const struct options *o) {
     double *scratch = status == EXIT_DONE ? calloc((size_t)a.n_run, sizeof *scratch) : NULL;
     if (status == EXIT_DONE && !scratch) {
         status = command_no_memory();
-    } else if (status == EXIT_DONE && o->tsv) {
-        gap_print_apart_tsv(p, &a);
     } else if (status == EXIT_DONE) {
-        gap_print_apart(p, &a, scratch);
+        status =
+            o->form == FORM_TEXT ? gap_print_apart(p, &a, scratch) : gap_print_runs(p, &a, o->form);
     }
     if (status == EXIT_DONE && a.n_failed > 0) {
         status = fail_runs(p, &a);
@@ -220,8 +207,8 @@ static int run_search(const struct plan *p, const struct options *o) {
     if (status != STATUS_OK) {
         status = command_fail(&e);
     } else {
-        (o->tsv ? gap_print_search_tsv : gap_print_search)(&q, &s);
-        if (!s.found) {
+        status = gap_print_search(&q, &s, o->form);
+        if (status == EXIT_DONE && !s.found) {
             error_set(&e, STATUS_FAILED, "no gap of the range meets the limit");
             status = command_fail(&e);
         }
@@ -233,8 +220,8 @@ static int run_search(const struct plan *p, const struct options *o) {
 static int run_deck(void *options, const struct model *m) {
     const struct options *o = options;
     const struct study_request request = {.first = m,
-                                          .define = o->load.define,
-                                          .n_define = o->load.n_define,
+                                          .define = o->load.define.word,
+                                          .n_define = o->load.define.n,
                                           .result = {.version = JOSTLE_VERSION}};
     struct plan plan;
     struct error e;
@@ -251,32 +238,6 @@ static int run_deck(void *options, const struct model *m) {
     return status;
 }
 
-static int take(void *options, int letter) {
-    struct options *o = options;
-    switch (letter) {
-        case 'l':
-            o->limit = optarg;
-            return EXIT_DONE;
-        case 'r':
-            o->range = optarg;
-            return EXIT_DONE;
-        case 't':
-            o->tolerance = optarg;
-            return EXIT_DONE;
-        case 'p':
-            o->percentile = optarg;
-            return EXIT_DONE;
-        case 'n':
-            o->parameter = optarg;
-            return EXIT_DONE;
-        case 'j':
-            return threads_parse(&command_gap, optarg, &o->n_thread);
-        default:
-            o->tsv = true;
-            return EXIT_DONE;
-    }
-}
-
 static int settle(void *options) {
     const struct options *o = options;
     const char *useless = o->range        ? "--range"
@@ -289,16 +250,30 @@ static int settle(void *options) {
 }
 
 static int gap_command(int argc, char **argv) {
-    static const struct option option[] = {{"threads", required_argument, NULL, 'j'},
-                                           {"limit", required_argument, NULL, 'l'},
-                                           {"range", required_argument, NULL, 'r'},
-                                           {"tolerance", required_argument, NULL, 't'},
-                                           {"percentile", required_argument, NULL, 'p'},
-                                           {"parameter", required_argument, NULL, 'n'},
-                                           {"tsv", no_argument, NULL, 's'},
-                                           DECK_COMMAND_OPTIONS};
-    static const struct deck_command c = {&command_gap, details, ":D:j:h", option,
-                                          take,         settle,  run_deck};
-    struct options o = {.n_thread = threads_all()};
-    return deck_command_run(&c, argc, argv, &o.load, &o);
+    static const struct option_row rows[] = {
+        DECK_DEFINE_ROW,
+        DECK_THREADS_ROW(AT(n_thread), "threads, default: all cores"),
+        {"limit", 0, "EDP=VALUE", OPTION_TEXT, 0, AT(limit),
+         .doc = "the gap beyond which the demand EDP is at most VALUE, with its unit or that of "
+                "the deck: drift-ratio=1%, force:A:5-B:5=2MN, impacts=0; jostle fragility --help "
+                "lists the demands"},
+        {"range", 0, "FROM:TO:N", OPTION_TEXT, 0, AT(range),
+         .doc = "gaps to scan; default 0 to the largest closing displacement, 33 gaps"},
+        {"tolerance", 0, "LENGTH", OPTION_TEXT, 0, AT(tolerance),
+         .doc = "of the bisection; default a thousandth of the range"},
+        {"percentile", 0, "P", OPTION_TEXT, 0, AT(percentile),
+         .doc = "of the runs that must meet the limit; default 100, all of them"},
+        {"parameter", 0, "PARAM", OPTION_TEXT, 0, AT(parameter),
+         .doc = "the parameter of the deck that is the gap; default: all contacts get it"},
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "a table separated by tabs: every run and contact, or every gap"},
+        {0}};
+    static const struct option_part parts[] = {{.row = rows},
+                                               {.row = printer_rows, .at = AT(form)},
+                                               {.row = option_help},
+                                               {.text = explanation},
+                                               {0}};
+    static const struct deck_command c = {&command_gap, parts, settle, run_deck};
+    struct options o = {.n_thread = deck_command_threads()};
+    return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -1,128 +1,114 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/gap_print.h"
 
-#include <math.h>
-#include <stdio.h>
-
-#include "command/cells.h"
 #include "command/study_print.h"
+#include "core/safe.h"
 #include "core/text.h"
 
-enum { NAME_WIDTH = 14 };
+static const struct printer_column closings[] = {
+    COLUMN_NAME("closing by", 14), COLUMN_G("mean", 9, 4), COLUMN_G("16 %", 9, 4),
+    COLUMN_G("50 %", 9, 4),        COLUMN_G("84 %", 9, 4), COLUMN_G("largest", 9, 4),
+    COLUMN_TEXT("in run", 6),      COLUMN_G("gap", 9, 4),  COLUMN_TEXT("runs hit", 9)};
+static const struct printer_column inputs[] = {COLUMN_NAME("rules", 14), COLUMN_G("uA", 9, 4),
+                                               COLUMN_G("uB", 9, 4), COLUMN_G("rho", 7, 4)};
+static const struct printer_column closing[] = {COLUMN_NAME("of the closing", 14),
+                                                COLUMN_TEXT("", 27)};
+static const struct printer_column ratio[] = {COLUMN_F("mean", 6, 3), COLUMN_F("least", 6, 3)};
+static const struct printer_column modes[] = {COLUMN_NAME("first modes", 14), COLUMN_G("T", 9, 4),
+                                              COLUMN_G("damp. [%]", 9, 4)};
+// Behind the sweeps, before the rules; the values in the order of enum apart_value.
+static const struct printer_column of_contact[] = {COLUMN_DATA("status"),
+                                                   COLUMN_DATA("contact"),
+                                                   COLUMN_OF("gap", dimension_length),
+                                                   COLUMN_OF("closing", dimension_length),
+                                                   COLUMN_OF("u_left", dimension_length),
+                                                   COLUMN_OF("u_right", dimension_length),
+                                                   COLUMN_OF("T_left", dimension_time),
+                                                   COLUMN_OF("T_right", dimension_time),
+                                                   COLUMN_DATA("damping_left"),
+                                                   COLUMN_DATA("damping_right"),
+                                                   COLUMN_DATA("rho")};
 
-static const char *name_of(const struct link *l, struct text_short *t) {
-    return text_short(t, l->name);
+// What the tables are about.
+struct view {
+    const struct plan *p;
+    const struct apart *a;
+    double *scratch;  // (n_run)
+};
+
+static double mean(const struct view *v, int contact, int value) {
+    return apart_summarise(v->a, contact, value, APART_VALUES, v->scratch).mean;
 }
 
-static void print_number(double x, int width) {
-    if (isnan(x)) {
-        printf(" %*s", width, "-");
-    } else {
-        printf(" %*.4g", width, x);
-    }
-}
-
-static void print_ratio(double x) {
-    if (isnan(x)) {
-        printf(" %6s", "-");
-    } else {
-        printf(" %6.3f", x);
-    }
-}
-
-static void print_closings(const struct plan *p, const struct apart *a, double *scratch) {
-    printf("%-*s %9s %9s %9s %9s %9s %6s %9s %9s\n", NAME_WIDTH, "closing by", "mean", "16 %",
-           "50 %", "84 %", "largest", "in run", "gap", "runs hit");
-    for (int i = 0; i < a->n_contact; i++) {
-        struct text_short t;
-        const struct apart_summary s = apart_summarise(a, i, APART_CLOSING, APART_VALUES, scratch);
-        const double gap = apart_summarise(a, i, APART_GAP, APART_VALUES, scratch).mean;
-        printf("%-*s", NAME_WIDTH, name_of(&p->first->link[i], &t));
-        const double value[] = {s.mean, s.low, s.median, s.high, s.largest};
-        for (int k = 0; k < 5; k++) {
-            print_number(value[k], 9);
-        }
-        printf(" %6ld", s.run + 1);
-        print_number(gap, 9);
-        printf(" %9ld\n", apart_hits(a, i));
-    }
+static void print_closing(struct printer *t, const struct view *v, int i) {
+    const struct apart_summary s =
+        apart_summarise(v->a, i, APART_CLOSING, APART_VALUES, v->scratch);
+    printer_numbers(t, (const double[]){s.mean, s.low, s.median, s.high, s.largest}, 5);
+    printer_whole(t, s.run + 1);
+    printer_number(t, mean(v, i, APART_GAP));
+    printer_whole(t, apart_hits(v->a, i));
 }
 
 // Means over the runs: what goes into the rules, and what comes out.
-static void print_rules(const struct plan *p, const struct apart *a, double *scratch) {
-    printf("\n%-*s %9s %9s %7s", NAME_WIDTH, "rules", "uA", "uB", "rho");
+static void print_rules(struct printer *t, const struct view *v, int i) {
+    printer_number(t, mean(v, i, APART_LEFT));
+    printer_number(t, mean(v, i, APART_RIGHT));
+    printer_number(t, mean(v, i, APART_RHO));
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printf(" %13s", separation_rules[k].name);
-    }
-    printf("\n");
-    for (int i = 0; i < a->n_contact; i++) {
-        static const int input[] = {APART_LEFT, APART_RIGHT, APART_RHO};
-        struct text_short t;
-        printf("%-*s", NAME_WIDTH, name_of(&p->first->link[i], &t));
-        for (int k = 0; k < 3; k++) {
-            print_number(apart_summarise(a, i, input[k], APART_VALUES, scratch).mean,
-                         k < 2 ? 9 : 7);
-        }
-        for (int k = 0; k < SEPARATION_RULES; k++) {
-            print_number(apart_summarise(a, i, APART_RULE + k, APART_VALUES, scratch).mean, 13);
-        }
-        printf("\n");
+        printer_number(t, mean(v, i, APART_RULE + k));
     }
 }
 
 // How far the rules are off, run by run: mean and least of their ratio to the closing displacement.
-static void print_ratios(const struct plan *p, const struct apart *a, double *scratch) {
-    printf("\n%-*s %9s %9s %7s", NAME_WIDTH, "of the closing", "", "", "");
+static void print_ratios(struct printer *t, const struct view *v, int i) {
+    printer_empty(t);
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printf(" %13s", "mean  least");
-    }
-    printf("\n");
-    for (int i = 0; i < a->n_contact; i++) {
-        struct text_short t;
-        printf("%-*s %9s %9s %7s", NAME_WIDTH, name_of(&p->first->link[i], &t), "", "", "");
-        for (int k = 0; k < SEPARATION_RULES; k++) {
-            const struct apart_summary s =
-                apart_summarise(a, i, APART_RULE + k, APART_CLOSING, scratch);
-            print_ratio(s.mean);
-            print_ratio(s.least);
-        }
-        printf("\n");
+        const struct apart_summary s =
+            apart_summarise(v->a, i, APART_RULE + k, APART_CLOSING, v->scratch);
+        printer_number(t, s.mean);
+        printer_number(t, s.least);
     }
 }
 
-static void print_modes(const struct plan *p, const struct apart *a, double *scratch) {
-    const struct model *m = p->first;
-    printf("\n%-*s %9s %9s\n", NAME_WIDTH, "first modes", "T", "damp. [%]");
-    for (int building = 0; building < m->n_building; building++) {
-        struct text_short t;
-        int contact = -1, side = 0;
-        for (int i = 0; i < a->n_contact; i++) {
-            for (int k = 0; k < 2; k++) {
-                if (m->link[i].building[k] == building) {
-                    contact = i;
-                    side = k;
-                }
-            }
-        }
-        if (contact < 0) {
-            continue;
-        }
-        printf("%-*s", NAME_WIDTH, text_short(&t, m->building[building].name));
-        print_number(
-            apart_summarise(a, contact, APART_PERIOD_LEFT + side, APART_VALUES, scratch).mean, 9);
-        print_number(
-            100.0 *
-                apart_summarise(a, contact, APART_DAMPING_LEFT + side, APART_VALUES, scratch).mean,
-            9);
-        printf("\n");
+static int print_contacts(struct printer *t, const struct view *v,
+                          void line(struct printer *t, const struct view *v, int contact)) {
+    printer_head(t);
+    for (int i = 0; i < v->a->n_contact; i++) {
+        printer_text(t, v->p->first->link[i].name);
+        line(t, v, i);
+        printer_line(t);
     }
+    fputc('\n', t->to);
+    return printer_close(t);
+}
+
+static int print_modes(const struct view *v) {
+    const struct model *m = v->p->first;
+    struct printer t = {.to = stdout};
+    PRINTER_ADD(&t, modes);
+    printer_head(&t);
+    for (int building = 0; building < m->n_building; building++) {
+        int at = -1;  // twice the last contact of the building, and its side there
+        for (int i = 0; i < 2 * v->a->n_contact; i++) {
+            at = m->link[i / 2].building[i % 2] == building ? i : at;
+        }
+        if (at >= 0) {
+            printer_text(&t, m->building[building].name);
+            printer_number(&t, mean(v, at / 2, APART_PERIOD_LEFT + at % 2));
+            printer_number(&t, 100.0 * mean(v, at / 2, APART_DAMPING_LEFT + at % 2));
+            printer_line(&t);
+        }
+    }
+    return printer_close(&t);
 }
 
 static void print_head(const struct plan *p, const struct apart *a) {
     const struct deck *d = p->first->deck;
-    printf("%s%s%ld run%s without contact, %ld failed; lengths in %s, times in %s\n", d->title,
-           d->title[0] ? "\n" : "", a->n_run, a->n_run == 1 ? "" : "s", a->n_failed,
-           d->units.length_name, d->units.time_name);
+    if (d->title[0]) {
+        safe_line(stdout, "%s", d->title);
+    }
+    printf("%ld run%s without contact, %ld failed; lengths in %s, times in %s\n", a->n_run,
+           a->n_run == 1 ? "" : "s", a->n_failed, d->units.length_name, d->units.time_name);
     int k = 0;
     for (const struct sweep *s = d->sweeps; s; s = s->next, k++) {
         struct text_short t;
@@ -133,72 +119,60 @@ static void print_head(const struct plan *p, const struct apart *a) {
     printf("\n");
 }
 
-void gap_print_apart(const struct plan *p, const struct apart *a, double *scratch) {
+int gap_print_apart(const struct plan *p, const struct apart *a, double *scratch) {
+    const struct view v = {p, a, scratch};
+    struct printer t[3] = {{.to = stdout}, {.to = stdout}, {.to = stdout}};
+    PRINTER_ADD(&t[0], closings);
+    PRINTER_ADD(&t[1], inputs);
+    PRINTER_ADD(&t[2], closing);
+    for (int k = 0; k < SEPARATION_RULES; k++) {
+        printer_add(&t[1], &(struct printer_column)COLUMN_G(separation_rules[k].name, 13, 4), 1);
+        PRINTER_ADD(&t[2], ratio);
+    }
     print_head(p, a);
-    print_closings(p, a, scratch);
-    print_rules(p, a, scratch);
-    print_ratios(p, a, scratch);
-    print_modes(p, a, scratch);
+    const int status[] = {print_contacts(&t[0], &v, print_closing),
+                          print_contacts(&t[1], &v, print_rules),
+                          print_contacts(&t[2], &v, print_ratios), print_modes(&v)};
     printf("\nclosing by: largest x_A - x_B at the floors of the contact, A the left one\n"
            "uA, uB: largest displacements of these floors; the rules are applied run by run\n");
     for (int k = 0; k < SEPARATION_RULES; k++) {
         printf("%-12s = %s\n    %s\n", separation_rules[k].name, separation_rules[k].formula,
                separation_rules[k].source);
     }
+    return status[0] | status[1] | status[2] | status[3];
 }
 
-// A column for each sweep and each one along it.
-static void print_sweep_names(const struct plan *p) {
-    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
-        for (const struct sweep *along = s; along; along = along->along) {
-            printf("\t%s", along->name);
-        }
-    }
-}
-
-static void print_sweep_values(const struct plan *p, long run, struct cells *c) {
-    int choice[STUDY_SWEEPS_MAX];
-    int i = 0;
+static void print_run(struct printer *t, const struct plan *p, const struct apart *a, long run,
+                      int contact) {
+    int choice[STUDY_SWEEPS_MAX], k = 0;
     plan_choose(p, run, choice);
-    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next, i++) {
-        for (const struct sweep *along = s; along; along = along->along) {
-            if (along->number) {
-                cells_number(c, along->number[choice[i]]);
-            } else {
-                cells_text(c, along->label[choice[i]]);
-            }
-        }
+    printer_whole(t, run + 1);
+    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+        printer_sweep(t, s, choice[k++]);
     }
+    printer_text(t, study_print_status(&a->outcome[run]));
+    printer_text(t, p->first->link[contact].name);
+    printer_numbers(t, apart_values(a, run, contact), APART_VALUES);
+    printer_text(t, a->outcome[run].message);
+    printer_line(t);
 }
 
-static void print_heads(const struct plan *p) {
-    const struct unit_system *u = &p->first->deck->units;
-    printf("run");
-    print_sweep_names(p);
-    printf("\tstatus\tcontact\tgap [%s]\tclosing [%s]\tu_left [%s]\tu_right [%s]", u->length_name,
-           u->length_name, u->length_name, u->length_name);
-    printf("\tT_left [%s]\tT_right [%s]\tdamping_left\tdamping_right\trho", u->time_name,
-           u->time_name);
+int gap_print_runs(const struct plan *p, const struct apart *a, enum printer_form form) {
+    const struct deck *d = p->first->deck;
+    struct printer t = {.to = stdout, .form = form, .units = &d->units};
+    printer_add(&t, &(struct printer_column)COLUMN_DATA("run"), 1);
+    for (const struct sweep *s = d->sweeps; s; s = s->next) {
+        printer_add_sweep(&t, s);
+    }
+    PRINTER_ADD(&t, of_contact);
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printf("\t%s [%s]", separation_rules[k].key, u->length_name);
+        const char *key = separation_rules[k].key;
+        printer_add(&t, &(struct printer_column)COLUMN_OF(key, dimension_length), 1);
     }
-    printf("\tmessage\n");
-}
-
-void gap_print_apart_tsv(const struct plan *p, const struct apart *a) {
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
-    print_heads(p);
-    for (long run = 0; run < a->n_run; run++) {
-        const struct study_outcome *outcome = &a->outcome[run];
-        for (int i = 0; i < a->n_contact; i++) {
-            const double *value = apart_values(a, run, i);
-            cells_whole(&c, run + 1);
-            print_sweep_values(p, run, &c);
-            cells_text(&c, study_print_status(outcome));
-            cells_text(&c, p->first->link[i].name);
-            cells_numbers(&c, value, APART_VALUES);
-            cells_text(&c, outcome->message);
-            cells_end(&c);
-        }
+    printer_add(&t, &(struct printer_column)COLUMN_DATA("message"), 1);
+    printer_head(&t);
+    for (long i = 0; i < a->n_run * a->n_contact; i++) {
+        print_run(&t, p, a, i / a->n_contact, (int)(i % a->n_contact));
     }
+    return printer_close(&t);
 }

@@ -3,16 +3,19 @@
 #ifndef JOSTLE_GAP_PRINT_H
 #define JOSTLE_GAP_PRINT_H
 
+#include "command/printer.h"
 #include "study/apart.h"
 #include "study/gap_search.h"
 
-// Closing displacements and what the rules give. `scratch` has room for the runs.
-void gap_print_apart(const struct plan *p, const struct apart *a, double *scratch);
-// The same run by run, separated by tabs.
-void gap_print_apart_tsv(const struct plan *p, const struct apart *a);
+// All return EXIT_DONE or, after a message, the exit status.
 
-// The gaps looked at, and the one found.
-void gap_print_search(const struct gap_search_request *q, const struct gap_search *s);
-void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_search *s);
+// Closing displacements and what the rules give. `scratch` has room for the runs.
+int gap_print_apart(const struct plan *p, const struct apart *a, double *scratch);
+// The same run by run, as data.
+int gap_print_runs(const struct plan *p, const struct apart *a, enum printer_form form);
+
+// The gaps looked at, and in text the one found.
+int gap_print_search(const struct gap_search_request *q, const struct gap_search *s,
+                     enum printer_form form);
 
 #endif

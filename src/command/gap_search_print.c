@@ -2,8 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "command/cells.h"
 #include "command/gap_print.h"
+#include "command/study_print.h"
+#include "core/safe.h"
 
 static double spacing(const struct gap_search_request *q) {
     return (q->to - q->from) / (q->n - 1);
@@ -13,30 +14,19 @@ static double spacing(const struct gap_search_request *q) {
 static void print_aim(const struct gap_search_request *q, const struct gap_search *s) {
     const struct deck *d = q->plan->first->deck;
     const bool counts = dimension_equal(q->edp.dimension, dimension_none);
-    printf("%s%s%s%s at most %.6g%s%s", d->title, d->title[0] ? "\n" : "",
-           q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
-           counts ? "" : " ", counts ? "" : q->edp.units);
-    if (s->n_run == 1) {
-        printf("\n");
-    } else if (q->percentile == 100.0) {
-        printf(" in all %ld runs\n", s->n_run);
-    } else {
-        printf(", percentile %g of %ld runs\n", q->percentile, s->n_run);
+    char runs[80] = "";
+    if (d->title[0]) {
+        safe_line(stdout, "%s", d->title);
     }
-}
-
-static void print_point(const struct gap_point *p) {
-    if (p->stage == GAP_OPEN) {
-        printf("%12s ", "no contact");
-    } else {
-        printf("%12.5g ", p->gap);
+    if (s->n_run > 1 && q->percentile == 100.0) {
+        snprintf(runs, sizeof runs, " in all %ld runs", s->n_run);
+    } else if (s->n_run > 1) {
+        snprintf(runs, sizeof runs, ", percentile %g of %ld runs", q->percentile, s->n_run);
     }
-    if (p->n_failed > 0) {
-        printf("%14s %8s %8ld  %ld failed: %s\n", "-", "exceeded", p->run + 1, p->n_failed,
-               p->message);
-    } else {
-        printf("%14.6g %8s %8ld\n", p->value, p->kept ? "met" : "exceeded", p->run + 1);
-    }
+    safe_line(stdout, "%s%s at most %.6g%s%s%s%s",
+              q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
+              counts ? "" : " ", counts ? "" : q->edp.units,
+              study_print_g(&d->units, q->edp.units, q->limit).added, runs);
 }
 
 static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {
@@ -58,59 +48,73 @@ static void print_answer(const struct gap_search_request *q, const struct gap_se
            spacing(q), length);
 }
 
-void gap_print_search(const struct gap_search_request *q, const struct gap_search *s) {
-    const struct unit_system *u = &q->plan->first->deck->units;
-    char gap[80], value[128];
-    print_aim(q, s);
-    printf("%s%s: %d gaps from %.6g to %.6g %s, then bisection to %.3g %s, %d gaps in all\n\n",
-           q->parameter ? "parameter " : "", q->parameter ? q->parameter : "gaps of all contacts",
-           q->n, q->from, q->to, u->length_name, q->tolerance, u->length_name, s->n_point);
-    snprintf(gap, sizeof gap, "gap [%s]", u->length_name);
-    const bool counts = dimension_equal(q->edp.dimension, dimension_none);
-    snprintf(value, sizeof value, counts ? "value" : "value [%s]", q->edp.units);
-    printf("%12s %14s %8s %8s\n", gap, value, "limit", "in run");
-    for (int i = 0; i < s->n_point; i++) {
-        if (s->point[i].stage == GAP_SCAN) {
-            print_point(&s->point[i]);
-        }
-    }
-    if (s->opened) {
-        print_point(&s->open);
-    }
-    print_answer(q, s);
-}
-
-static void print_cells(struct cells *c, const struct gap_point *p) {
+static void print_point(struct printer *t, const struct gap_point *p) {
     static const char *const stage[] = {
         [GAP_SCAN] = "scan", [GAP_BISECTION] = "bisection", [GAP_OPEN] = "no contact"};
-    cells_text(c, stage[p->stage]);
-    cells_number(c, p->gap);
-    cells_number(c, p->value);
-    cells_text(c, p->kept ? "kept" : "broken");
-    cells_whole(c, p->n_failed);
-    cells_whole(c, p->run + 1);
-    cells_text(c, p->message);
-    cells_end(c);
+    const bool text = t->form == FORM_TEXT;
+    char note[STUDY_MESSAGE_MAX + 40] = "";
+    if (p->n_failed > 0) {
+        snprintf(note, sizeof note, "%ld failed: %s", p->n_failed, p->message);
+    }
+    printer_text(t, stage[p->stage]);
+    if (text && p->stage == GAP_OPEN) {
+        printer_text(t, "no contact");
+    } else {
+        printer_number(t, p->gap);
+    }
+    printer_number(t, text && p->n_failed > 0 ? (double)NAN : p->value);
+    printer_text(t, text ? (p->kept ? "met" : "exceeded") : (p->kept ? "kept" : "broken"));
+    printer_whole(t, p->n_failed);
+    printer_whole(t, p->run + 1);
+    printer_text(t, text ? note : p->message);
+    printer_line(t);
 }
 
-void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_search *s) {
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
-    printf("stage\tgap [%s]\t%s [%s]\tlimit\tfailed\trun\tmessage\n",
-           q->plan->first->deck->units.length_name, q->edp.text, q->edp.units);
+static void print_points(struct printer *t, const struct gap_search *s) {
+    const bool text = t->form == FORM_TEXT;
+    printer_head(t);
     for (int i = 0; i < s->n_point; i++) {
-        print_cells(&c, &s->point[i]);
+        if (!text || s->point[i].stage == GAP_SCAN) {
+            print_point(t, &s->point[i]);
+        }
     }
     if (s->opened) {
-        print_cells(&c, &s->open);
+        print_point(t, &s->open);
     }
-    if (s->found) {
-        cells_text(&c, "result");
-        cells_number(&c, s->gap);
-        cells_empty(&c);
-        cells_text(&c, "kept");
-        for (int i = 0; i < 3; i++) {
-            cells_empty(&c);  // failed, run, message
-        }
-        cells_end(&c);
+    if (!text && s->found) {
+        printer_text(t, "result");
+        printer_number(t, s->gap);
+        printer_empty(t);
+        printer_text(t, "kept");
+        printer_line(t);
     }
+}
+
+int gap_print_search(const struct gap_search_request *q, const struct gap_search *s,
+                     enum printer_form form) {
+    const struct unit_system *u = &q->plan->first->deck->units;
+    const bool counts = dimension_equal(q->edp.dimension, dimension_none);
+    const struct printer_column columns[] = {COLUMN_DATA("stage"),
+                                             {"gap", "gap", NULL, &dimension_length, 12, 5, LOOK_G},
+                                             {"value", q->edp.text,
+                                              form == FORM_TEXT && counts ? "" : q->edp.units, NULL,
+                                              14, 6, LOOK_G},
+                                             {.head = "limit", .key = "limit", .width = 8},
+                                             COLUMN_DATA("failed"),
+                                             {.head = "in run", .key = "run", .width = 8},
+                                             {.head = "", .key = "message"}};
+    struct printer t = {.to = stdout, .form = form, .units = u};
+    PRINTER_ADD(&t, columns);
+    if (form == FORM_TEXT) {
+        print_aim(q, s);
+        printf("%s%s: %d gaps from %.6g to %.6g %s, then bisection to %.3g %s, %d gaps in all\n\n",
+               q->parameter ? "parameter " : "",
+               q->parameter ? q->parameter : "gaps of all contacts", q->n, q->from, q->to,
+               u->length_name, q->tolerance, u->length_name, s->n_point);
+    }
+    print_points(&t, s);
+    if (form == FORM_TEXT) {
+        print_answer(q, s);
+    }
+    return printer_close(&t);
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle law: isolated impacts of two bodies under contact laws, compared and fitted.
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "command/law_print.h"
 #include "command/law_words.h"
+#include "command/option.h"
 #include "command/picture.h"
 #include "plot/figure.h"
 #include "plot/impact_figure.h"
@@ -15,122 +14,29 @@ static int law_command(int argc, char **argv);
 
 const struct command command_law = {
     .name = "law",
-    .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv] [--compare LAWS]... [--history FILE.tsv]\n"
-             "                  [--plot FILE.png|.svg|.pdf] [--script DIR] [--fit FILE] [--force]",
+    .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv|--csv|--json] [--compare LAWS]...\n"
+             "                  [--history FILE.tsv] [--plot FILE.png|.svg|.pdf] [--script DIR]\n"
+             "                  [--fit FILE] [--force]",
     .summary = "runs one isolated impact under a contact law",
     .run = law_command,
 };
 
-static const char details[] =
-    "LAW with its options stands as in a deck; bare numbers are in SI. `jostle laws` lists the "
-    "laws.\n\n"
-    "  -m1 M, -m2 M       masses of the bodies; without -m2 the other one is a wall\n"
-    "  -v V               velocity with which they meet\n"
-    "  --tsv              prints name and value, a line each, in SI, not rounded\n"
-    "  --compare LAWS     sets other laws beside: LAW,LAW,... with the options of the first, or "
-    "one\n"
-    "                     with its own, \"LAW -k K ...\"; may be repeated\n"
-    "  --history FILE     writes time, penetration, velocity and force\n"
-    "  --plot FILE        draws force against time and penetration; ends in .png, .svg or .pdf\n"
-    "  --script DIR       writes the picture as DIR/impact.gp for gnuplot and its data,\n"
-    "                     DIR/impact.dat\n"
-    "  --fit FILE         finds -k and -zeta from a measured force: time and force, separated by\n"
-    "                     blanks, tabs, commas or semicolons\n"
-    "  --force            overwrites what exists\n"
-    "  --help             this text\n";
-
 struct options {
     struct law_words words;
-    const char **word, **compare;  // what `words` borrows
+    struct words compare;
     const char *history;
     struct picture_options picture;  // what exists of the history too
-    bool tsv, help;
+    enum printer_form form;
 };
-
-// Those up to FIT have a value.
-enum law_option { COMPARE, HISTORY, PLOT, SCRIPT, FIT, TSV, FORCE, HELP, N_OPTION };
-static const char *const law_options[N_OPTION] = {
-    [COMPARE] = "--compare", [HISTORY] = "--history", [PLOT] = "--plot",   [SCRIPT] = "--script",
-    [FIT] = "--fit",         [TSV] = "--tsv",         [FORCE] = "--force", [HELP] = "--help"};
-
-static int take_value(struct options *o, enum law_option option, const char *value) {
-    if (!value) {
-        return command_usage(&command_law, "option '%s' needs a value", law_options[option]);
-    }
-    if (option == COMPARE) {
-        o->compare[o->words.n_compare++] = value;
-        return EXIT_DONE;
-    }
-    const char **const to[N_OPTION] = {
-        [HISTORY] = &o->history,
-        [PLOT] = &o->picture.output,
-        [SCRIPT] = &o->picture.script_folder,
-        [FIT] = &o->words.fit,
-    };
-    if (*to[option]) {
-        return command_usage(&command_law, "option '%s' is given twice", law_options[option]);
-    }
-    *to[option] = value;
-    return EXIT_DONE;
-}
-
-static int take_flag(struct options *o, enum law_option option) {
-    if (option == TSV) {
-        o->tsv = true;
-    } else if (option == FORCE) {
-        o->picture.existing = RESULT_REPLACE;
-    } else {
-        o->help = true;
-    }
-    return EXIT_DONE;
-}
-
-// An option of the command; *behind: its value is the next word.
-static int take_option(struct options *o, const char *word, const char *next, bool *behind) {
-    const size_t n = strcspn(word, "=");
-    enum law_option i = COMPARE;
-    while (i < N_OPTION && (n != strlen(law_options[i]) || strncmp(word, law_options[i], n) != 0)) {
-        i++;
-    }
-    if (i == N_OPTION) {
-        return command_unknown(&command_law, "option", word, law_options, N_OPTION);
-    }
-    *behind = i <= FIT && word[n] == '\0';
-    if (i <= FIT) {
-        return take_value(o, i, *behind ? next : word + n + 1);
-    }
-    return word[n] == '='
-               ? command_usage(&command_law, "option '%s' takes no value", law_options[i])
-               : take_flag(o, i);
-}
-
-// Parts the command's options from the words of the law.
-static int parse(int argc, char **argv, struct options *o) {
-    for (int i = 1; i < argc; i++) {
-        if (strncmp(argv[i], "--", 2) != 0) {
-            o->help = o->help || strcmp(argv[i], "-h") == 0;
-            o->word[o->words.n_word++] = argv[i];
-            continue;
-        }
-        bool behind = false;
-        const int status = take_option(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, &behind);
-        if (status != EXIT_DONE) {
-            return status;
-        }
-        i += behind;
-    }
-    o->words.word = o->word;
-    o->words.compare = o->compare;
-    return EXIT_DONE;
-}
+#define AT(member) offsetof(struct options, member)
 
 static int check(const struct options *o) {
     if (o->words.n_word == 0) {
         return command_usage(&command_law, "a contact law is expected");
     }
-    if (o->word[0][0] == '-') {
+    if (o->words.word[0][0] == '-') {
         return command_usage(&command_law, "a contact law is expected before option '%s'",
-                             o->word[0]);
+                             o->words.word[0]);
     }
     if (picture_check(&command_law, &o->picture) != EXIT_DONE) {
         return EXIT_INPUT;
@@ -153,14 +59,19 @@ static int check_existing(const struct options *o, struct error *e) {
     return STATUS_OK;
 }
 
-static int write_history(const struct options *o, const struct law_impact *i, struct error *e) {
+// Returns the exit status.
+static int write_history(const struct options *o, const struct law_impact *i) {
     struct draft draft;
-    const int status = draft_open(&draft, o->history, o->picture.existing, e);
-    if (status != STATUS_OK) {
+    struct error e;
+    if (draft_open(&draft, o->history, o->picture.existing, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    const int status = law_print_history(i, draft.to);
+    if (status != EXIT_DONE) {
+        draft_drop(&draft);
         return status;
     }
-    law_print_history(i, draft.to);
-    return draft_publish(&draft, e);
+    return draft_publish(&draft, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 // What is written above the picture and its panels.
@@ -236,34 +147,31 @@ static int draw(const struct options *o, struct law_impacts *l, struct error *e)
 
 static int report(const struct options *o, struct law_impacts *l) {
     struct error e;
-    int status = check_existing(o, &e);
-    if (status == STATUS_OK && o->history) {
-        status = write_history(o, &l->impact[0], &e);
+    if (check_existing(o, &e) != STATUS_OK) {
+        return command_fail(&e);
     }
-    if (status == STATUS_OK && picture_is_wanted(&o->picture)) {
-        status = draw(o, l, &e);
+    if (o->history) {
+        const int status = write_history(o, &l->impact[0]);
+        if (status != EXIT_DONE) {
+            return status;
+        }
     }
-    if (status != STATUS_OK) {
+    if (picture_is_wanted(&o->picture) && draw(o, l, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     law_print_warnings(l, stderr);
-    if (o->tsv) {
-        law_print_tsv(l, stdout);
-    } else {
-        law_print_table(l, stdout);
-    }
-    return EXIT_DONE;
+    return law_print(l, o->form, stdout);
 }
 
-static int run(int argc, char **argv, struct options *o) {
-    int status = parse(argc, argv, o);
-    if (status == EXIT_DONE && o->help) {
-        return command_help(&command_law, details);
-    }
-    if (status == EXIT_DONE) {
-        status = check(o);
-    }
+static int use(void *options, struct arena *a, const struct words *operand) {
+    (void)a;
+    struct options *o = options;
     struct law_impacts impacts;
+    o->words.word = operand->word;
+    o->words.n_word = operand->n;
+    o->words.compare = o->compare.word;
+    o->words.n_compare = o->compare.n;
+    int status = check(o);
     if (status == EXIT_DONE) {
         status = law_impacts_run(&o->words, &impacts);
     }
@@ -275,11 +183,34 @@ static int run(int argc, char **argv, struct options *o) {
 }
 
 static int law_command(int argc, char **argv) {
+    static const struct option_row rows[] = {
+        {"compare", 0, "LAWS", OPTION_WORDS, 0, AT(compare),
+         .doc = "sets other laws beside: LAW,LAW,... with the options of the first, or one with "
+                "its own, \"LAW -k K ...\"; may be repeated"},
+        {"history", 0, "FILE", OPTION_TEXT, 0, AT(history),
+         .doc = "writes time, penetration, velocity and force"},
+        {"plot", 0, "FILE", OPTION_TEXT, 0, AT(picture.output),
+         .doc = "draws force against time and penetration; ends in .png, .svg or .pdf"},
+        {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
+         .doc = "writes the picture as DIR/impact.gp for gnuplot and its data, DIR/impact.dat"},
+        {"fit", 0, "FILE", OPTION_TEXT, 0, AT(words.fit),
+         .doc = "finds -k and -zeta from a measured force: time and force, separated by blanks, "
+                "tabs, commas or semicolons"},
+        {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
+         .doc = "overwrites what exists"},
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "prints name and value, a line each, in SI, not rounded"},
+        {0}};
+    static const struct option_part parts[] = {
+        {.text = "LAW with its options stands as in a deck; bare numbers are in SI. `jostle laws` "
+                 "lists the laws.\n\n"
+                 "  -m1 M, -m2 M    masses of the bodies; without -m2 the other one is a wall\n"
+                 "  -v V            velocity with which they meet\n"},
+        {.row = rows},
+        {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},
+        {0}};
+    static const struct option_list list = {&command_law, parts, DASH_LAW, .use = use};
     struct options o = {.picture.existing = RESULT_KEEP};
-    o.word = calloc((size_t)argc, sizeof *o.word);
-    o.compare = calloc((size_t)argc, sizeof *o.compare);
-    const int status = o.word && o.compare ? run(argc, argv, &o) : command_no_memory();
-    free(o.word);
-    free(o.compare);
-    return status;
+    return option_run(&list, argc, argv, &o);
 }

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/cells.h"
 #include "command/law_words.h"
 
 enum { NAME_SIZE = 512, LAWS_IN_A_ROW = 4 };
@@ -80,28 +79,28 @@ static double shown(const struct law_impacts *l, int i, int q) {
 }
 
 // The laws from `first` up to `last`, side by side.
-static void print_columns(const struct law_impacts *l, int first, int last, FILE *to) {
+static int print_columns(const struct law_impacts *l, int first, int last, FILE *to) {
     struct unit_system si;
+    struct printer t = {.to = to};
     unit_system_init(&si);
-    fprintf(to, "\n%-21s %4s", "", "");
+    printer_add(&t, &(struct printer_column)COLUMN_TEXT("", -21), 1);
+    printer_add(&t, &(struct printer_column)COLUMN_TEXT("", 4), 1);
     for (int i = first; i < last; i++) {
-        fprintf(to, " %17s", l->impact[i].choice.law->name);
+        const char *name = l->impact[i].choice.law->name;
+        printer_add(&t, &(struct printer_column)COLUMN_G(name, 17, 6), 1);
     }
-    fprintf(to, "\n");
+    printer_head(&t);
     for (int q = 0; q < N_QUANTITY; q++) {
         char unit[32];
         unit_text(&si, *quantities[q].dimension, unit, sizeof unit);
-        fprintf(to, "%-21s %4s", quantities[q].words, unit_suffix(unit));
+        printer_text(&t, quantities[q].words);
+        printer_text(&t, unit_suffix(unit));
         for (int i = first; i < last; i++) {
-            const double value = shown(l, i, q);
-            if (isnan(value)) {
-                fprintf(to, " %17s", "-");
-            } else {
-                fprintf(to, " %17.6g", value);
-            }
+            printer_number(&t, shown(l, i, q));
         }
-        fprintf(to, "\n");
+        printer_line(&t);
     }
+    return printer_close(&t);
 }
 
 void law_print_warnings(const struct law_impacts *l, FILE *to) {
@@ -126,25 +125,28 @@ void law_print_warnings(const struct law_impacts *l, FILE *to) {
     }
 }
 
-void law_print_table(const struct law_impacts *l, FILE *to) {
+static int print_text(const struct law_impacts *l, FILE *to) {
     char bodies[128];
+    int status = EXIT_DONE;
     law_print_bodies(l, bodies, sizeof bodies);
     fprintf(to, "%s, effective mass %.6g kg\n\n", bodies, l->mass);
     print_laws(l, to);
-    for (int first = 0; first < l->n; first += LAWS_IN_A_ROW) {
+    for (int first = 0; first < l->n && status == EXIT_DONE; first += LAWS_IN_A_ROW) {
         const int last = first + LAWS_IN_A_ROW;
-        print_columns(l, first, last < l->n ? last : l->n, to);
+        fputc('\n', to);
+        status = print_columns(l, first, last < l->n ? last : l->n, to);
     }
+    return status;
 }
 
 static void print_row(const char *name, const struct law_impacts *l,
                       double (*value)(const struct law_impact *i, int which), int which,
-                      struct cells *c) {
-    cells_text(c, name);
+                      struct printer *t) {
+    printer_text(t, name);
     for (int i = 0; i < l->n; i++) {
-        cells_number(c, value(&l->impact[i], which));
+        printer_number(t, value(&l->impact[i], which));
     }
-    cells_end(c);
+    printer_line(t);
 }
 
 static const char *const fitted[] = {
@@ -161,30 +163,39 @@ static double fitted_value(const struct law_impact *i, int which) {
     return value[which];
 }
 
-void law_print_tsv(const struct law_impacts *l, FILE *to) {
-    struct cells c = {.to = to, .form = CELLS_TSV};
-    if (l->n > 1) {
-        cells_text(&c, "law");
-        for (int i = 0; i < l->n; i++) {
-            cells_text(&c, l->impact[i].choice.law->name);
-        }
-        cells_end(&c);
+int law_print(const struct law_impacts *l, enum printer_form form, FILE *to) {
+    if (form == FORM_TEXT) {
+        return print_text(l, to);
+    }
+    struct printer t = {.to = to, .form = form};
+    printer_add(&t, &(struct printer_column)COLUMN_DATA("law"), 1);
+    for (int i = 0; i < l->n; i++) {
+        printer_add(&t, &(struct printer_column)COLUMN_DATA(l->impact[i].choice.law->name), 1);
+    }
+    if (l->n > 1 || form != FORM_TSV) {
+        printer_head(&t);
     }
     for (int q = 0; q < N_QUANTITY; q++) {
-        print_row(quantities[q].name, l, quantity, q, &c);
+        print_row(quantities[q].name, l, quantity, q, &t);
     }
     for (int f = 0; f < N_FITTED && l->measured.n > 0; f++) {
-        print_row(fitted[f], l, fitted_value, f, &c);
+        print_row(fitted[f], l, fitted_value, f, &t);
     }
+    return printer_close(&t);
 }
 
-void law_print_history(const struct law_impact *i, FILE *to) {
-    fprintf(to, "time [s]\tpenetration [m]\tvelocity [m/s]\tforce [N]\n");
-    struct cells c = {.to = to, .form = CELLS_TSV};
+int law_print_history(const struct law_impact *i, FILE *to) {
+    static const struct printer_column columns[] = {{.key = "time", .unit = "s"},
+                                                    {.key = "penetration", .unit = "m"},
+                                                    {.key = "velocity", .unit = "m/s"},
+                                                    {.key = "force", .unit = "N"}};
+    struct printer t = {.to = to, .form = FORM_TSV};
+    PRINTER_ADD(&t, columns);
+    printer_head(&t);
     for (size_t k = 0; k < i->n_point; k++) {
         const struct isolated_point *p = &i->point[k];
-        const double value[] = {p->time, p->penetration, p->velocity, p->force};
-        cells_numbers(&c, value, 4);
-        cells_end(&c);
+        printer_numbers(&t, (const double[]){p->time, p->penetration, p->velocity, p->force}, 4);
+        printer_line(&t);
     }
+    return printer_close(&t);
 }

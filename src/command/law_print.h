@@ -4,6 +4,7 @@
 #define JOSTLE_LAW_PRINT_H
 
 #include "command/law_impacts.h"
+#include "command/printer.h"
 
 // "25000 kg at 0.5 m/s against 40000 kg".
 void law_print_bodies(const struct law_impacts *l, char *text, size_t size);
@@ -15,13 +16,12 @@ double law_print_dissipated(const struct law_impacts *l, const struct law_impact
 // Warnings of a fit: parameters that the record does not determine, a record that is cut off.
 void law_print_warnings(const struct law_impacts *l, FILE *to);
 
-// Tables for readers; at most 100 columns wide.
-void law_print_table(const struct law_impacts *l, FILE *to);
+// Text is for readers, at most 100 columns wide. Data has a line for each quantity in SI: its name,
+// and a value for each law; TSV names the laws where there are several, the other forms always.
+// Returns EXIT_DONE or, after a message, the exit status.
+int law_print(const struct law_impacts *l, enum printer_form form, FILE *to);
 
-// Name and values, tabs between; the first line names the laws where there are several.
-void law_print_tsv(const struct law_impacts *l, FILE *to);
-
-// The points of one impact.
-void law_print_history(const struct law_impact *i, FILE *to);
+// The points of one impact as TSV. Returns as law_print.
+int law_print_history(const struct law_impact *i, FILE *to);
 
 #endif

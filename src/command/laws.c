@@ -116,13 +116,7 @@ static int unknown(const char *name) {
     return command_unknown(&command_laws, "law", name, known, n);
 }
 
-static int laws_command(int argc, char **argv) {
-    enum page page;
-    const char *name;
-    const int status = rows_options(&command_laws, argc, argv, &page, &name);
-    if (status != GO_ON) {
-        return status;
-    }
+static int print(enum page page, const char *name) {
     if (!name) {
         print_all(page);
         return EXIT_DONE;
@@ -139,4 +133,8 @@ static int laws_command(int argc, char **argv) {
         print_storey_law(page, storey);
     }
     return contact || storey ? EXIT_DONE : unknown(name);
+}
+
+static int laws_command(int argc, char **argv) {
+    return rows_command(&command_laws, argc, argv, print);
 }

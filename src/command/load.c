@@ -23,13 +23,14 @@ static int guide(const struct model *m, const struct load_request *request, stru
         guidance_warn_storeys(m, g->n_contact, g->contact, NULL, NULL);
     }
     const bool estimates = request->checks || study;
-    return status == STATUS_OK && estimates ? damping_warn(m, e) : status;
+    struct damping_finding most;
+    return status == STATUS_OK && estimates ? damping_find(m, true, &most, e) : status;
 }
 
 int load_model(const struct load_request *request, struct model **out) {
     struct error e;
     struct deck *deck = NULL;
-    int status = deck_open(request->path, request->define, request->n_define, &deck, &e);
+    int status = deck_open(request->path, request->define.word, request->define.n, &deck, &e);
     if (status == STATUS_OK) {
         status = model_build(deck, out, &e);
         if (status == STATUS_OK && request->guidance) {

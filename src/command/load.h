@@ -4,16 +4,16 @@
 #ifndef JOSTLE_LOAD_H
 #define JOSTLE_LOAD_H
 
-#include "command/command.h"
+#include "command/option.h"
 #include "model/guidance.h"
 
 struct load_request {
-    const char *path;     // of the deck
-    const char **define;  // (n_define) NAME=VALUE
-    int n_define;
-    bool quiet;                 // no warnings
-    struct guidance *guidance;  // filled, and its warnings given, if not NULL
-    bool checks;                // warns of what only `check` does
+    const struct deck_command *command;  // that it is for; NULL: another one
+    const char *path;                    // of the deck
+    struct words define;                 // NAME=VALUE
+    bool quiet;                          // no warnings
+    struct guidance *guidance;           // filled, and its warnings given, if not NULL
+    bool checks;                         // warns of what only `check` does
 };
 
 // Reads the deck and builds its model; prints errors and warnings to stderr. Returns EXIT_DONE with

@@ -2,6 +2,7 @@
 // jostle merge: the parts of a study to its result file.
 #include "command/crash.h"
 #include "command/interrupt.h"
+#include "command/option.h"
 #include "command/output_name.h"
 #include "command/show_study.h"
 #include "command/study_end.h"
@@ -16,20 +17,13 @@ const struct command command_merge = {
     .run = merge_command,
 };
 
-static const char details[] =
-    "  -o, --output FILE  the result file of the study\n"
-    "  -q, --quiet        prints nothing but errors\n"
-    "  --force            overwrites an existing result file\n"
-    "  --partial          writes the file even if parts are missing: their runs have status 2\n"
-    "                     and no numbers\n"
-    "  --help             this text\n\n"
-    "The parts are what the commands write that jostle tasks prints. Exit status 1: runs have\n"
-    "failed, or are missing.\n";
-
 struct merge_options {
     struct study_merge_request request;
     bool quiet;
+    int n_word;
+    char **word;  // (n_word) of the command
 };
+#define AT(member) offsetof(struct merge_options, member)
 
 static int poll_signal(void *context, struct error *e) {
     (void)context;
@@ -37,46 +31,6 @@ static int poll_signal(void *context, struct error *e) {
     return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d; nothing was written",
                               signal)
                   : STATUS_OK;
-}
-
-static int take(void *options, int letter) {
-    struct merge_options *o = options;
-    switch (letter) {
-        case 'o':
-            o->request.result.path = optarg;
-            return EXIT_DONE;
-        case 'q':
-            o->quiet = true;
-            return EXIT_DONE;
-        case 'f':
-            o->request.result.existing = RESULT_REPLACE;
-            return EXIT_DONE;
-        default:
-            o->request.gaps = STUDY_PARTIAL;
-            return EXIT_DONE;
-    }
-}
-
-// GO_ON, or the exit status.
-static int parse(int argc, char **argv, struct merge_options *o) {
-    static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'}, {"quiet", no_argument, NULL, 'q'},
-        {"force", no_argument, NULL, 'f'},        {"partial", no_argument, NULL, 'p'},
-        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
-    };
-    static const struct command_options options = {&command_merge, details, NULL, getopt_long,
-                                                   ":o:qh",        option,  take, NULL};
-    struct study_merge_request *q = &o->request;
-    const int status = command_parse(&options, argc, argv, o);
-    q->path = (const char *const *)argv + optind;
-    q->n_path = argc - optind;
-    if (status == GO_ON && q->n_path < 1) {
-        return command_usage(&command_merge, "the files of the parts are expected");
-    }
-    if (status == GO_ON && !q->result.path) {
-        return command_usage(&command_merge, "-o FILE.h5 is expected");
-    }
-    return status;
 }
 
 static int merge(const struct merge_options *o) {
@@ -102,31 +56,56 @@ static int merge(const struct merge_options *o) {
     return study_end(merged.n_failed, merged.n_run, q->result.path, "");
 }
 
+static int use(void *options, struct arena *a, const struct words *operand) {
+    struct merge_options *o = options;
+    struct study_merge_request *q = &o->request;
+    q->path = operand->word;
+    q->n_path = operand->n;
+    if (q->n_path < 1) {
+        return command_usage(&command_merge, "the files of the parts are expected");
+    }
+    if (!q->result.path) {
+        return command_usage(&command_merge, "-o FILE.h5 is expected");
+    }
+    for (int i = 0; i < q->n_path; i++) {
+        if (output_is_same_file(q->path[i], q->result.path)) {
+            return command_usage(&command_merge,
+                                 "%s is one of the parts; give the result another name",
+                                 q->result.path);
+        }
+    }
+    q->result.command_line = command_line(a, o->n_word, o->word);
+    if (!q->result.command_line) {
+        return command_no_memory();
+    }
+    interrupt_catch();
+    return merge(o);
+}
+
 static int merge_command(int argc, char **argv) {
+    static const struct option_row rows[] = {
+        {"output", 'o', "FILE", OPTION_TEXT, 0, AT(request.result.path),
+         .doc = "the result file of the study"},
+        {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(quiet), .doc = "prints nothing but errors"},
+        {"force", .kind = OPTION_SET, .at = AT(request.result.existing), .set = RESULT_REPLACE,
+         .doc = "overwrites an existing result file"},
+        {"partial", .kind = OPTION_SET, .at = AT(request.gaps), .set = STUDY_PARTIAL,
+         .doc = "writes the file even if parts are missing: their runs have status 2 and no "
+                "numbers"},
+        {0}};
+    static const struct option_part parts[] = {
+        {.row = rows},
+        {.row = option_help},
+        {.text = "\nThe parts are what the commands write that jostle tasks prints. Exit status 1: "
+                 "runs have\nfailed, or are missing.\n"},
+        {0}};
+    static const struct option_list list = {&command_merge, parts, .use = use};
     struct merge_options o = {
         .request = {.gaps = STUDY_WHOLE,
                     .result = {.existing = RESULT_KEEP, .version = JOSTLE_VERSION},
                     .poll = poll_signal,
-                    .reading = crash_reading}};
-    int status = parse(argc, argv, &o);
-    if (status != GO_ON) {
-        return status;
-    }
-    for (int i = 0; i < o.request.n_path; i++) {
-        if (output_is_same_file(o.request.path[i], o.request.result.path)) {
-            return command_usage(&command_merge,
-                                 "%s is one of the parts; give the result another name",
-                                 o.request.result.path);
-        }
-    }
-    struct arena *a = arena_create();
-    o.request.result.command_line = a ? command_line(a, argc, argv) : NULL;
-    if (o.request.result.command_line) {
-        interrupt_catch();
-        status = merge(&o);
-    } else {
-        status = command_no_memory();
-    }
-    arena_free(a);
-    return status;
+                    .reading = crash_reading},
+        .n_word = argc,
+        .word = argv};
+    return option_run(&list, argc, argv, &o);
 }

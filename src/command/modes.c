@@ -3,13 +3,15 @@
 #include <gsl/gsl_math.h>
 
 #include "command/deck_command.h"
+#include "command/printer.h"
 #include "command/sweeps.h"
+#include "core/safe.h"
 
 static int modes_command(int argc, char **argv);
 
 const struct command command_modes = {
     .name = "modes",
-    .usage = "DECK [-D NAME=VALUE]...",
+    .usage = "DECK [-D NAME=VALUE]... [--tsv|--csv|--json]",
     .summary = "prints periods and mode shapes of each building",
     .run = modes_command,
 };
@@ -29,59 +31,129 @@ static double mass_share(const struct building *g, const double *phi) {
     return excited * excited / modal / total;
 }
 
-static void print_table(const struct building *g, const char *time) {
-    printf("%4s %12s %12s %12s %12s %14s\n", "mode", "period", "frequency", "omega", "damping",
-           "effective mass");
-    printf("%4s %12s %10s/%s %8srad/%s %12s %14s\n", "", time, "1", time, "", time, "[%]", "[%]");
-    for (int m = 0; m < g->n_floor; m++) {
-        const double *phi = g->shape + (size_t)m * (size_t)g->n_floor;
-        double omega = g->omega[m];
-        if (omega == 0.0) {
-            printf("%4d %12s %12d %12d %12s %14.4g\n", m + 1, "rigid body", 0, 0, "-",
-                   100.0 * mass_share(g, phi));
-            continue;
-        }
-        printf("%4d %12.6g %12.6g %12.6g %12.4g %14.4g\n", m + 1, 2.0 * M_PI / omega,
-               omega / (2.0 * M_PI), omega, 100.0 * building_damping_ratio(g, m + 1),
-               100.0 * mass_share(g, phi));
-    }
+static const double *shape_of(const struct building *g, int mode) {
+    return g->shape + (size_t)mode * (size_t)g->n_floor;
 }
 
-static void print_shapes(const struct building *g, int first, int last) {
-    printf("\n%6s", "floor");
+// In text a line is a mode, in data a floor of a mode.
+static void open_table(struct printer *t, const struct model *m, enum printer_form form) {
+    const char *time = m->deck->units.time_name, *percent = form == FORM_TEXT ? "[%]" : "%";
+    char frequency[48], omega[48];
+    snprintf(frequency, sizeof frequency, "1/%s", time);
+    snprintf(omega, sizeof omega, "rad/%s", time);
+    const struct printer_column columns[] = {
+        COLUMN_DATA("building"),
+        {.head = "mode", .key = "mode", .width = 4},
+        {"period", "period", time, NULL, 12, 6, LOOK_G},
+        {"frequency", "frequency", frequency, NULL, 12, 6, LOOK_G},
+        {"omega", "omega", omega, NULL, 12, 6, LOOK_G},
+        {"damping", "damping", percent, NULL, 12, 4, LOOK_G},
+        {"effective mass", "effective_mass", percent, NULL, 14, 4, LOOK_G},
+        COLUMN_DATA("floor"),
+        COLUMN_DATA("shape")};
+    *t = (struct printer){.to = stdout, .form = form, .at_head = UNITS_BELOW_BARE};
+    PRINTER_ADD(t, columns);
+    printer_head(t);
+}
+
+static void print_mode(struct printer *t, const struct building *g, int mode, int floor) {
+    const double omega = g->omega[mode];
+    const bool rigid = omega == 0.0;
+    printer_text(t, g->name);
+    printer_whole(t, mode + 1);
+    if (rigid && t->form == FORM_TEXT) {
+        printer_text(t, "rigid body");
+    } else {
+        printer_number(t, 2.0 * M_PI / omega);
+    }
+    printer_number(t, omega / (2.0 * M_PI));
+    printer_number(t, omega);
+    printer_number(t, rigid ? (double)NAN : 100.0 * building_damping_ratio(g, mode + 1));
+    printer_number(t, 100.0 * mass_share(g, shape_of(g, mode)));
+    printer_whole(t, floor + 1);
+    printer_number(t, shape_of(g, mode)[floor]);
+    printer_line(t);
+}
+
+static int print_shapes(const struct building *g, int first, int last) {
+    char head[MODES_IN_A_ROW][16];
+    struct printer t = {.to = stdout};
+    printer_add(&t, &(struct printer_column)COLUMN_TEXT("floor", 6), 1);
     for (int m = first; m < last; m++) {
-        printf(" %9s%2d", "mode", m + 1);
+        snprintf(head[m - first], sizeof head[0], "mode%2d", m + 1);
+        printer_add(&t, &(struct printer_column)COLUMN_F(head[m - first], 11, 5), 1);
     }
     printf("\n");
+    printer_head(&t);
     for (int i = g->n_floor - 1; i >= 0; i--) {
-        printf("%6d", i + 1);
+        printer_whole(&t, i + 1);
         for (int m = first; m < last; m++) {
-            printf(" %11.5f", g->shape[(size_t)m * (size_t)g->n_floor + (size_t)i]);
+            printer_number(&t, shape_of(g, m)[i]);
         }
-        printf("\n");
+        printer_line(&t);
     }
+    return printer_close(&t);
 }
 
-static int print_modes(void *options, const struct model *m) {
-    (void)options;
-    sweeps_print_first(m->deck, "", "\n");
+static int print_building(const struct model *m, const struct building *g) {
+    struct printer t;
+    safe_line(stdout, "building %s, %d floor%s", g->name, g->n_floor, g->n_floor == 1 ? "" : "s");
+    fputc('\n', stdout);
+    open_table(&t, m, FORM_TEXT);
+    for (int k = 0; k < g->n_floor; k++) {
+        print_mode(&t, g, k, 0);
+    }
+    int status = printer_close(&t);
+    for (int k = 0; k < g->n_floor && status == EXIT_DONE; k += MODES_IN_A_ROW) {
+        const int last = k + MODES_IN_A_ROW;
+        status = print_shapes(g, k, last < g->n_floor ? last : g->n_floor);
+    }
+    return status;
+}
+
+static int print_data(const struct model *m, enum printer_form form) {
+    struct printer t;
+    open_table(&t, m, form);
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        printf("%sbuilding %s, %d floor%s\n\n", k ? "\n" : "", g->name, g->n_floor,
-               g->n_floor == 1 ? "" : "s");
-        print_table(g, m->deck->units.time_name);
-        for (int first = 0; first < g->n_floor; first += MODES_IN_A_ROW) {
-            int last = first + MODES_IN_A_ROW;
-            print_shapes(g, first, last < g->n_floor ? last : g->n_floor);
+        for (int i = 0; i < g->n_floor * g->n_floor; i++) {
+            print_mode(&t, g, i / g->n_floor, i % g->n_floor);
         }
     }
-    return EXIT_DONE;
+    return printer_close(&t);
+}
+
+struct options {
+    struct load_request load;
+    enum printer_form form;
+};
+
+static int print_modes(void *options, const struct model *m) {
+    const struct options *o = options;
+    if (o->form != FORM_TEXT) {
+        return print_data(m, o->form);
+    }
+    int status = EXIT_DONE;
+    sweeps_print_first(m->deck, "", "\n");
+    for (int k = 0; k < m->n_building && status == EXIT_DONE; k++) {
+        fputs(k ? "\n" : "", stdout);
+        status = print_building(m, &m->building[k]);
+    }
+    return status;
 }
 
 static int modes_command(int argc, char **argv) {
-    static const struct option option[] = {DECK_COMMAND_OPTIONS};
-    static const struct deck_command c = {
-        &command_modes, deck_command_details, ":D:h", option, NULL, NULL, print_modes};
-    struct load_request load = {0};
-    return deck_command_run(&c, argc, argv, &load, NULL);
+    static const struct option_row rows[] = {
+        DECK_DEFINE_ROW,
+        {"tsv", .kind = OPTION_SET, .at = offsetof(struct options, form), .set = FORM_TSV,
+         .doc = "a table separated by tabs: a line for each mode and floor"},
+        {0}};
+    static const struct option_part parts[] = {
+        {.row = rows},
+        {.row = printer_rows, .at = offsetof(struct options, form)},
+        {.row = option_help},
+        {0}};
+    static const struct deck_command c = {&command_modes, parts, NULL, print_modes};
+    struct options o = {.form = FORM_TEXT};
+    return deck_command_run(&c, argc, argv, &o.load);
 }

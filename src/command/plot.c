@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "command/option.h"
 #include "command/picture.h"
 #include "command/plot_names.h"
 #include "command/plot_study.h"
@@ -32,47 +32,15 @@ struct request {
     struct suite_options study;  // for studies
     char default_output[PLOT_PATH_SIZE];
 };
+#define AT(member) offsetof(struct request, member)
 
-static void print_details(void) {
+static void print_kinds(void) {
     printf("KIND is one of\n");
     for (int i = 0; i < n_figure; i++) {
         printf("  %-10s %s\n", figures[i]->name, figures[i]->doc);
     }
-    printf(
-        "\n"
-        "Without KIND it is the first one that FILE.h5 holds the histories for. FILE.h5#7 is run "
-        "7\n"
-        "of a study whose deck has 'output -histories'.\n"
-        "\n"
-        "  -o FILE        the picture; the ending says its kind (default: FILE-KIND.png in the\n"
-        "                 current directory)\n"
-        "  --compare OTHER.h5\n"
-        "                 lays a second run of the same buildings over the first\n"
-        "  --script DIR   writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o,\n"
-        "                 nothing else\n"
-        "  --force        overwrites what exists\n"
-        "  --help         this text\n");
-    plot_study_help();
-}
-
-static int take(void *request, int letter) {
-    struct request *q = request;
-    switch (letter) {
-        case 'o':
-            q->picture.output = optarg;
-            return EXIT_DONE;
-        case 'c':
-            q->other = optarg;
-            return EXIT_DONE;
-        case 's':
-            q->picture.script_folder = optarg;
-            return EXIT_DONE;
-        case 'f':
-            q->picture.existing = RESULT_REPLACE;
-            return EXIT_DONE;
-        default:
-            return suite_options_take(&command_plot, letter, &q->study);
-    }
+    printf("\nWithout KIND it is the first one that FILE.h5 holds the histories for. FILE.h5#7 is "
+           "run 7\nof a study whose deck has 'output -histories'.\n\n");
 }
 
 static int unknown_figure(const char *word) {
@@ -92,33 +60,6 @@ const char *plot_name_output(const char *result, const char *kind, char *name) {
     snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", (int)n, stem, run ? "-" : "",
              run ? run + 1 : "", kind);
     return name;
-}
-
-// GO_ON, or the exit status.
-static int parse(int argc, char **argv, struct request *q) {
-    static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'},
-        {"compare", required_argument, NULL, 'c'},
-        {"script", required_argument, NULL, 's'},
-        {"force", no_argument, NULL, 'f'},
-        {"help", no_argument, NULL, 'h'},
-        {"against", required_argument, NULL, SUITE_IM},
-        SUITE_OPTIONS,
-        {NULL, 0, NULL, 0},
-    };
-    static const struct command_options options = {
-        &command_plot, "", print_details, getopt_long, ":ho:", option, take, SUITE_REPEATABLE};
-    const int status = command_parse(&options, argc, argv, q);
-    if (status != GO_ON) {
-        return status;
-    }
-    const int n = argc - optind;
-    if (n < 1 || n > 2) {
-        return command_usage(&command_plot, "a result file and at most one figure are expected");
-    }
-    q->result = argv[optind];
-    q->kind = n == 2 ? argv[optind + 1] : NULL;
-    return picture_check(&command_plot, &q->picture) == EXIT_DONE ? GO_ON : EXIT_INPUT;
 }
 
 static int write_figure(void *context, const struct figure_files *to, struct error *e) {
@@ -180,7 +121,9 @@ static int refuse(const struct request *q, const char *what) {
 
 static int plot_run(struct request *q) {
     if (q->study.first) {
-        return refuse(q, q->study.first);
+        char name[32];
+        snprintf(name, sizeof name, "--%s", q->study.first->name);
+        return refuse(q, name);
     }
     q->figure = q->kind ? figure_find(q->kind) : NULL;
     if (q->kind && !q->figure) {
@@ -196,7 +139,7 @@ static int plot_run(struct request *q) {
     return EXIT_DONE;
 }
 
-static int plot_suite(const struct request *q) {
+static int plot_suite(struct request *q) {
     if (q->other) {
         return command_usage(&command_plot, "--compare is for single runs; %s is a study",
                              q->result);
@@ -209,16 +152,56 @@ static int plot_suite(const struct request *q) {
     return plot_study(&study);
 }
 
+static int use(void *request, struct arena *a, const struct words *operand) {
+    (void)a;
+    struct request *q = request;
+    if (operand->n < 1 || operand->n > 2) {
+        return command_usage(&command_plot, "a result file and at most one figure are expected");
+    }
+    q->result = operand->word[0];
+    q->kind = operand->n == 2 ? operand->word[1] : NULL;
+    const int status = picture_check(&command_plot, &q->picture);
+    if (status != EXIT_DONE) {
+        return status;
+    }
+    return study_file_is_study(q->result) ? plot_suite(q) : plot_run(q);
+}
+
+static const struct option_row rows[] = {
+    {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
+     .doc = "the picture; the ending says its kind (default: FILE-KIND.png in the current "
+            "directory)"},
+    {"compare", 0, "OTHER.h5", OPTION_TEXT, 0, AT(other),
+     .doc = "lays a second run of the same buildings over the first"},
+    {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
+     .doc = "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, nothing else"},
+    {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
+     .doc = "overwrites what exists"},
+    {0}};
+
+static const struct option_row study_rows[] = {
+    {"edp", 0, "EDP", OPTION_TEXT, 0, AT(study.request.edp),
+     .doc = "what is shown: drift, drift:A, drift:A:3, force ... (default: drift-ratio, or drift "
+            "where no heights are given); 'jostle fragility --help' lists all"},
+    {"im", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
+     .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
+            "only sweep of numbers)"},
+    {"against", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
+     .doc = "the sweep or random parameter that response is drawn against"},
+    {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(study.limits),
+     .doc = "limits of the demand, for fragility and ida"},
+    {0}};
+
 static int plot_command(int argc, char **argv) {
+    static const struct option_part parts[] = {
+        {.print = print_kinds},
+        {.row = rows},
+        {.row = option_help},
+        {.print = plot_study_print_kinds},
+        {.row = study_rows, .first = AT(study.first)},
+        {.row = suite_options_rows, .at = AT(study), .first = AT(study.first)},
+        {0}};
+    static const struct option_list list = {&command_plot, parts, .use = use};
     struct request q = {.picture.existing = RESULT_KEEP};
-    struct error e;
-    if (suite_options_init(&q.study, argc, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    int status = parse(argc, argv, &q);
-    if (status == GO_ON) {
-        status = study_file_is_study(q.result) ? plot_suite(&q) : plot_run(&q);
-    }
-    suite_options_close(&q.study);
-    return status;
+    return option_run(&list, argc, argv, &q);
 }

@@ -15,25 +15,13 @@ struct job {
     char output[PLOT_PATH_SIZE];
 };
 
-void plot_study_help(void) {
+void plot_study_print_kinds(void) {
     printf("\nOf a study KIND is one of\n");
     for (int i = 0; i < n_study_figure; i++) {
         printf("  %-10s %s\n", study_figures[i]->name, study_figures[i]->doc);
     }
-    printf("\n"
-           "Without KIND it is ida, where an intensity and records are swept, else response.\n"
-           "\n"
-           "  --edp EDP      what is shown: drift, drift:A, drift:A:3, force ... (default:\n"
-           "                 drift-ratio, or drift where no heights are given); 'jostle fragility\n"
-           "                 --help' lists all\n"
-           "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
-           "                 scale, or the only sweep of numbers)\n"
-           "  --against NAME\n"
-           "                 the sweep or random parameter that response is drawn against\n"
-           "  --limit VALUE[,VALUE...]\n"
-           "                 limits of the demand, for fragility and ida\n"
-           "%s",
-           suite_options_help);
+    printf(
+        "\nWithout KIND it is ida, where an intensity and records are swept, else response.\n\n");
 }
 
 // EXIT_DONE with the figure asked for, or EXIT_INPUT.
@@ -97,7 +85,7 @@ int plot_study(const struct plot_study_request *q) {
     if (study_file_open(q->path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    struct suite_request request = q->options->request;
+    struct suite_request request = *suite_options_request(q->options);
     request.guess = j.figure ? j.figure->guess : SUITE_ANY;
     status = suite_create(f, &request, &s, &e);
     if (status == STATUS_OK) {

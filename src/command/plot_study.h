@@ -9,14 +9,14 @@ struct plot_study_request {
     const struct command *command;
     const char *path;  // the study
     const char *kind;  // NULL: what shows it best
-    const struct suite_options *options;
+    struct suite_options *options;
     struct picture_options picture;
 };
 
 // Draws a figure of a study and prints the name of the picture. Returns the exit status.
 int plot_study(const struct plot_study_request *q);
 
-// Kinds and options, for the help text.
-void plot_study_help(void);
+// The kinds, for the help.
+void plot_study_print_kinds(void);
 
 #endif

@@ -5,11 +5,11 @@
 #include <assert.h>
 #include <string.h>
 
-#include "command/cells.h"
 #include "command/interrupt.h"
 #include "command/load.h"
 #include "command/progress.h"
 #include "core/arena.h"
+#include "core/safe.h"
 #include "core/text.h"
 #include "plot/pounding_map.h"
 #include "study/force_map.h"
@@ -35,13 +35,15 @@ static const char *find_obstacle(const struct model *m) {
 // once.
 static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     const struct spectrum_request *q = p->request;
+    const int n = q->load.define.n;
     struct force_map_pair pair;
     force_map_pair(&pair, q->periods.value[0], q->periods.value[0]);
-    memcpy(define, q->define, (size_t)q->n_define * sizeof *define);
-    define[q->n_define] = pair.define[0];
-    define[q->n_define + 1] = pair.define[1];
-    const struct load_request request = {
-        .path = q->pounding, .define = define, .n_define = q->n_define + 2};
+    if (n > 0) {
+        memcpy(define, q->load.define.word, (size_t)n * sizeof *define);
+    }
+    define[n] = pair.define[0];
+    define[n + 1] = pair.define[1];
+    const struct load_request request = {.path = q->load.path, .define = {define, n + 2}};
     struct model *m;
     const int status = load_model(&request, &m);
     if (status != EXIT_DONE) {
@@ -64,7 +66,7 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
 static int run_all(struct pounding *p, struct arena *a) {
     const struct spectrum_request *q = p->request;
     const size_t n = (size_t)q->periods.n;
-    const char **define = arena_alloc(a, (size_t)q->n_define + 2, sizeof *define);
+    const char **define = arena_alloc(a, (size_t)q->load.define.n + 2, sizeof *define);
     p->force = arena_alloc(a, n * n, sizeof *p->force);
     struct error e;
     if (!define || !p->force) {
@@ -75,9 +77,9 @@ static int run_all(struct pounding *p, struct arena *a) {
         return status;
     }
     struct progress progress;
-    const struct force_map_request request = {.path = q->pounding,
-                                              .define = q->define,
-                                              .n_define = q->n_define,
+    const struct force_map_request request = {.path = q->load.path,
+                                              .define = q->load.define.word,
+                                              .n_define = q->load.define.n,
                                               .period = q->periods.value,
                                               .n_period = q->periods.n,
                                               .n_thread = q->n_thread,
@@ -90,16 +92,22 @@ static int run_all(struct pounding *p, struct arena *a) {
     return done == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-static void print_tsv(const struct pounding *p) {
+static int print_data(const struct pounding *p) {
+    static const struct printer_column columns[] = {{.key = "T1", .unit = "s"},
+                                                    {.key = "T2", .unit = "s"},
+                                                    COLUMN_OF("force", dimension_force)};
     const struct spectrum_request *q = p->request;
-    printf("T1 [s]\tT2 [s]\tforce [%s]\n", p->units.force_name);
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
-    for (int pair = 0; pair < q->periods.n * q->periods.n; pair++) {
-        const double value[] = {q->periods.value[pair / q->periods.n],
-                                q->periods.value[pair % q->periods.n], p->force[pair]};
-        cells_numbers(&c, value, 3);
-        cells_end(&c);
+    const int n = q->periods.n;
+    struct printer t = {.to = stdout, .form = (enum printer_form)q->form, .units = &p->units};
+    PRINTER_ADD(&t, columns);
+    printer_head(&t);
+    for (int pair = 0; pair < n * n; pair++) {
+        printer_number(&t, q->periods.value[pair / n]);
+        printer_number(&t, q->periods.value[pair % n]);
+        printer_number(&t, p->force[pair]);
+        printer_line(&t);
     }
+    return printer_close(&t);
 }
 
 // "largest 1234 kN at T1 = 0.2 s, T2 = 1.1 s; no contact for 20 of 400 pairs"
@@ -122,7 +130,7 @@ static int write_map(void *context, const struct figure_files *to, struct error 
     const struct pounding *p = context;
     char text[256];
     summarise(p, text, sizeof text);
-    const struct pounding_map map = {.title = p->title[0] ? p->title : p->request->pounding,
+    const struct pounding_map map = {.title = p->title[0] ? p->title : p->request->load.path,
                                      .subtitle = text,
                                      .version = JOSTLE_VERSION,
                                      .units = &p->units,
@@ -150,12 +158,15 @@ int pounding_run(const struct spectrum_request *q, struct arena *a) {
     if (picture_is_wanted(&q->picture)) {
         status = draw(&p);
     }
-    if (status == EXIT_DONE && q->form == FORM_TSV) {
-        print_tsv(&p);
+    if (status == EXIT_DONE && q->form != FORM_TEXT) {
+        status = print_data(&p);
     } else if (status == EXIT_DONE) {
         char text[256];
         summarise(&p, text, sizeof text);
-        printf("%s%s%s\n", p.title, p.title[0] ? "\n" : "", text);
+        if (p.title[0]) {
+            safe_line(stdout, "%s", p.title);
+        }
+        safe_line(stdout, "%s", text);
     }
     return status;
 }

@@ -200,29 +200,26 @@ void rows_generated(const char *command) {
            command);
 }
 
-static const char details[] = "  --markdown  the page of the documentation\n"
-                              "  --help      this text\n";
+struct reference {
+    const struct command *command;
+    enum page page;
+    int (*print)(enum page page, const char *name);
+};
 
-static int take(void *request, int letter) {
-    (void)letter;
-    *(enum page *)request = PAGE_MARKDOWN;
-    return EXIT_DONE;
+static int use(void *request, struct arena *a, const struct words *operand) {
+    (void)a;
+    const struct reference *r = request;
+    return operand->n > 1 ? command_usage(r->command, "one name is expected, not %d", operand->n)
+                          : r->print(r->page, operand->n > 0 ? operand->word[0] : NULL);
 }
 
-int rows_options(const struct command *c, int argc, char **argv, enum page *page,
-                 const char **name) {
-    static const struct option option[] = {
-        {"markdown", no_argument, NULL, 'm'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
-    };
-    const struct command_options options = {c,    details, NULL, getopt_long,
-                                            ":h", option,  take, NULL};
-    *page = PAGE_TEXT;
-    const int status = command_parse(&options, argc, argv, page);
-    if (status == GO_ON && argc - optind > 1) {
-        return command_usage(c, "one name is expected, not %d", argc - optind);
-    }
-    *name = argc > optind ? argv[optind] : NULL;
-    return status;
+int rows_command(const struct command *c, int argc, char **argv,
+                 int (*print)(enum page page, const char *name)) {
+    static const struct option_row rows[] = {
+        {"markdown", .kind = OPTION_SET, .at = offsetof(struct reference, page),
+         .set = PAGE_MARKDOWN, .doc = "the page of the documentation"},
+        {0}};
+    static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
+    const struct option_list list = {c, parts, .use = use};
+    return option_run(&list, argc, argv, &(struct reference){c, PAGE_TEXT, print});
 }

@@ -4,7 +4,7 @@
 #ifndef JOSTLE_ROWS_H
 #define JOSTLE_ROWS_H
 
-#include "command/command.h"
+#include "command/option.h"
 #include "jostle/row.h"
 
 // Plain text of at most 100 columns, or Markdown.
@@ -28,9 +28,9 @@ void rows_heading(enum page page, int depth, const char *text);
 // What both pages open with: that they are generated, and by what.
 void rows_generated(const char *command);
 
-// The command line `[NAME] [--markdown]`. Returns GO_ON with *page and *name (NULL: not given), or
-// the exit status.
-int rows_options(const struct command *c, int argc, char **argv, enum page *page,
-                 const char **name);
+// The command line `[NAME] [--markdown]`. `print` gets it, `name` NULL where it is not given, and
+// returns the exit status, as this does.
+int rows_command(const struct command *c, int argc, char **argv,
+                 int (*print)(enum page page, const char *name));
 
 #endif

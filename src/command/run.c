@@ -8,12 +8,13 @@
 #include "command/output_name.h"
 #include "command/progress.h"
 #include "command/run.h"
-#include "command/threads.h"
 #include "core/heap.h"
 #include "jostle/result.h"
 #include "model/damping_warn.h"
 
 static int run_command(int argc, char **argv);
+
+#define AT(member) offsetof(struct run_options, member)
 
 const struct command command_run = {
     .name = "run",
@@ -22,21 +23,6 @@ const struct command command_run = {
     .summary = "runs a deck, writes its result file and prints a summary",
     .run = run_command,
 };
-
-static const char details[] =
-    "  -o, --output FILE  the result file; default: the name of the deck with .h5, in the current\n"
-    "                     directory\n"
-    "  -D NAME=VALUE      overrides a param of the deck; may be repeated\n"
-    "  -j THREADS         threads for a study, default: all cores; one analysis runs on one\n"
-    "  -q, --quiet        prints nothing but errors\n"
-    "  --shard K/N        part K of N of a study, into NAME.K-of-N.h5; jostle merge joins them\n"
-    "  --force            overwrites an existing result file\n"
-    "  --restart          forgets the runs of a study that was interrupted; without it the same\n"
-    "                     command goes on with them\n"
-    "  --accept           goes on with these runs although the deck, a file that they have read "
-    "or\n"
-    "                     the version of the numerics has changed; the result file tells\n"
-    "  --help             this text\n";
 
 // Shows progress, and ends the run on a signal.
 static int watch_poll(void *context, double time, struct error *e) {
@@ -48,34 +34,14 @@ static int watch_poll(void *context, double time, struct error *e) {
                   : STATUS_OK;
 }
 
-static int parse_shard(const char *text, struct run_options *o) {
+static int read_shard(void *options, struct arena *a, const char *text) {
+    (void)a;
+    struct run_options *o = options;
     return output_parse_shard(text, &o->shard)
                ? EXIT_DONE
                : command_usage(&command_run,
                                "--shard takes K/N, part K of N, with 1 <= K <= N <= %d, not '%s'",
                                STUDY_RUNS_MAX, text);
-}
-
-static int take(void *options, int letter) {
-    struct run_options *o = options;
-    switch (letter) {
-        case 'o':
-            o->output = optarg;
-            return EXIT_DONE;
-        case 'j':
-            return threads_parse(&command_run, optarg, &o->n_thread);
-        case 's':
-            return parse_shard(optarg, o);
-        case 'q':
-            o->load.quiet = true;
-            return EXIT_DONE;
-        case 'f':
-            o->existing = RESULT_REPLACE;
-            return EXIT_DONE;
-        default:
-            o->journal = letter == 'r' ? STUDY_RESTART : STUDY_ACCEPT;
-            return EXIT_DONE;
-    }
 }
 
 static int settle(void *options) {
@@ -178,7 +144,7 @@ static void warn_damping(const struct model *m, const struct results *r) {
     for (int k = 0; k < m->n_building; k++) {
         char text[DAMPING_TEXT_SIZE];
         const struct building *g = &m->building[k];
-        if (damping_warning(m, g, r->drift_rate + g->first, "", text)) {
+        if (damping_warning(m, g, r->drift_rate + g->first, "", text) > 0.0) {
             fprintf(stderr, "jostle: warning: %s\n", text);
         }
     }
@@ -226,15 +192,30 @@ static int run_model(void *options, const struct model *m) {
 
 static int run_command(int argc, char **argv) {
     enum { SHORT_RUN = 2 << 20 };  // bytes that the library takes for the smallest of files
-    static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'}, {"threads", required_argument, NULL, 'j'},
-        {"quiet", no_argument, NULL, 'q'},        {"force", no_argument, NULL, 'f'},
-        {"restart", no_argument, NULL, 'r'},      {"accept", no_argument, NULL, 'a'},
-        {"shard", required_argument, NULL, 's'},  DECK_COMMAND_OPTIONS};
-    static const struct deck_command c = {&command_run, details, ":o:D:j:qh", option,
-                                          take,         settle,  run_model};
+    static const struct option_row rows[] = {
+        {"output", 'o', "FILE", OPTION_TEXT, 0, AT(output),
+         .doc = "the result file; default: the name of the deck with .h5, in the current "
+                "directory"},
+        DECK_DEFINE_ROW,
+        DECK_THREADS_ROW(AT(n_thread),
+                         "threads for a study, default: all cores; one analysis runs on one"),
+        {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(load.quiet),
+         .doc = "prints nothing but errors"},
+        {"shard", 0, "K/N", OPTION_OWN, .own = read_shard,
+         .doc = "part K of N of a study, into NAME.K-of-N.h5; jostle merge joins them"},
+        {"force", .kind = OPTION_SET, .at = AT(existing), .set = RESULT_REPLACE,
+         .doc = "overwrites an existing result file"},
+        {"restart", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_RESTART,
+         .doc = "forgets the runs of a study that was interrupted; without it the same command "
+                "goes on with them"},
+        {"accept", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_ACCEPT,
+         .doc = "goes on with these runs although the deck, a file that they have read or the "
+                "version of the numerics has changed; the result file tells"},
+        {0}};
+    static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
+    static const struct deck_command c = {&command_run, parts, settle, run_model};
     struct run_options o = {
         .existing = RESULT_KEEP, .journal = STUDY_RESUME, .n_word = argc, .word = argv};
     heap_expect(SHORT_RUN);
-    return deck_command_run(&c, argc, argv, &o.load, &o);
+    return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle run on a deck with sweeps.
+#include "command/deck_command.h"
 #include "command/interrupt.h"
 #include "command/run.h"
 #include "command/show_study.h"
 #include "command/study_end.h"
 #include "command/study_progress.h"
-#include "command/threads.h"
 #include "core/checksum.h"
 #include "core/safe.h"
 #include "jostle/numerics.h"
@@ -52,9 +52,9 @@ int run_study(const struct model *first, const struct run_options *o,
     struct study_display display;
     const struct study_request request = {
         .first = first,
-        .define = o->load.define,
-        .n_define = o->load.n_define,
-        .n_thread = o->n_thread ? o->n_thread : threads_all(),
+        .define = o->load.define.word,
+        .n_define = o->load.define.n,
+        .n_thread = o->n_thread ? o->n_thread : deck_command_threads(),
         .shard = o->shard,
         .journal = o->journal,
         .numerics = NUMERICS_VERSION,

@@ -3,13 +3,12 @@
 #ifndef JOSTLE_SHOW_H
 #define JOSTLE_SHOW_H
 
-#include <stdio.h>
-
-#include "command/cells.h"
+#include "command/printer.h"
 #include "jostle/result.h"
 
-// The report as a table of one line a value (show_table.c), and as JSON (show_json.c).
-void show_table(const struct report *r, enum cells_form form, FILE *to);
+// The report as a table of one line a value (show_table.c), which returns EXIT_DONE or, after a
+// message, the exit status; and as JSON (show_json.c).
+int show_table(const struct report *r, enum printer_form form, FILE *to);
 void show_json(const struct report *r, FILE *to);
 
 #endif

@@ -9,33 +9,33 @@
 #include "study/edp.h"
 
 enum demand_form { DEMAND_EVERYWHERE, DEMAND_REDUCED };
-struct printer {
+struct show {
     const struct study_view *view;
-    struct cells cells;
+    struct printer table;
     enum demand_form form;
     const struct edp *edp;  // (n_edp)
     int n_edp;
 };
 
-static void print_line(struct printer *p, const struct study_run *r, const struct edp *edp, int at,
+static void print_line(struct show *p, const struct study_run *r, const struct edp *edp, int at,
                        const char *location, double value) {
     const bool done = r->outcome->status == STUDY_DONE;
-    show_sweep_cells(&p->cells, p->view, r->number);
-    cells_text(&p->cells, p->form == DEMAND_REDUCED ? edp->text : edp->quantity->name);
-    cells_text(&p->cells, location);
+    show_sweeps(&p->table, p->view, r->number);
+    printer_text(&p->table, p->form == DEMAND_REDUCED ? edp->text : edp->quantity->name);
+    printer_text(&p->table, location);
     if (done) {
-        cells_number(&p->cells, value);
+        printer_number(&p->table, value);
     } else {
-        cells_empty(&p->cells);
+        printer_empty(&p->table);
     }
-    cells_text(&p->cells, edp->units);
-    cells_text(&p->cells, study_print_status(r->outcome));
-    cells_sign(&p->cells, done ? edp_hit(edp, p->view, at, r->value) : -1);
-    cells_end(&p->cells);
+    printer_text(&p->table, edp->units);
+    printer_text(&p->table, study_print_status(r->outcome));
+    printer_sign(&p->table, done ? edp_hit(edp, p->view, at, r->value) : -1);
+    printer_line(&p->table);
 }
 
 static int take(void *context, const struct study_run *r, struct error *e) {
-    struct printer *p = context;
+    struct show *p = context;
     (void)e;
     for (int k = 0; k < p->n_edp; k++) {
         const struct edp *edp = &p->edp[k];
@@ -54,13 +54,14 @@ static int take(void *context, const struct study_run *r, struct error *e) {
     return STATUS_OK;
 }
 
-static int print(struct study_file *f, struct printer *p, struct error *e) {
-    show_sweep_names(&p->cells, p->view);
-    cells_words(&p->cells, "edp location value unit status hit");
-    cells_end(&p->cells);
-    const int status = study_file_each(f, take, p, e);
-    cells_close(&p->cells);
-    return status;
+static int print(struct study_file *f, struct show *p, struct error *e) {
+    static const struct printer_column demand[] = {COLUMN_DATA("edp"),    COLUMN_DATA("location"),
+                                                   COLUMN_DATA("value"),  COLUMN_DATA("unit"),
+                                                   COLUMN_DATA("status"), COLUMN_DATA("hit")};
+    show_add_sweeps(&p->table, p->view);
+    PRINTER_ADD(&p->table, demand);
+    printer_head(&p->table);
+    return printer_end(&p->table, study_file_each(f, take, p, e), e);
 }
 
 // Quantities that the file does not have are left out where all are asked for.
@@ -83,10 +84,10 @@ static int show(struct study_file *f, const struct show_demands_request *q, FILE
     struct arena *a = arena_create();
     struct edp *edp =
         a ? arena_alloc(a, (size_t)q->n_edp + (size_t)n_edp_quantity, sizeof *edp) : NULL;
-    struct printer p = {.view = study_file_view(f),
-                        .cells = {.to = to, .form = q->form},
-                        .form = q->n_edp > 0 ? DEMAND_REDUCED : DEMAND_EVERYWHERE,
-                        .edp = edp};
+    struct show p = {.view = study_file_view(f),
+                     .table = {.to = to, .form = q->form},
+                     .form = q->n_edp > 0 ? DEMAND_REDUCED : DEMAND_EVERYWHERE,
+                     .edp = edp};
     int status = edp ? read_demands(p.view, q, a, edp, &p.n_edp, e) : error_no_memory(e);
     if (status == STATUS_OK) {
         status = print(f, &p, e);

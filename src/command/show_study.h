@@ -2,16 +2,16 @@
 #ifndef JOSTLE_SHOW_STUDY_H
 #define JOSTLE_SHOW_STUDY_H
 
-#include "command/cells.h"
+#include "command/printer.h"
 #include "jostle/study_file.h"
 
 // Writes what the study file at `path` holds: its sweeps, failures and largest values, or a table
 // of all values, a line each. Errors as of study_file_open and study_file_read.
 int show_study_summary(const char *path, FILE *to, struct error *e);
-int show_study(const char *path, enum cells_form form, FILE *to, struct error *e);
+int show_study(const char *path, enum printer_form form, FILE *to, struct error *e);
 
 struct show_demands_request {
-    enum cells_form form;
+    enum printer_form form;
     const char *const *edp;  // (n_edp) what is asked for; none: all, at all places
     int n_edp;
 };
@@ -19,13 +19,8 @@ struct show_demands_request {
 // Writes a table of the demand parameters. Errors as of show_study and edp_parse.
 int show_demands(const char *path, const struct show_demands_request *q, FILE *to, struct error *e);
 
-// A cell for the value of each sweep in run `number`.
-void show_sweep_cells(struct cells *c, const struct study_view *v, long number);
-// Their names.
-void show_sweep_names(struct cells *c, const struct study_view *v);
-
-// The cells and names of one sweep: its own, and those of what goes together along it.
-void show_sweep_value(struct cells *c, const struct sweep *sweep, int k);
-void show_sweep_name(struct cells *c, const struct sweep *sweep);
+// Columns of the sweeps, and their cells in run `number`.
+void show_add_sweeps(struct printer *t, const struct study_view *v);
+void show_sweeps(struct printer *t, const struct study_view *v, long number);
 
 #endif

@@ -8,19 +8,19 @@
 #include "result/layout.h"
 
 struct table {
-    struct cells *cells;
+    struct printer *printer;
     const struct report *r;
     const char *name;  // of the table
 };
 
 static void open_row(const struct table *t, const char *name, const char *quantity, long location) {
-    cells_text(t->cells, t->name);
-    cells_text(t->cells, name);
-    cells_text(t->cells, quantity);
+    printer_text(t->printer, t->name);
+    printer_text(t->printer, name);
+    printer_text(t->printer, quantity);
     if (location > 0) {
-        cells_whole(t->cells, location);
+        printer_whole(t->printer, location);
     } else {
-        cells_empty(t->cells);
+        printer_empty(t->printer);
     }
 }
 
@@ -30,27 +30,27 @@ static void close_row(const struct table *t, const struct dimension *dimension, 
     if (dimension) {
         unit_text(&t->r->units, *dimension, unit, sizeof unit);
     }
-    cells_text(t->cells, unit);
+    printer_text(t->printer, unit);
     if (isnan(time)) {
-        cells_empty(t->cells);
+        printer_empty(t->printer);
     } else {
-        cells_number(t->cells, time);
+        printer_number(t->printer, time);
     }
-    cells_sign(t->cells, hit);
-    cells_end(t->cells);
+    printer_sign(t->printer, hit);
+    printer_line(t->printer);
 }
 
 static void row(const struct table *t, const char *name, const char *quantity, long location,
                 double value, const struct dimension *dimension, double time) {
     open_row(t, name, quantity, location);
-    cells_number(t->cells, value);
+    printer_number(t->printer, value);
     close_row(t, dimension, time, -1);
 }
 
 static void peak(const struct table *t, const struct report_building *b, int p, int i) {
     const bool hit = report_floor_was_hit(t->r, b->name, i + 1);
     open_row(t, b->name, peak_names[p], i + 1);
-    cells_number(t->cells, b->peak[p][i]);
+    printer_number(t->printer, b->peak[p][i]);
     close_row(t, layout_peak[p].dimension, b->peak_time[p][i], p == PEAK_ACCELERATION ? hit : -1);
 }
 
@@ -83,7 +83,7 @@ static void members(const struct table *t, const struct column_table *c, const c
             row(t, name, column->name, location, *(const double *)at, column->dimension, time);
         } else if (column->kind != COLUMN_TEXT) {
             open_row(t, name, column->name, location);
-            cells_whole(t->cells, layout_whole(column, at));
+            printer_whole(t->printer, layout_whole(column, at));
             close_row(t, column->dimension, time, -1);
         }
     }
@@ -100,13 +100,16 @@ static void contact_peak(const struct table *t, const struct report_link *c) {
     row(t, c->name, "dissipated", 0, p->dissipated, &dimension_energy, NAN);
 }
 
-void show_table(const struct report *r, enum cells_form form, FILE *to) {
-    struct cells c = {.to = to, .form = form};
+int show_table(const struct report *r, enum printer_form form, FILE *to) {
+    static const struct printer_column columns[] = {
+        COLUMN_DATA("table"), COLUMN_DATA("name"), COLUMN_DATA("quantity"), COLUMN_DATA("location"),
+        COLUMN_DATA("value"), COLUMN_DATA("unit"), COLUMN_DATA("time"),     COLUMN_DATA("hit")};
+    struct printer c = {.to = to, .form = form};
     const struct table buildings = {&c, r, "buildings"}, contacts = {&c, r, "contacts"};
     const struct table links = {&c, r, "links"}, impacts = {&c, r, "impacts"};
     const struct table energy = {&c, r, "energy"}, totals = {&c, r, "totals"};
-    cells_words(&c, "table name quantity location value unit time hit");
-    cells_end(&c);
+    PRINTER_ADD(&c, columns);
+    printer_head(&c);
     for (int i = 0; i < r->n_building; i++) {
         building(&buildings, &r->building[i]);
     }
@@ -128,4 +131,5 @@ void show_table(const struct report *r, enum cells_form form, FILE *to) {
     row(&energy, "", "initial", 0, r->initial_energy, &dimension_energy, 0.0);
     row(&energy, "", "residual_peak", 0, r->residual_peak, &dimension_energy, NAN);
     members(&totals, &layout_totals, "", &r->totals, 0, NAN);
+    return printer_close(&c);
 }

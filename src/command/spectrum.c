@@ -12,17 +12,17 @@
 #include "core/text.h"
 #include "plot/response.h"
 
-static int spectrum_command(int argc, char **argv);
-
 const struct command command_spectrum = {
     .name = "spectrum",
     .usage =
         "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST]\n"
         "           [--scale S|--pga A|--target FILE [--match FROM:TO:N|LIST] [--deck]]\n"
         "           [--format F] [--channel N] [--unit U] [--dt DT] [--demean]\n"
-        "           [--intensities] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
+        "           [--intensities] [--tsv|--csv|--json] [-o FILE.png|.svg|.pdf] [--script DIR] "
+        "[--force]\n"
         "       jostle spectrum --pounding DECK [--periods FROM:TO:N|LIST] [-D NAME=VALUE]...\n"
-        "           [-j THREADS] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
+        "           [-j THREADS] [--tsv|--csv|--json] [-o FILE.png|.svg|.pdf] [--script DIR] "
+        "[--force]",
     .summary = "prints or draws intensities and response spectra of ground motions",
     .run = spectrum_command,
 };
@@ -181,22 +181,9 @@ static int show_records(struct spectrum_request *q, struct arena *a) {
     if (status != STATUS_OK) {
         return command_fail(&e);
     }
-    spectrum_print(q, &set);
-    return EXIT_DONE;
+    return spectrum_print(q, &set);
 }
 
-static int spectrum_command(int argc, char **argv) {
-    struct spectrum_request q;
-    struct arena *a = arena_create();
-    if (!a) {
-        return command_no_memory();
-    }
-    int status = spectrum_parse(argc, argv, a, &q);
-    if (status == GO_ON && q.pounding) {
-        status = pounding_run(&q, a);
-    } else if (status == GO_ON) {
-        status = show_records(&q, a);
-    }
-    arena_free(a);
-    return status;
+int spectrum_run(struct spectrum_request *q, struct arena *a) {
+    return q->load.path ? pounding_run(q, a) : show_records(q, a);
 }

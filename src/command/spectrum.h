@@ -3,20 +3,21 @@
 #ifndef JOSTLE_COMMAND_SPECTRUM_H
 #define JOSTLE_COMMAND_SPECTRUM_H
 
+#include "command/load.h"
 #include "command/periods.h"
 #include "command/picture.h"
+#include "command/printer.h"
 #include "jostle/intensity.h"
 #include "jostle/record.h"
 #include "jostle/spectrum.h"
 #include "motion/match.h"
 #include "motion/target.h"
 
-enum spectrum_form { FORM_TEXT, FORM_TSV, FORM_DECK };
+enum { SPECTRUM_DECK = FORM_JSON + 1 };  // a further form: lines of a deck
 enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
 
 struct spectrum_request {
-    struct arena *arena;  // borrowed: of its lists
-    char **path;          // (n_record)
+    const char **path;  // (n_record)
     int n_record;
     struct record_request record;  // without its path
     double scale;                  // factor of every record
@@ -26,13 +27,11 @@ struct spectrum_request {
     const double *damping;
     int n_damping;
     struct periods periods;
-    enum spectrum_form form;
+    int form;  // enum printer_form, or SPECTRUM_DECK
     enum spectrum_content content;
     struct picture_options picture;
-    const char *pounding;  // the deck of a pounding force spectrum; NULL: records are asked for
-    const char **define;   // (n_define) NAME=VALUE for it
-    int n_define;
-    int n_thread;  // for it
+    struct load_request load;  // the deck of a pounding force spectrum; path NULL: of records
+    int n_thread;              // for it
 };
 
 // All in SI units.
@@ -50,8 +49,9 @@ struct spectrum_set {
 
 extern const struct command command_spectrum;
 
-// Reads the command line; lists are from `a`. Returns GO_ON or the exit status.
-int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q);
+// Reads the command line and calls spectrum_run with it. Both return the exit status.
+int spectrum_command(int argc, char **argv);
+int spectrum_run(struct spectrum_request *q, struct arena *a);
 
 // Refuses records whose paths --deck cannot print. Returns EXIT_DONE or EXIT_INPUT.
 int spectrum_check_deck(const struct spectrum_request *q);
@@ -68,11 +68,11 @@ int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spe
 int spectrum_compute(struct spectra *s, const struct signal *ground, struct arena *a,
                      struct error *e);
 
-// Prints the factors, or the lines of a deck that give them.
-void spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set);
+// Prints the lines of a deck that give the factors, or the factors, as spectrum_print does.
+int spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set);
 void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum_set *set);
 
-// Prints the tables to stdout.
-void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);
+// Prints the tables to stdout. Returns EXIT_DONE or, after a message, the exit status.
+int spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);
 
 #endif

@@ -3,12 +3,11 @@
 // one dash, as messages about records name them so.
 #include <limits.h>
 #include <math.h>
-#include <string.h>
 
+#include "command/deck_command.h"
 #include "command/periods.h"
 #include "command/quantity_word.h"
 #include "command/spectrum.h"
-#include "command/threads.h"
 #include "core/arena.h"
 
 enum { DAMPING_MAX = 7 };
@@ -21,69 +20,19 @@ enum { DEFAULT_TABLE = 31, DEFAULT_CURVE = 301 };
 static const double POUNDING_FROM = 0.1, POUNDING_TO = 2.0;
 enum { POUNDING_DEFAULT = 20, POUNDING_MAX = 1000 };
 
-// Options without a letter.
-enum {
-    OPTION_DAMPING = UCHAR_MAX + 1,
-    OPTION_PERIODS,
-    OPTION_FORMAT,
-    OPTION_CHANNEL,
-    OPTION_UNIT,
-    OPTION_DT,
-    OPTION_DEMEAN,
-    OPTION_SCALE,
-    OPTION_PGA,
-    OPTION_TARGET,
-    OPTION_MATCH,
-    OPTION_DECK,
-    OPTION_INTENSITIES,
-    OPTION_TSV,
-    OPTION_SCRIPT,
-    OPTION_FORCE,
-    OPTION_POUNDING,
-};
-
 static const struct command *const self = &command_spectrum;
 
 static const double default_damping[] = {0.05};
 
-static const char details[] =
+static const char introduction[] =
     "For each RECORD: peak ground acceleration, velocity and displacement, Arias intensity,\n"
     "cumulative absolute velocity and significant duration. Then the elastic response spectrum, "
     "of\n"
     "several records the mean and percentiles: pseudo-acceleration PSA, pseudo-velocity PSV and\n"
     "displacement SD; in TSV also the true largest relative velocity SV and total acceleration "
     "SA.\n"
-    "\n"
-    "  --damping LIST   damping ratios, 0.02,0.05 or 2%,5% (default: 5%)\n"
-    "  --periods P      FROM:TO:N, evenly spaced by their logarithms, or LIST, ascending; in s,\n"
-    "                   0 or 0.001 to 1000 (default: 0.01:10:31 for a table,\n"
-    "                   0.01:10:301 for TSV and pictures)\n"
-    "  --scale S        multiplies each record by S\n"
-    "  --pga A          scales each record to this peak, 0.35g or 3.4m/s2\n"
-    "  --target FILE    scales each record to a spectrum, by the mean of ln(target / PSA);\n"
-    "                   FILE has rows of period and PSA under a line with their units,\n"
-    "                   period [s], PSA [g]\n"
-    "  --match P        periods over which that mean is taken, as for --periods (default: 301\n"
-    "                   over the whole target)\n"
-    "  --deck           prints the records and their factors as sweeps for a deck, nothing else\n"
-    "  --format F       format of the records; found if not given\n"
-    "  --channel N      channel of the records, where a file holds several\n"
-    "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
-    "  --dt DT          time between samples, if a file does not say it\n"
-    "  --demean         subtracts the mean of the values from each record\n"
-    "  --intensities    no spectra\n"
-    "  --pounding DECK  the largest contact force of a deck over the periods of two structures,\n"
-    "                   which it takes from its params T1 and T2; --periods is for both (default:\n"
-    "                   0.1:2:20)\n"
-    "  -D NAME=VALUE    overrides a param of that deck; may be repeated\n"
-    "  -j THREADS       threads for its runs (default: all cores)\n"
-    "  --tsv            tab-separated values, not rounded, one line a record (and statistic,\n"
-    "                   target), damping and period; with --intensities one line a record\n"
-    "  -o FILE          draws the pseudo-acceleration, or the force; .png, .svg or .pdf\n"
-    "  --script DIR     writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat;\n"
-    "                   pounding.gp and .dat with --pounding\n"
-    "  --force          overwrites what exists\n"
-    "  --help           this text\n"
+    "\n";
+static const char explanation[] =
     "\n"
     "The ground acceleration is linear between samples and zero before and after them; its\n"
     "integrals start from rest, without correction of the baseline. g is 9.80665 m/s2. The mean "
@@ -91,8 +40,9 @@ static const char details[] =
     "arithmetic; percentiles are interpolated between the sorted values. With -o or --script the\n"
     "table of the spectrum is left out.\n";
 
-static int parse_damping(const char *text, struct spectrum_request *q) {
-    double *value = arena_alloc(q->arena, DAMPING_MAX, sizeof *value);
+static int read_damping(void *request, struct arena *a, const char *text) {
+    struct spectrum_request *q = request;
+    double *value = arena_alloc(a, DAMPING_MAX, sizeof *value);
     if (!value) {
         return command_no_memory();
     }
@@ -115,126 +65,50 @@ static int parse_damping(const char *text, struct spectrum_request *q) {
     return EXIT_DONE;
 }
 
-static int parse_scale(const char *text, struct spectrum_request *q) {
-    return quantity_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0
+static int read_periods(void *request, struct arena *a, const char *text) {
+    return periods_parse(self, "--periods", text, a,
+                         &((struct spectrum_request *)request)->periods);
+}
+
+static int read_match(void *request, struct arena *a, const char *text) {
+    return periods_parse(self, "--match", text, a, &((struct spectrum_request *)request)->match);
+}
+
+static int read_scale(void *request, struct arena *a, const char *text) {
+    (void)a;
+    double *scale = &((struct spectrum_request *)request)->scale;
+    return quantity_whole(text, &dimension_none, BARE_ALLOWED, scale) && *scale != 0.0
                ? EXIT_DONE
                : command_usage(self, "--scale takes a factor other than 0, not '%s'", text);
 }
 
-static int parse_pga(const char *text, struct spectrum_request *q) {
-    return quantity_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0
+static int read_pga(void *request, struct arena *a, const char *text) {
+    (void)a;
+    double *pga = &((struct spectrum_request *)request)->pga;
+    return quantity_whole(text, &dimension_acceleration, BARE_REFUSED, pga) && *pga > 0.0
                ? EXIT_DONE
                : command_usage(
                      self, "--pga takes an acceleration > 0 with its unit, such as 0.35g, not '%s'",
                      text);
 }
 
-static int parse_channel(const char *text, struct spectrum_request *q) {
+static int read_channel(void *request, struct arena *a, const char *text) {
+    (void)a;
     double n;
     if (!quantity_whole(text, &dimension_none, BARE_ALLOWED, &n) || n != floor(n) ||
         !(n >= 1.0 && n <= INT_MAX)) {
         return command_usage(self, "--channel takes a number from 1, not '%s'", text);
     }
-    q->record.channel = (int)n;
+    ((struct spectrum_request *)request)->record.channel = (int)n;
     return EXIT_DONE;
 }
 
-static int parse_dt(const char *text, struct spectrum_request *q) {
-    return quantity_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
+static int read_dt(void *request, struct arena *a, const char *text) {
+    (void)a;
+    double *dt = &((struct spectrum_request *)request)->record.dt;
+    return quantity_whole(text, &dimension_time, BARE_ALLOWED, dt) && *dt > 0.0
                ? EXIT_DONE
                : command_usage(self, "--dt takes a time > 0 in s, not '%s'", text);
-}
-
-// Where the value of an option that is a text goes.
-static const char **text_of(struct spectrum_request *q, int letter) {
-    switch (letter) {
-        case OPTION_FORMAT:
-            return &q->record.format;
-        case OPTION_UNIT:
-            return &q->record.unit;
-        case OPTION_SCRIPT:
-            return &q->picture.script_folder;
-        case OPTION_POUNDING:
-            return &q->pounding;
-        case OPTION_TARGET:
-            return &q->target;
-        default:
-            return &q->picture.output;
-    }
-}
-
-static const struct option option[] = {
-    {"damping", required_argument, NULL, OPTION_DAMPING},
-    {"periods", required_argument, NULL, OPTION_PERIODS},
-    {"format", required_argument, NULL, OPTION_FORMAT},
-    {"channel", required_argument, NULL, OPTION_CHANNEL},
-    {"unit", required_argument, NULL, OPTION_UNIT},
-    {"dt", required_argument, NULL, OPTION_DT},
-    {"demean", no_argument, NULL, OPTION_DEMEAN},
-    {"scale", required_argument, NULL, OPTION_SCALE},
-    {"pga", required_argument, NULL, OPTION_PGA},
-    {"target", required_argument, NULL, OPTION_TARGET},
-    {"match", required_argument, NULL, OPTION_MATCH},
-    {"deck", no_argument, NULL, OPTION_DECK},
-    {"intensities", no_argument, NULL, OPTION_INTENSITIES},
-    {"tsv", no_argument, NULL, OPTION_TSV},
-    {"output", required_argument, NULL, 'o'},
-    {"script", required_argument, NULL, OPTION_SCRIPT},
-    {"force", no_argument, NULL, OPTION_FORCE},
-    {"pounding", required_argument, NULL, OPTION_POUNDING},
-    {"define", required_argument, NULL, 'D'},
-    {"threads", required_argument, NULL, 'j'},
-    {"help", no_argument, NULL, 'h'},
-    {NULL, 0, NULL, 0},
-};
-
-static int take_form(struct spectrum_request *q, enum spectrum_form form) {
-    if (q->form != FORM_TEXT && q->form != form) {
-        return command_usage(self, "give --tsv or --deck, not both");
-    }
-    q->form = form;
-    return EXIT_DONE;
-}
-
-static int take(void *request, int letter) {
-    struct spectrum_request *q = request;
-    switch (letter) {
-        case OPTION_DAMPING:
-            return parse_damping(optarg, q);
-        case OPTION_PERIODS:
-            return periods_parse(self, "--periods", optarg, q->arena, &q->periods);
-        case OPTION_MATCH:
-            return periods_parse(self, "--match", optarg, q->arena, &q->match);
-        case OPTION_SCALE:
-            return parse_scale(optarg, q);
-        case OPTION_PGA:
-            return parse_pga(optarg, q);
-        case OPTION_CHANNEL:
-            return parse_channel(optarg, q);
-        case OPTION_DT:
-            return parse_dt(optarg, q);
-        case 'j':
-            return threads_parse(self, optarg, &q->n_thread);
-        case 'D':
-            q->define[q->n_define++] = optarg;
-            break;
-        case OPTION_DEMEAN:
-            q->record.demean = true;
-            break;
-        case OPTION_INTENSITIES:
-            q->content = CONTENT_INTENSITIES;
-            break;
-        case OPTION_TSV:
-            return take_form(q, FORM_TSV);
-        case OPTION_DECK:
-            return take_form(q, FORM_DECK);
-        case OPTION_FORCE:
-            q->picture.existing = RESULT_REPLACE;
-            break;
-        default:
-            *text_of(q, letter) = optarg;
-    }
-    return EXIT_DONE;
 }
 
 static int check_pounding(const struct spectrum_request *q) {
@@ -258,25 +132,25 @@ static int check_pounding(const struct spectrum_request *q) {
 }
 
 static int check_target(const struct spectrum_request *q) {
-    if (!q->target && (q->match.value || q->form == FORM_DECK)) {
+    if (!q->target && (q->match.value || q->form == SPECTRUM_DECK)) {
         return command_usage(self, "%s needs --target", q->match.value ? "--match" : "--deck");
     }
     if (q->target && q->n_damping > 1) {
         return command_usage(self, "--target takes one damping ratio, that of the target");
     }
-    return q->form == FORM_DECK ? spectrum_check_deck(q) : EXIT_DONE;
+    return q->form == SPECTRUM_DECK ? spectrum_check_deck(q) : EXIT_DONE;
 }
 
 static int check(const struct spectrum_request *q) {
     if (picture_check(self, &q->picture) != EXIT_DONE || check_target(q) != EXIT_DONE) {
         return EXIT_INPUT;
     }
-    if (q->pounding) {
+    if (q->load.path) {
         return check_pounding(q);
     }
-    if (q->n_define > 0 || q->n_thread > 0) {
+    if (q->load.define.n > 0 || q->n_thread > 0) {
         return command_usage(self, "%s is for the deck of --pounding",
-                             q->n_define > 0 ? "-D" : "-j");
+                             q->load.define.n > 0 ? "-D" : "-j");
     }
     if (q->n_record < 1) {
         return command_usage(self, "a record is expected");
@@ -295,47 +169,92 @@ static int check(const struct spectrum_request *q) {
     return EXIT_DONE;
 }
 
-static int set_defaults(struct spectrum_request *q) {
-    if (q->pounding) {
-        q->n_thread = q->n_thread > 0 ? q->n_thread : threads_all();
+static int set_defaults(struct spectrum_request *q, struct arena *a) {
+    if (q->load.path) {
+        q->n_thread = q->n_thread > 0 ? q->n_thread : deck_command_threads();
         return q->periods.value ? EXIT_DONE
                                 : periods_range(self, POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT,
-                                                q->arena, &q->periods);
+                                                a, &q->periods);
     }
     if (!q->damping) {
         q->damping = default_damping;
         q->n_damping = 1;
     }
     const bool table = q->form == FORM_TEXT && !picture_is_wanted(&q->picture);
-    return q->periods.value
-               ? EXIT_DONE
-               : periods_range(self, DEFAULT_FROM, DEFAULT_TO,
-                               table ? DEFAULT_TABLE : DEFAULT_CURVE, q->arena, &q->periods);
+    return q->periods.value ? EXIT_DONE
+                            : periods_range(self, DEFAULT_FROM, DEFAULT_TO,
+                                            table ? DEFAULT_TABLE : DEFAULT_CURVE, a, &q->periods);
 }
 
-static const struct command_options options = {&command_spectrum, details, NULL, getopt_long_only,
-                                               ":hD:j:o:",        option,  take, "define"};
+static int use(void *request, struct arena *a, const struct words *operand) {
+    struct spectrum_request *q = request;
+    q->path = operand->word;
+    q->n_record = operand->n;
+    int status = check(q);
+    if (status == EXIT_DONE) {
+        status = set_defaults(q, a);
+    }
+    return status == EXIT_DONE ? spectrum_run(q, a) : status;
+}
 
-int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q) {
+#define AT(member) offsetof(struct spectrum_request, member)
+static const struct option_row rows[] = {
+    {"damping", 0, "LIST", OPTION_OWN, .own = read_damping,
+     .doc = "damping ratios, 0.02,0.05 or 2%,5% (default: 5%)"},
+    {"periods", 0, "P", OPTION_OWN, .own = read_periods,
+     .doc = "FROM:TO:N, evenly spaced by their logarithms, or LIST, ascending; in s, 0 or 0.001 "
+            "to 1000 (default: 0.01:10:31 for a table, 0.01:10:301 for --tsv, --csv, --json and "
+            "pictures)"},
+    {"scale", 0, "S", OPTION_OWN, .own = read_scale, .doc = "multiplies each record by S"},
+    {"pga", 0, "A", OPTION_OWN, .own = read_pga,
+     .doc = "scales each record to this peak, 0.35g or 3.4m/s2"},
+    {"target", 0, "FILE", OPTION_TEXT, 0, AT(target),
+     .doc = "scales each record to a spectrum, by the mean of ln(target / PSA); FILE has rows of "
+            "period and PSA under a line with their units, period [s], PSA [g]"},
+    {"match", 0, "P", OPTION_OWN, .own = read_match,
+     .doc = "periods over which that mean is taken, as for --periods (default: 301 over the whole "
+            "target)"},
+    {"deck", .kind = OPTION_SET, .at = AT(form), .set = SPECTRUM_DECK,
+     .doc = "prints the records and their factors as sweeps for a deck, nothing else"},
+    {"format", 0, "F", OPTION_TEXT, 0, AT(record.format),
+     .doc = "format of the records; found if not given"},
+    {"channel", 0, "N", OPTION_OWN, .own = read_channel,
+     .doc = "channel of the records, where a file holds several"},
+    {"unit", 0, "U", OPTION_TEXT, 0, AT(record.unit),
+     .doc = "unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it"},
+    {"dt", 0, "DT", OPTION_OWN, .own = read_dt,
+     .doc = "time between samples, if a file does not say it"},
+    {"demean", .kind = OPTION_TRUE, .at = AT(record.demean),
+     .doc = "subtracts the mean of the values from each record"},
+    {"intensities", .kind = OPTION_SET, .at = AT(content), .set = CONTENT_INTENSITIES,
+     .doc = "no spectra"},
+    {"pounding", 0, "DECK", OPTION_TEXT, 0, AT(load.path),
+     .doc = "the largest contact force of a deck over the periods of two structures, which it "
+            "takes from its params T1 and T2; --periods is for both (default: 0.1:2:20)"},
+    {"define", 'D', "NAME=VALUE", OPTION_WORDS, OPTION_LETTER_ONLY, AT(load.define),
+     .doc = "overrides a param of that deck; may be repeated"},
+    DECK_THREADS_ROW(AT(n_thread), "threads for its runs (default: all cores)"),
+    {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
+     .doc = "draws the pseudo-acceleration, or the force; .png, .svg or .pdf"},
+    {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
+     .doc = "writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat; pounding.gp and "
+            ".dat with --pounding"},
+    {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
+     .doc = "overwrites what exists"},
+    {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+     .doc = "tab-separated values, not rounded, one line a record (and statistic, target), damping "
+            "and "
+            "period; with --intensities one line a record"},
+    {0}};
+
+int spectrum_command(int argc, char **argv) {
+    static const struct option_part parts[] = {
+        {.text = introduction}, {.row = rows},         {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},   {.text = explanation}, {0}};
+    static const struct option_list list = {&command_spectrum, parts, DASH_ONE, .use = use};
     struct unit_system si;
     unit_system_init(&si);
-    *q = (struct spectrum_request){.arena = a,
-                                   .scale = 1.0,
-                                   .record = {.gravity = si.gravity},
-                                   .picture.existing = RESULT_KEEP,
-                                   .define = arena_alloc(a, (size_t)argc, sizeof *q->define)};
-    if (!q->define) {
-        return command_no_memory();
-    }
-    int status = command_parse(&options, argc, argv, q);
-    if (status != GO_ON) {
-        return status;
-    }
-    q->path = argv + optind;
-    q->n_record = argc - optind;
-    status = check(q);
-    if (status == EXIT_DONE) {
-        status = set_defaults(q);
-    }
-    return status == EXIT_DONE ? GO_ON : status;
+    struct spectrum_request q = {
+        .scale = 1.0, .record = {.gravity = si.gravity}, .picture.existing = RESULT_KEEP};
+    return option_run(&list, argc, argv, &q);
 }

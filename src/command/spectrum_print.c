@@ -1,243 +1,233 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of `jostle spectrum`: accelerations in g, all else in SI units.
 #include <math.h>
-#include <stddef.h>
-#include <string.h>
 
-#include "command/cells.h"
 #include "command/spectrum.h"
-#include "core/safe.h"
 
-enum unit { UNIT_G, UNIT_SI };
-struct column {
-    const char *name, *unit_name;
-    enum unit unit;
-    size_t offset;  // in struct intensity
-};
+enum { N_INTENSITY = 11, WIDTH = 10 };
 
-// The first SHOWN are in the text table.
-enum { N_INTENSITY = 11, SHOWN = 7 };
-static const struct column intensities[N_INTENSITY] = {
-    {"PGA", "g", UNIT_G, offsetof(struct intensity, pga)},
-    {"PGV", "m/s", UNIT_SI, offsetof(struct intensity, pgv)},
-    {"PGD", "m", UNIT_SI, offsetof(struct intensity, pgd)},
-    {"Arias", "m/s", UNIT_SI, offsetof(struct intensity, arias)},
-    {"CAV", "m/s", UNIT_SI, offsetof(struct intensity, cav)},
-    {"D5-75", "s", UNIT_SI, offsetof(struct intensity, d5_75)},
-    {"D5-95", "s", UNIT_SI, offsetof(struct intensity, d5_95)},
-    {"t(PGA)", "s", UNIT_SI, offsetof(struct intensity, pga_time)},
-    {"t(PGV)", "s", UNIT_SI, offsetof(struct intensity, pgv_time)},
-    {"t(PGD)", "s", UNIT_SI, offsetof(struct intensity, pgd_time)},
-    {"t(5%)", "s", UNIT_SI, offsetof(struct intensity, time_5)},
-};
+// Text shows the first ones.
+static const struct printer_column intensity_columns[N_INTENSITY] = {
+    {"PGA", "PGA", "g", NULL, 9, 4, LOOK_G},
+    {"PGV", "PGV", "m/s", NULL, 9, 4, LOOK_G},
+    {"PGD", "PGD", "m", NULL, 9, 4, LOOK_G},
+    {"Arias", "Arias", "m/s", NULL, 9, 4, LOOK_G},
+    {"CAV", "CAV", "m/s", NULL, 9, 4, LOOK_G},
+    {"D5-75", "D5-75", "s", NULL, 9, 4, LOOK_G},
+    {"D5-95", "D5-95", "s", NULL, 9, 4, LOOK_G},
+    {.key = "t(PGA)", .unit = "s"},
+    {.key = "t(PGV)", .unit = "s"},
+    {.key = "t(PGD)", .unit = "s"},
+    {.key = "t(5%)", .unit = "s"}};
 
-static const struct column responses[SPECTRUM_COUNT] = {
-    [SPECTRUM_PSA] = {.name = "PSA", .unit_name = "g", .unit = UNIT_G},
-    [SPECTRUM_PSV] = {.name = "PSV", .unit_name = "m/s", .unit = UNIT_SI},
-    [SPECTRUM_SD] = {.name = "SD", .unit_name = "m", .unit = UNIT_SI},
-    [SPECTRUM_SV] = {.name = "SV", .unit_name = "m/s", .unit = UNIT_SI},
-    [SPECTRUM_SA] = {.name = "SA", .unit_name = "g", .unit = UNIT_G},
-};
+// Around them.
+static const struct printer_column of_record[] = {COLUMN_DATA("record"),
+                                                  COLUMN_DATA("samples"),
+                                                  {.key = "dt", .unit = "s"},
+                                                  COLUMN_DATA("scale")};
+static const struct printer_column length_and_name[] = {
+    {.head = "length", .unit = "s", .width = 9, .digits = 4}, COLUMN_TEXT("record", 0)};
 
-static double in_unit(const struct spectrum_request *q, const struct column *c, double value) {
-    return c->unit == UNIT_G ? value / q->record.gravity : value;
-}
+static const struct printer_column series_columns[] = {COLUMN_DATA("kind"),
+                                                       COLUMN_DATA("name"),
+                                                       COLUMN_DATA("damping"),
+                                                       {.key = "period", .unit = "s"}};
+static const struct printer_column response_columns[SPECTRUM_COUNT] = {
+    [SPECTRUM_PSA] = {"PSA", "PSA", "g", NULL, WIDTH, 4, LOOK_G},
+    [SPECTRUM_PSV] = {"PSV", "PSV", "m/s", NULL, WIDTH, 4, LOOK_G},
+    [SPECTRUM_SD] = {"SD", "SD", "m", NULL, WIDTH, 4, LOOK_G},
+    [SPECTRUM_SV] = {.key = "SV", .unit = "m/s"},
+    [SPECTRUM_SA] = {.key = "SA", .unit = "g"}};
 
-static double intensity_value(const struct spectrum_request *q, const struct spectrum_set *set,
-                              int record, const struct column *c) {
-    const char *base = (const char *)&set->intensity[record];
-    return in_unit(q, c, *(const double *)(const void *)(base + c->offset));
+// Of text: a record, or statistics of several, and the target with what is shown over it.
+static const struct printer_column period_column[] = {
+    {.head = "period", .unit = "s", .width = WIDTH, .digits = 4}};
+static const struct printer_column statistic_columns[] = {
+    {"mean PSA", NULL, "g", NULL, WIDTH, 4, LOOK_G},
+    {"16 %", NULL, "g", NULL, WIDTH, 4, LOOK_G},
+    {"50 %", NULL, "g", NULL, WIDTH, 4, LOOK_G},
+    {"84 %", NULL, "g", NULL, WIDTH, 4, LOOK_G},
+    {"mean PSV", NULL, "m/s", NULL, WIDTH, 4, LOOK_G},
+    {"mean SD", NULL, "m", NULL, WIDTH, 4, LOOK_G}};
+static const struct printer_column target_columns[] = {
+    {"target", NULL, "g", NULL, WIDTH, 4, LOOK_G}, {"ratio", NULL, NULL, NULL, WIDTH, 4, LOOK_G}};
+
+// Accelerations in g.
+static void print_intensity(struct printer *t, const struct intensity *i, double g) {
+    const double value[N_INTENSITY] = {i->pga / g,  i->pgv,      i->pgd,   i->arias,
+                                       i->cav,      i->d5_75,    i->d5_95, i->pga_time,
+                                       i->pgv_time, i->pgd_time, i->time_5};
+    printer_numbers(t, value, N_INTENSITY);
 }
 
 static double response(const struct spectrum_request *q, const struct spectrum_set *set, int series,
                        int damping, int period, enum spectrum_quantity quantity) {
-    const struct spectrum_point *p = spectra_at(&set->spectra, series, damping, period);
-    return in_unit(q, &responses[quantity], p->value[quantity]);
+    const double value = spectra_at(&set->spectra, series, damping, period)->value[quantity];
+    return quantity == SPECTRUM_PSA || quantity == SPECTRUM_SA ? value / q->record.gravity : value;
 }
 
-static void print_intensities(const struct spectrum_request *q, const struct spectrum_set *set) {
-    for (int i = 0; i < SHOWN; i++) {
-        printf("%9s ", intensities[i].name);
-    }
-    printf("%9s  record\n", "length");
-    for (int i = 0; i < SHOWN; i++) {
-        printf("%*s[%s] ", 7 - (int)strlen(intensities[i].unit_name), "", intensities[i].unit_name);
-    }
-    printf("%9s\n", "[s]");
-    for (int r = 0; r < q->n_record; r++) {
-        for (int i = 0; i < SHOWN; i++) {
-            printf("%9.4g ", intensity_value(q, set, r, &intensities[i]));
-        }
-        printf("%9.4g  ", set->ground[r].end);
-        safe_put(stdout, SAFE_TERMINAL, set->name[r]);
-        printf("\n");
-    }
-}
-
-// Two more columns: the target, and what is shown over it.
-static void end_head(const struct spectrum_request *q, const char *text) {
-    printf("%s\n", q->target ? text : "");
-}
-
-static void end_row(const struct spectrum_request *q, const struct spectrum_set *set, int period,
-                    double psa) {
+static int print_intensities(const struct spectrum_request *q, const struct spectrum_set *set) {
+    static const struct printer_column misfit = COLUMN_DATA("misfit");
+    struct printer t = {.to = stdout, .form = (enum printer_form)q->form, .at_head = UNITS_BELOW};
+    PRINTER_ADD(&t, of_record);
+    PRINTER_ADD(&t, intensity_columns);
+    PRINTER_ADD(&t, length_and_name);
     if (q->target) {
-        const double goal = target_at(&set->target, q->periods.value[period]) / q->record.gravity;
-        if (isnan(goal)) {
-            printf(" %10s %10s", "-", "-");
-        } else {
-            printf(" %10.4g %10.4g", goal, psa / goal);
-        }
+        printer_add(&t, &misfit, 1);
     }
-    printf("\n");
+    printer_head(&t);
+    for (int r = 0; r < q->n_record; r++) {
+        const struct signal *g = &set->ground[r];
+        printer_text(&t, set->name[r]);
+        printer_whole(&t, (long)g->n);
+        printer_number(&t, g->dt);
+        printer_number(&t, set->scale[r]);
+        print_intensity(&t, &set->intensity[r], q->record.gravity);
+        printer_number(&t, g->end);
+        printer_text(&t, set->name[r]);
+        printer_number(&t, q->target ? set->match.misfit[r] : (double)NAN);
+        printer_line(&t);
+    }
+    return printer_close(&t);
 }
 
-static void print_record(const struct spectrum_request *q, const struct spectrum_set *set,
-                         int damping) {
-    static const enum spectrum_quantity shown[] = {SPECTRUM_PSA, SPECTRUM_PSV, SPECTRUM_SD};
-    printf("%10s %10s %10s %10s", "period", "PSA", "PSV", "SD");
-    end_head(q, "     target      ratio");
-    printf("%10s %10s %10s %10s", "[s]", "[g]", "[m/s]", "[m]");
-    end_head(q, "        [g]");
-    for (int p = 0; p < q->periods.n; p++) {
-        printf("%10.4g", q->periods.value[p]);
-        for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
-            printf(" %10.4g", response(q, set, 0, damping, p, shown[i]));
-        }
-        end_row(q, set, p, response(q, set, 0, damping, p, SPECTRUM_PSA));
-    }
+// The target at a period in g; NAN: it has none there.
+static double goal_at(const struct spectrum_request *q, const struct spectrum_set *set,
+                      int period) {
+    return target_at(&set->target, q->periods.value[period]) / q->record.gravity;
 }
 
-static void print_statistics(const struct spectrum_request *q, const struct spectrum_set *set,
-                             int damping) {
+// The PSA of a record or the mean goes over the target.
+static void end_row(struct printer *t, const struct spectrum_request *q,
+                    const struct spectrum_set *set, int period, double psa) {
+    if (q->target) {
+        const double goal = goal_at(q, set, period);
+        printer_number(t, goal);
+        printer_number(t, psa / goal);
+    }
+    printer_line(t);
+}
+
+static void print_record(struct printer *t, const struct spectrum_request *q,
+                         const struct spectrum_set *set, int damping, int p) {
+    for (int k = SPECTRUM_PSA; k < SPECTRUM_COUNT; k++) {
+        printer_number(t, response(q, set, 0, damping, p, (enum spectrum_quantity)k));
+    }
+    end_row(t, q, set, p, response(q, set, 0, damping, p, SPECTRUM_PSA));
+}
+
+static void print_statistics(struct printer *t, const struct spectrum_request *q,
+                             const struct spectrum_set *set, int damping, int p) {
     const int mean = q->n_record + SPECTRA_MEAN;
-    printf("%10s %10s %10s %10s %10s %10s %10s", "period", "mean PSA", "16 %", "50 %", "84 %",
-           "mean PSV", "mean SD");
-    end_head(q, "     target      ratio");
-    printf("%10s %10s %10s %10s %10s %10s %10s", "[s]", "[g]", "[g]", "[g]", "[g]", "[m/s]", "[m]");
-    end_head(q, "        [g]");
-    for (int p = 0; p < q->periods.n; p++) {
-        printf("%10.4g", q->periods.value[p]);
-        for (int k = 0; k < SPECTRA_STATISTICS; k++) {
-            printf(" %10.4g", response(q, set, q->n_record + k, damping, p, SPECTRUM_PSA));
-        }
-        printf(" %10.4g %10.4g", response(q, set, mean, damping, p, SPECTRUM_PSV),
-               response(q, set, mean, damping, p, SPECTRUM_SD));
-        end_row(q, set, p, response(q, set, mean, damping, p, SPECTRUM_PSA));
+    for (int k = 0; k < SPECTRA_STATISTICS; k++) {
+        printer_number(t, response(q, set, q->n_record + k, damping, p, SPECTRUM_PSA));
     }
+    printer_number(t, response(q, set, mean, damping, p, SPECTRUM_PSV));
+    printer_number(t, response(q, set, mean, damping, p, SPECTRUM_SD));
+    end_row(t, q, set, p, response(q, set, mean, damping, p, SPECTRUM_PSA));
 }
 
-static void print_spectra(const struct spectrum_request *q, const struct spectrum_set *set) {
-    for (int d = 0; d < q->n_damping; d++) {
+// A table for readers, of one damping ratio.
+static int print_damping(const struct spectrum_request *q, const struct spectrum_set *set,
+                         int damping) {
+    struct printer t = {.to = stdout, .at_head = UNITS_BELOW};
+    PRINTER_ADD(&t, period_column);
+    if (q->n_record > 1) {
+        PRINTER_ADD(&t, statistic_columns);
+    } else {
+        PRINTER_ADD(&t, response_columns);
+    }
+    if (q->target) {
+        PRINTER_ADD(&t, target_columns);
+    }
+    printer_head(&t);
+    for (int p = 0; p < q->periods.n; p++) {
+        printer_number(&t, q->periods.value[p]);
+        (q->n_record > 1 ? print_statistics : print_record)(&t, q, set, damping, p);
+    }
+    return printer_close(&t);
+}
+
+static int print_spectra(const struct spectrum_request *q, const struct spectrum_set *set) {
+    int status = EXIT_DONE;
+    for (int d = 0; d < q->n_damping && status == EXIT_DONE; d++) {
         printf("\n%g %% damping", 100.0 * q->damping[d]);
         if (q->n_record > 1) {
-            printf(", %d records\n", q->n_record);
-            print_statistics(q, set, d);
-        } else {
-            printf("\n");
-            print_record(q, set, d);
+            printf(", %d records", q->n_record);
         }
+        printf("\n");
+        status = print_damping(q, set, d);
     }
+    return status;
 }
 
-static void print_intensities_tsv(const struct spectrum_request *q,
-                                  const struct spectrum_set *set) {
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
-    printf("record\tsamples\tdt [s]\tscale");
-    for (int i = 0; i < N_INTENSITY; i++) {
-        printf("\t%s [%s]", intensities[i].name, intensities[i].unit_name);
-    }
-    printf(q->target ? "\tmisfit\n" : "\n");
-    for (int r = 0; r < q->n_record; r++) {
-        cells_text(&c, set->name[r]);
-        cells_whole(&c, (long)set->ground[r].n);
-        cells_number(&c, set->ground[r].dt);
-        cells_number(&c, set->scale[r]);
-        for (int i = 0; i < N_INTENSITY; i++) {
-            cells_number(&c, intensity_value(q, set, r, &intensities[i]));
-        }
-        if (q->target) {
-            cells_number(&c, set->match.misfit[r]);
-        }
-        cells_end(&c);
-    }
-}
-
-static void print_series_tsv(const struct spectrum_request *q, const struct spectrum_set *set,
-                             int series) {
+static void print_series(struct printer *t, const struct spectrum_request *q,
+                         const struct spectrum_set *set, int series) {
     static const char *const statistic[SPECTRA_STATISTICS] = {[SPECTRA_MEAN] = "mean",
                                                               [SPECTRA_P16] = "16%",
                                                               [SPECTRA_P50] = "50%",
                                                               [SPECTRA_P84] = "84%"};
     const bool record = series < q->n_record;
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
     for (int d = 0; d < q->n_damping; d++) {
         for (int p = 0; p < q->periods.n; p++) {
-            cells_text(&c, record ? "record" : "statistic");
-            cells_text(&c, record ? set->name[series] : statistic[series - q->n_record]);
-            cells_number(&c, q->damping[d]);
-            cells_number(&c, q->periods.value[p]);
+            printer_text(t, record ? "record" : "statistic");
+            printer_text(t, record ? set->name[series] : statistic[series - q->n_record]);
+            printer_number(t, q->damping[d]);
+            printer_number(t, q->periods.value[p]);
             for (int k = 0; k < SPECTRUM_COUNT; k++) {
-                cells_number(&c, response(q, set, series, d, p, (enum spectrum_quantity)k));
+                printer_number(t, response(q, set, series, d, p, (enum spectrum_quantity)k));
             }
-            cells_end(&c);
+            printer_line(t);
         }
     }
 }
 
 // At those of the periods that it has.
-static void print_target_tsv(const struct spectrum_request *q, const struct spectrum_set *set) {
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
+static void print_target(struct printer *t, const struct spectrum_request *q,
+                         const struct spectrum_set *set) {
     for (int p = 0; p < q->periods.n; p++) {
-        const double goal = target_at(&set->target, q->periods.value[p]);
-        if (isnan(goal)) {
-            continue;
+        const double goal = goal_at(q, set, p);
+        if (!isnan(goal)) {
+            printer_text(t, "target");
+            printer_text(t, set->target_name);
+            printer_number(t, q->damping[0]);
+            printer_number(t, q->periods.value[p]);
+            printer_number(t, goal);
+            printer_line(t);
         }
-        cells_text(&c, "target");
-        cells_text(&c, set->target_name);
-        cells_number(&c, q->damping[0]);
-        cells_number(&c, q->periods.value[p]);
-        cells_number(&c, in_unit(q, &responses[SPECTRUM_PSA], goal));
-        for (int k = SPECTRUM_PSA + 1; k < SPECTRUM_COUNT; k++) {
-            cells_empty(&c);
-        }
-        cells_end(&c);
     }
 }
 
-static void print_spectra_tsv(const struct spectrum_request *q, const struct spectrum_set *set) {
-    printf("kind\tname\tdamping\tperiod [s]");
-    for (int k = 0; k < SPECTRUM_COUNT; k++) {
-        printf("\t%s [%s]", responses[k].name, responses[k].unit_name);
-    }
-    printf("\n");
+static int print_data(const struct spectrum_request *q, const struct spectrum_set *set) {
+    struct printer t = {.to = stdout, .form = (enum printer_form)q->form};
     const int n_series = q->n_record > 1 ? q->n_record + SPECTRA_STATISTICS : 1;
+    PRINTER_ADD(&t, series_columns);
+    PRINTER_ADD(&t, response_columns);
+    printer_head(&t);
     for (int s = 0; s < n_series; s++) {
-        print_series_tsv(q, set, s);
+        print_series(&t, q, set, s);
     }
     if (q->target) {
-        print_target_tsv(q, set);
+        print_target(&t, q, set);
     }
+    return printer_close(&t);
 }
 
-void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set) {
-    if (q->form == FORM_DECK) {
+int spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set) {
+    if (q->form == SPECTRUM_DECK) {
         spectrum_print_deck(q, set);
-        return;
+        return EXIT_DONE;
     }
-    if (q->form == FORM_TSV) {
-        if (q->content == CONTENT_INTENSITIES) {
-            print_intensities_tsv(q, set);
-        } else {
-            print_spectra_tsv(q, set);
-        }
-        return;
+    if (q->form != FORM_TEXT && q->content == CONTENT_ALL) {
+        return print_data(q, set);
     }
-    print_intensities(q, set);
-    if (q->target) {
-        spectrum_print_match(q, set);
+    int status = print_intensities(q, set);
+    if (q->form != FORM_TEXT) {
+        return status;
     }
-    if (q->content == CONTENT_ALL && !picture_is_wanted(&q->picture)) {
-        print_spectra(q, set);
+    if (status == EXIT_DONE && q->target) {
+        status = spectrum_print_match(q, set);
     }
+    const bool spectra = q->content == CONTENT_ALL && !picture_is_wanted(&q->picture);
+    return status == EXIT_DONE && spectra ? print_spectra(q, set) : status;
 }

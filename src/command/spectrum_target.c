@@ -84,13 +84,19 @@ int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spe
     return status;
 }
 
-void spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set) {
+int spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set) {
+    static const struct printer_column columns[] = {
+        COLUMN_G("factor", 9, 4), COLUMN_G("misfit", 9, 4), COLUMN_TEXT("record", 0)};
     const struct match *m = &set->match;
-    printf("\n%9s %9s  record\n", "factor", "misfit");
+    struct printer t = {.to = stdout};
+    PRINTER_ADD(&t, columns);
+    printf("\n");
+    printer_head(&t);
     for (int r = 0; r < q->n_record; r++) {
-        printf("%9.4g %9.4g  ", m->factor[r], m->misfit[r]);
-        safe_put(stdout, SAFE_TERMINAL, set->name[r]);
-        printf("\n");
+        printer_number(&t, m->factor[r]);
+        printer_number(&t, m->misfit[r]);
+        printer_text(&t, set->name[r]);
+        printer_line(&t);
     }
     printf("\ntarget ");
     safe_put(stdout, SAFE_TERMINAL, q->target);
@@ -101,6 +107,7 @@ void spectrum_print_match(const struct spectrum_request *q, const struct spectru
            m->least.period, m->largest.value, m->largest.period);
     printf("nowhere below %g %% with all factors times %.4f\n", 100.0 * CODE_SHARE,
            ceil(1e4 * CODE_SHARE / m->least.value) / 1e4);
+    return printer_close(&t);
 }
 
 void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum_set *set) {

@@ -10,7 +10,8 @@
 #include "result/layout.h"
 #include "study/edp.h"
 
-enum { BUILDINGS_MAX = 8 };  // shown by the largest values
+// Of the largest values: buildings shown, and the width of names.
+enum { BUILDINGS_MAX = 8, NAME_WIDTH_MIN = 12, NAME_WIDTH_MAX = 33 };
 
 const char *study_print_status(const struct study_outcome *outcome) {
     switch (outcome->status) {
@@ -166,27 +167,47 @@ struct study_g study_print_g(const struct unit_system *u, const char *units, dou
     return g;
 }
 
+static bool is_printed(const struct shown *s, const struct study_item *item,
+                       const struct study_peak *peak) {
+    return peak->found && !is_nothing(item, peak) && !is_hidden(s, item);
+}
+
+// Of the longest name printed.
+static int name_width(const struct study_peaks *p, const struct study_view *v,
+                      const struct shown *s) {
+    int width = NAME_WIDTH_MIN;
+    for (int k = 0; k < v->table.n_item; k++) {
+        const struct study_item *item = &v->table.item[k];
+        if (is_printed(s, item, &p->peak[k])) {
+            const char *name = study_print_name(v, item, p->peak[k].at);
+            const int n = text_columns(name, strlen(name));
+            width = n > width ? n : width;
+        }
+    }
+    return width < NAME_WIDTH_MAX ? width : NAME_WIDTH_MAX;
+}
+
 static void print_peaks(const struct study_peaks *p, const struct study_view *v, FILE *to) {
     const struct shown shown = choose_buildings(p, v);
+    const int width = name_width(p, v, &shown);
     bool any_hit = false;
-    fprintf(to, "\nlargest values\n%-12s %-14s %5s %12s %-8s %6s  run\n", "", "quantity", "floor",
-            "", "unit", "[g]");
+    fprintf(to, "\nlargest values\n%-*s %-14s %5s %12s %-8s %6s  run\n", width, "", "quantity",
+            "floor", "", "unit", "[g]");
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         const struct study_peak *peak = &p->peak[k];
-        struct text_short owner, quantity, units;
+        struct text_short quantity, units;
         char floor[24] = "";
-        if (!peak->found || is_nothing(item, peak) || is_hidden(&shown, item)) {
+        if (!is_printed(&shown, item, peak)) {
             continue;
         }
         if (item->owner) {
             snprintf(floor, sizeof floor, "%zu", peak->at + 1);
         }
         any_hit |= peak->hit;
-        fprintf(to, "%-12s %-14s %5s %12.5g %-8s %6s%c ",
-                text_short(&owner, study_print_name(v, item, peak->at)),
-                text_short(&quantity, item->name), floor, peak->value,
-                text_short(&units, item->units),
+        safe_cell(to, study_print_name(v, item, peak->at), width);
+        fprintf(to, " %-14s %5s %12.5g %-8s %6s%c ", text_short(&quantity, item->name), floor,
+                peak->value, text_short(&units, item->units),
                 study_print_g(&v->units, item->units, peak->value).text, peak->hit ? '*' : ' ');
         print_run(v, peak->run, to);
     }

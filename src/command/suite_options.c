@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/suite_options.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/safe.h"
 
-const char suite_options_help[] =
-    "  --over NAME    sweeps whose values are samples, as NAME or NAME,NAME (default: record, or\n"
-    "                 the only sweep of texts, alone or with what goes together with it, and the\n"
-    "                 samples of random sweeps)\n"
-    "  --at NAME=VALUE\n"
-    "                 looks at the runs with this value of a sweep only; may be repeated\n"
-    "  --failed above|left-out\n"
-    "                 runs that failed count as above every value (the default), or not at all\n";
+const struct option_row suite_options_rows[] = {
+    {"over", 0, "NAME", OPTION_TEXT, 0, offsetof(struct suite_options, request.over),
+     .doc = "sweeps whose values are samples, as NAME or NAME,NAME (default: record, or the only "
+            "sweep of texts, alone or with what goes together with it, and the samples of random "
+            "sweeps)"},
+    {"at", 0, "NAME=VALUE", OPTION_WORDS, 0, offsetof(struct suite_options, at),
+     .doc = "looks at the runs with this value of a sweep only; may be repeated"},
+    {"failed", 0, "above|left-out", OPTION_CHOICE, 0,
+     offsetof(struct suite_options, request.failed),
+     .doc = "runs that failed count as above every value (the default), or not at all"},
+    {0}};
 
 void suite_options_print_edps(void) {
     printf("\nEDP is one of these; the largest one of a run, of counts and energies the sum:\n");
@@ -26,53 +28,10 @@ void suite_options_print_edps(void) {
            "force:NAME.\n");
 }
 
-int suite_options_init(struct suite_options *o, int argc, struct error *e) {
-    *o = (struct suite_options){.at = calloc((size_t)argc, sizeof *o->at)};
-    o->request.at = o->at;
-    return o->at ? STATUS_OK : error_no_memory(e);
-}
-
-void suite_options_close(struct suite_options *o) {
-    free(o->at);
-}
-
-bool suite_options_has(int letter) {
-    return letter >= SUITE_EDP && letter <= SUITE_FAILED;
-}
-
-static int take_failed(const struct command *c, struct suite_options *o) {
-    const bool above = strcmp(optarg, "above") == 0;
-    if (!above && strcmp(optarg, "left-out") != 0) {
-        return command_usage(c, "--failed is above or left-out, not '%s'", optarg);
-    }
-    o->request.failed = above ? SUITE_FAILED_ABOVE : SUITE_FAILED_LEFT_OUT;
-    return EXIT_DONE;
-}
-
-int suite_options_take(const struct command *c, int letter, struct suite_options *o) {
-    static const char *const name[] = {"--edp", "--im or --against", "--over",
-                                       "--at",  "--limit",           "--failed"};
-    o->first = o->first ? o->first : name[letter - SUITE_EDP];
-    struct suite_request *q = &o->request;
-    switch (letter) {
-        case SUITE_EDP:
-            q->edp = optarg;
-            return EXIT_DONE;
-        case SUITE_IM:
-            q->abscissa = optarg;
-            return EXIT_DONE;
-        case SUITE_OVER:
-            q->over = optarg;
-            return EXIT_DONE;
-        case SUITE_AT:
-            o->at[q->n_at++] = optarg;
-            return EXIT_DONE;
-        case SUITE_LIMIT:
-            o->limits = optarg;
-            return EXIT_DONE;
-        default:
-            return take_failed(c, o);
-    }
+const struct suite_request *suite_options_request(struct suite_options *o) {
+    o->request.at = o->at.word;
+    o->request.n_at = o->at.n;
+    return &o->request;
 }
 
 // Frames have collapsed at drift ratios of 10 %.

@@ -3,37 +3,21 @@
 #ifndef JOSTLE_SUITE_OPTIONS_H
 #define JOSTLE_SUITE_OPTIONS_H
 
-#include "command/command.h"
+#include "command/option.h"
 #include "study/suite.h"
-
-// Values of getopt_long for them; above all letters.
-enum { SUITE_EDP = 1000, SUITE_IM, SUITE_OVER, SUITE_AT, SUITE_LIMIT, SUITE_FAILED };
-#define SUITE_OPTIONS                                                                              \
-    {"edp", required_argument, NULL, SUITE_EDP}, {"im", required_argument, NULL, SUITE_IM},        \
-        {"over", required_argument, NULL, SUITE_OVER}, {"at", required_argument, NULL, SUITE_AT},  \
-        {"limit", required_argument, NULL, SUITE_LIMIT}, {                                         \
-        "failed", required_argument, NULL, SUITE_FAILED                                            \
-    }
-
-// The one of them that may be repeated.
-#define SUITE_REPEATABLE "at"
 
 struct suite_options {
     struct suite_request request;
-    const char **at;     // (argc) owned
-    const char *limits;  // "VALUE,VALUE"; NULL: none
-    const char *first;   // the first of these options that was given; NULL: none
+    struct words at;
+    const char *limits;              // "VALUE,VALUE"; NULL: none
+    const struct option_row *first;  // the first of these options that was given; NULL: none
 };
 
-// Errors: no memory.
-int suite_options_init(struct suite_options *o, int argc, struct error *e);
-void suite_options_close(struct suite_options *o);
+// The options that both have, of a struct suite_options.
+extern const struct option_row suite_options_rows[];
 
-// Takes option `letter` of getopt_long with optarg. Returns EXIT_DONE or EXIT_INPUT.
-int suite_options_take(const struct command *c, int letter, struct suite_options *o);
-
-// True if `letter` is one of these.
-bool suite_options_has(int letter);
+// The request, complete once the command line is read.
+const struct suite_request *suite_options_request(struct suite_options *o);
 
 // The limits, in the units of the EDP, from the arena of `s`; *n is 0 where none is given. Errors:
 // those of edp_limit, STATUS_SYSTEM.
@@ -43,9 +27,6 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
 // Warns on stderr of a limit on a drift ratio, read from `text`, that a percentage without its sign
 // seems to be.
 void suite_options_warn_limit(const struct edp *p, const char *text, double limit);
-
-// Lines of help about these options but --im and --limit.
-extern const char suite_options_help[];
 
 // What EDP can be, a line each.
 void suite_options_print_edps(void);

@@ -4,7 +4,6 @@
 
 #include "command/deck_command.h"
 #include "command/output_name.h"
-#include "command/threads.h"
 #include "core/safe.h"
 #include "core/text.h"
 #include "jostle/result.h"
@@ -19,26 +18,17 @@ const struct command command_tasks = {
     .run = tasks_command,
 };
 
-static const char details[] =
-    "  -n PARTS           parts, a line each; default: 16, or the runs if there are fewer\n"
-    "  -o, --output FILE  the result file of the study; parts are FILE.K-of-N.h5 beside it\n"
-    "  -D NAME=VALUE      overrides a param of the deck; may be repeated\n"
-    "  -j THREADS         threads of each command; default: 1\n"
-    "  --merge            prints instead the command that joins the parts in the end\n"
-    "  --help             this text\n\n"
-    "Each line is for sh. Lines may run in any order and anywhere where the deck and its records\n"
-    "are; one that is run again goes on where it was, and does nothing when its part is done.\n";
-
 enum { PARTS = 16 };
 enum tasks_lines { TASKS_RUN, TASKS_MERGE };
 
 struct tasks_options {
     struct load_request load;
     const char *output;
-    long n_part;  // 0: not given
+    int n_part;  // 0: not given
     int n_thread;
     enum tasks_lines lines;
 };
+#define AT(member) offsetof(struct tasks_options, member)
 
 // A word for sh, with a blank in front.
 static void print_word(const char *text) {
@@ -49,9 +39,9 @@ static void print_word(const char *text) {
 static void print_run(const struct tasks_options *o, const struct study_shard *s,
                       const char *part) {
     fputs("jostle run", stdout);
-    for (int i = 0; i < o->load.n_define; i++) {
+    for (int i = 0; i < o->load.define.n; i++) {
         fputs(" -D", stdout);
-        print_word(o->load.define[i]);
+        print_word(o->load.define.word[i]);
     }
     printf(" --shard %ld/%ld -j %d -q -o", s->number, s->n, o->n_thread);
     print_word(part);
@@ -86,8 +76,8 @@ static int print_lines(const struct tasks_options *o, struct arena *a, const cha
 static const char *unprintable_word(const struct tasks_options *o, const char *path) {
     const char *wrong = text_not_plain(path) ? path : NULL;
     wrong = text_not_plain(o->load.path) ? o->load.path : wrong;
-    for (int i = 0; i < o->load.n_define; i++) {
-        wrong = text_not_plain(o->load.define[i]) ? o->load.define[i] : wrong;
+    for (int i = 0; i < o->load.define.n; i++) {
+        wrong = text_not_plain(o->load.define.word[i]) ? o->load.define.word[i] : wrong;
     }
     return wrong;
 }
@@ -120,31 +110,28 @@ static int print_tasks(void *options, const struct model *m) {
     return print_lines(o, m->deck->arena, path, n);
 }
 
-static int take(void *options, int letter) {
-    struct tasks_options *o = options;
-    switch (letter) {
-        case 'o':
-            o->output = optarg;
-            return EXIT_DONE;
-        case 'n':
-            return command_count(&command_tasks, "-n takes a number of parts", optarg,
-                                 STUDY_RUNS_MAX, &o->n_part);
-        case 'j':
-            return threads_parse(&command_tasks, optarg, &o->n_thread);
-        default:
-            o->lines = TASKS_MERGE;
-            return EXIT_DONE;
-    }
-}
-
 static int tasks_command(int argc, char **argv) {
-    static const struct option option[] = {{"output", required_argument, NULL, 'o'},
-                                           {"parts", required_argument, NULL, 'n'},
-                                           {"threads", required_argument, NULL, 'j'},
-                                           {"merge", no_argument, NULL, 'm'},
-                                           DECK_COMMAND_OPTIONS};
-    static const struct deck_command c = {&command_tasks, details, ":o:D:n:j:h", option,
-                                          take,           NULL,    print_tasks};
+    static const struct option_row rows[] = {
+        {"parts", 'n', "PARTS", OPTION_WHOLE, OPTION_LETTER_ONLY, AT(n_part), 1, STUDY_RUNS_MAX,
+         .what = "a number of parts",
+         .doc = "parts, a line each; default: 16, or the runs if there are fewer"},
+        {"output", 'o', "FILE", OPTION_TEXT, 0, AT(output),
+         .doc = "the result file of the study; parts are FILE.K-of-N.h5 beside it"},
+        DECK_DEFINE_ROW,
+        DECK_THREADS_ROW(AT(n_thread), "threads of each command; default: 1"),
+        {"merge", .kind = OPTION_SET, .at = AT(lines), .set = TASKS_MERGE,
+         .doc = "prints instead the command that joins the parts in the end"},
+        {0}};
+    static const struct option_part parts[] = {
+        {.row = rows},
+        {.row = option_help},
+        {.text =
+             "\nEach line is for sh. Lines may run in any order and anywhere where the deck and "
+             "its records\n"
+             "are; one that is run again goes on where it was, and does nothing when its part "
+             "is done.\n"},
+        {0}};
+    static const struct deck_command c = {&command_tasks, parts, NULL, print_tasks};
     struct tasks_options o = {.n_thread = 1, .lines = TASKS_RUN};
-    return deck_command_run(&c, argc, argv, &o.load, &o);
+    return deck_command_run(&c, argc, argv, &o.load);
 }

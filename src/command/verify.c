@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle verify: are the data of a result file as they were written, and do runs of a study give
 // the same bits again?
-#include <stdlib.h>
+#include <limits.h>
 #include <string.h>
 
 #include "command/interrupt.h"
@@ -19,66 +19,14 @@ const struct command command_verify = {
     .run = verify_command,
 };
 
-static const char details[] =
-    "FILE.h5 is the result of a run, of a study or of a part of one. Its data are compared with\n"
-    "the SHA-256 checksum that the file has of them.\n\n"
-    "  --rerun K    computes K runs of a study again, drawn at random, and compares their values\n"
-    "               bit by bit\n"
-    "  --seed S     of this draw, a whole number from 1; default 1\n"
-    "  --run N      computes run N of the study again; may be repeated\n"
-    "  --deck DECK  the deck of the study, if it is not where it was\n"
-    "  --help       this text\n\n"
-    "Exit status 0: the data and the runs are the same; 1: they differ; 2: wrong usage, not a\n"
-    "result file, or the deck is not that of the study.\n";
-
-enum { SEED_MAX = 2147483647 };
-
 struct verify_options {
     const char *path;
     struct load_request load;  // the deck; path NULL: that which the file names
     struct study_rerun_request rerun;
-    long *run;  // (argc) room for rerun.run
+    int n_draw;
+    struct words run;  // numbers
 };
-
-static int take(void *options, int letter) {
-    struct verify_options *o = options;
-    long seed = 1;
-    int status = EXIT_DONE;
-    switch (letter) {
-        case 'k':
-            return command_count(&command_verify, "--rerun takes a number of runs", optarg,
-                                 STUDY_RUNS_MAX, &o->rerun.n_draw);
-        case 's':
-            status = command_count(&command_verify, "--seed takes a whole number", optarg, SEED_MAX,
-                                   &seed);
-            o->rerun.seed = (int)seed;
-            return status;
-        case 'n':
-            return command_count(&command_verify, "--run takes the number of a run", optarg,
-                                 STUDY_RUNS_MAX, &o->run[o->rerun.n_run++]);
-        default:
-            o->load.path = optarg;
-            return EXIT_DONE;
-    }
-}
-
-// GO_ON, or the exit status.
-static int parse(int argc, char **argv, struct verify_options *o) {
-    static const struct option option[] = {
-        {"rerun", required_argument, NULL, 'k'}, {"seed", required_argument, NULL, 's'},
-        {"run", required_argument, NULL, 'n'},   {"deck", required_argument, NULL, 'd'},
-        {"help", no_argument, NULL, 'h'},        {NULL, 0, NULL, 0},
-    };
-    static const struct command_options options = {
-        &command_verify, details, NULL, getopt_long, ":h", option, take, "run"};
-    const int status = command_parse(&options, argc, argv, o);
-    if (status == GO_ON && argc - optind != 1) {
-        return command_usage(&command_verify, "one result file is expected, not %d", argc - optind);
-    }
-    o->path = argv[optind];
-    o->rerun.run = o->run;
-    return status;
-}
+#define AT(member) offsetof(struct verify_options, member)
 
 static int poll_signal(void *context, double time, struct error *e) {
     (void)context, (void)time;
@@ -104,8 +52,8 @@ static int load_and_rerun(struct study_file *f, struct verify_options *o, struct
     struct model *m;
     struct error e;
     const struct study_view *v = study_file_view(f);
-    o->load.define = split_lines(a, v->origin.define, &o->load.n_define);
-    if (!o->load.define) {
+    o->load.define.word = split_lines(a, v->origin.define, &o->load.define.n);
+    if (!o->load.define.word) {
         return command_no_memory();
     }
     int status = load_model(&o->load, &m);
@@ -113,8 +61,8 @@ static int load_and_rerun(struct study_file *f, struct verify_options *o, struct
         return status;
     }
     o->rerun.first = m;
-    o->rerun.define = o->load.define;
-    o->rerun.n_define = o->load.n_define;
+    o->rerun.define = o->load.define.word;
+    o->rerun.n_define = o->load.define.n;
     interrupt_catch();
     status = study_rerun(f, &o->rerun, &out, &e);
     model_free(m);
@@ -162,14 +110,53 @@ static int verify(struct verify_options *o) {
     return o->rerun.n_draw > 0 || o->rerun.n_run > 0 ? rerun(o) : EXIT_DONE;
 }
 
-static int verify_command(int argc, char **argv) {
-    struct verify_options o = {.load = {.quiet = true}, .rerun = {.seed = 1, .poll = poll_signal}};
-    o.run = calloc((size_t)argc, sizeof *o.run);
-    if (!o.run) {
+static const struct option_row rows[] = {
+    {"rerun", 0, "K", OPTION_WHOLE, 0, AT(n_draw), 1, STUDY_RUNS_MAX, .what = "a number of runs",
+     .doc = "computes K runs of a study again, drawn at random, and compares their values bit by "
+            "bit"},
+    {"seed", 0, "S", OPTION_WHOLE, 0, AT(rerun.seed), 1, INT_MAX,
+     .doc = "of this draw, a whole number from 1; default 1"},
+    {"run", 0, "N", OPTION_WORDS, 0, AT(run), 1, STUDY_RUNS_MAX, .what = "the number of a run",
+     .doc = "computes run N of the study again; may be repeated"},
+    {"deck", 0, "DECK", OPTION_TEXT, 0, AT(load.path),
+     .doc = "the deck of the study, if it is not where it was"},
+    {0}};
+
+static const struct option_row *const run_row = &rows[2];
+
+static int use(void *options, struct arena *a, const struct words *operand) {
+    struct verify_options *o = options;
+    long *run = arena_alloc(a, (size_t)o->run.n, sizeof *run);
+    if (!run) {
         return command_no_memory();
     }
-    int status = parse(argc, argv, &o);
-    status = status == GO_ON ? verify(&o) : status;
-    free(o.run);
-    return status;
+    for (int i = 0; i < o->run.n; i++) {
+        int number;
+        const int status = option_whole(&command_verify, run_row, o->run.word[i], &number);
+        if (status != EXIT_DONE) {
+            return status;
+        }
+        run[i] = number;
+    }
+    o->path = operand->word[0];
+    o->rerun.n_draw = o->n_draw;
+    o->rerun.run = run;
+    o->rerun.n_run = o->run.n;
+    return verify(o);
+}
+
+static int verify_command(int argc, char **argv) {
+    static const struct option_part parts[] = {
+        {.text = "FILE.h5 is the result of a run, of a study or of a part of one. Its data are "
+                 "compared "
+                 "with\nthe SHA-256 checksum that the file has of them.\n\n"},
+        {.row = rows},
+        {.row = option_help},
+        {.text = "\nExit status 0: the data and the runs are the same; 1: they differ; 2: wrong "
+                 "usage, not a\nresult file, or the deck is not that of the study.\n"},
+        {0}};
+    static const struct option_list list = {&command_verify, parts, .operand = "result file",
+                                            .use = use};
+    struct verify_options o = {.load = {.quiet = true}, .rerun = {.seed = 1, .poll = poll_signal}};
+    return option_run(&list, argc, argv, &o);
 }

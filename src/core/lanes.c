@@ -40,11 +40,24 @@ bool lanes_hold_half(void) {
 #endif
 }
 
-LANES void lanes_add_symmetric(int n, const double *restrict matrix, const double *restrict x,
-                               double *restrict y) {
-    for (int j = 0; j < n; j++, matrix += n) {
-        for (int i = 0; i < n; i++) {
-            y[i] += matrix[i] * x[j];
-        }
+// Elements i to n - 1 of y, a vector of the type as long as there are so many. The sums stay in
+// registers.
+#define SUM_COLUMNS(type, i, n, matrix, x, from, y)                                                \
+    for (const int width = sizeof(type) / sizeof(double); i + width <= n; i += width) {            \
+        type sum = {0.0};                                                                          \
+        if (from) {                                                                                \
+            sum = *(const type *)(from + i);                                                       \
+        }                                                                                          \
+        for (int row = 0; row < n; row++) {                                                        \
+            sum += *(const type *)(matrix + (ptrdiff_t)row * n + i) * x[row];                      \
+        }                                                                                          \
+        *(type *)(y + i) = sum;                                                                    \
     }
+
+LANES void lanes_add_symmetric(int n, const double *matrix, const double *x, const double *from,
+                               double *y) {
+    int i = 0;
+    SUM_COLUMNS(lanes_wide, i, n, matrix, x, from, y)
+    SUM_COLUMNS(lanes, i, n, matrix, x, from, y)
+    SUM_COLUMNS(double, i, n, matrix, x, from, y)
 }

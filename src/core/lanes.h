@@ -167,8 +167,9 @@ static inline int lanes_whole(int n) {
     return (n + LANES_WIDTH - 1) & ~(LANES_WIDTH - 1);
 }
 
-// y += A x for a matrix A (n, n) that is symmetric to the bit, so that its rows are its columns.
-// The products of each y are added in the order of x.
-void lanes_add_symmetric(int n, const double *matrix, const double *x, double *y);
+// y = from + A x for a matrix A (n, n) that is symmetric to the bit, so that its rows are its
+// columns. `from` may be y, and NULL is 0. The products of each y are added in the order of x.
+void lanes_add_symmetric(int n, const double *matrix, const double *x, const double *from,
+                         double *y);
 
 #endif

@@ -91,3 +91,17 @@ void safe_line(FILE *to, const char *format, ...) {
     va_end(list);
     fprintf(to, "%s%s\n", line, cut ? "..." : "");
 }
+
+void safe_cell(FILE *to, const char *name, int width) {
+    const int n = text_columns(name, strlen(name));
+    const char *tail = name;
+    for (int skip = n > width ? n - width + 2 : 0; skip > 0; skip--) {
+        tail++;
+        while (((unsigned char)*tail & 0xC0) == 0x80) {
+            tail++;
+        }
+    }
+    fputs(n > width ? ".." : "", to);
+    safe_put(to, SAFE_TERMINAL, tail);
+    fprintf(to, "%*s", n < width ? width - n : 0, "");
+}

@@ -27,6 +27,10 @@ enum safe {
 // Writes the text. Errors are those of the stream.
 void safe_put(FILE *to, enum safe where, const char *text);
 
+// Writes a name of a table, as SAFE_TERMINAL, left-aligned in `width` columns. Where it is too
+// long, its end is kept, which names the floors.
+void safe_cell(FILE *to, const char *name, int width);
+
 // Writes a line of running text, composed as by printf, as SAFE_TERMINAL, and a line end. A line of
 // more than 4000 bytes is cut and ends with "...".
 void safe_line(FILE *to, const char *format, ...) __attribute__((format(printf, 2, 3)));

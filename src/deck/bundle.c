@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deck/bundle.h"
-
+// Paired sweeps (sweeps with the same -as): one dimension of the study.
 #include <math.h>
 #include <string.h>
+
+#include "deck/definition.h"
+#include "deck/parameter.h"
+#include "deck/sweep.h"
 
 struct bundle {
     struct sweep *sweep;  // over its numbers
@@ -15,6 +18,30 @@ struct bundle {
     struct place place;
     struct bundle *next;
 };
+
+bool sweep_append(struct deck *d, const struct word *w, struct sweep *s) {
+    struct reader *r = d->reader;
+    if (s->fixed) {
+        s->n = 1;
+    }
+    if (r->n_sweep == STUDY_SWEEPS_MAX) {
+        deck_error(d, w, "more than %d sweeps", STUDY_SWEEPS_MAX);
+        return false;
+    }
+    if (d->n_run > STUDY_RUNS_MAX / s->n) {
+        deck_error(d, w, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
+        return false;
+    }
+    d->n_run *= s->n;
+    if (r->last_sweep) {
+        r->last_sweep->next = s;
+    } else {
+        d->sweeps = s;
+    }
+    r->last_sweep = s;
+    r->n_sweep++;
+    return true;
+}
 
 bool bundle_name(struct deck *d, const struct argument *as, const struct word *at,
                  const char *fallback, const struct sweep *own, struct bundle_request *q) {
@@ -96,8 +123,8 @@ static struct bundle *find(struct deck *d, const struct bundle_request *q,
     b = b ? b : begin(d, q, own);
     if (b && b->n != own->n) {
         deck_error(d, q->count,
-                   "'%s' has %d %s%s, but '%s' in %s has %d %s%s; what goes together as '%s' has "
-                   "equally many, and another -as NAME makes a dimension of its own",
+                   "'%s' has %d %s%s, but '%s' in %s has %d %s%s; sweeps with -as %s need equally "
+                   "many values; give another -as NAME to make them independent",
                    own->name, own->n, q->noun, own->n == 1 ? "" : "s", b->first,
                    source_mention(d, &b->place, &q->count->place), b->n, b->noun,
                    b->n == 1 ? "" : "s", b->sweep->name);
@@ -126,7 +153,7 @@ bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct 
     }
     const int n = count(own, define->value.text, &at);
     if (n > 1) {
-        deck_error(d, &define->value, "this stands %d times in '%s'; -D %s=NUMBER chooses one", n,
+        deck_error(d, &define->value, "this occurs %d times in '%s'; -D %s=NUMBER chooses one", n,
                    own->name, q->name.text);
         define->taken = true;
     } else if (n == 1) {

@@ -4,8 +4,10 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/checksum.h"
 #include "core/text.h"
-#include "deck/reader.h"
+#include "deck/parameter.h"
+#include "deck/statement.h"
 
 void deck_free(struct deck *d) {
     if (!d) {
@@ -166,29 +168,42 @@ double deck_gravity(struct deck *d) {
     return d->units.gravity;
 }
 
-void *deck_array(struct deck *d, size_t n, size_t size) {
-    void *array = arena_alloc(d->arena, n, size);
-    if (!array) {
-        diagnostics_no_memory(&d->diagnostics);
+static void add_statement(struct checksum_sum *sum, const struct statement *s) {
+    if (strcmp(s->word[0].text, "title") == 0) {
+        return;
     }
-    return array;
+    checksum_add_number(sum, (uint64_t)s->n_word);
+    for (int i = 0; i < s->n_word; i++) {
+        checksum_add_number(sum, s->word[i].quoted);
+        checksum_add_text(sum, s->word[i].text);
+    }
 }
 
-const char *deck_file(struct deck *d, const struct word *w, const char *name) {
-    const struct deck_path *file = deck_path_enter(d, w, name);
-    return file ? file->path : NULL;
+// Of an opened deck, which is then freed. What cannot be parted into statements counts as a whole.
+static int checksum_statements(struct deck *d, struct checksum *out, struct error *e) {
+    struct checksum_sum sum;
+    struct statement s;
+    checksum_start(&sum);
+    while (scan_statement(d, &d->reader->frame[0], &s)) {
+        add_statement(&sum, &s);
+    }
+    if (d->torn) {
+        checksum_add_text(&sum, d->text);
+    }
+    checksum_end(&sum, out);
+    const bool no_memory = d->diagnostics.out_of_memory;
+    deck_free(d);
+    return no_memory ? error_no_memory(e) : STATUS_OK;
 }
 
-struct deck_path *deck_path_enter(struct deck *d, const struct word *w, const char *name) {
-    const struct source *from = parameter_origin(d, w);
-    const struct source top = {.name = d->path};
-    const char *path = source_path(d, from && from->text ? from : &top, name);  // a -D has none
-    struct deck_path *file = arena_alloc(d->arena, 1, sizeof *file);
-    if (!path || !file) {
-        diagnostics_no_memory(&d->diagnostics);
-        return NULL;
-    }
-    *file = (struct deck_path){.path = path, .next = d->files};
-    d->files = file;
-    return file;
+int deck_meaning(const char *text, struct checksum *out, struct error *e) {
+    struct deck *d;
+    const int status = deck_open_text("", text, NULL, 0, &d, e);
+    return status == STATUS_OK ? checksum_statements(d, out, e) : status;
+}
+
+int deck_meaning_of_file(const char *path, struct checksum *out, struct error *e) {
+    struct deck *d;
+    const int status = deck_open(path, NULL, 0, &d, e);
+    return status == STATUS_OK ? checksum_statements(d, out, e) : status;
 }

@@ -9,11 +9,14 @@
 //
 // A literal takes the longest unit that follows it directly: in 300t/g the g is the unit, in
 // 300t / g a parameter.
+#include "deck/expression.h"
+
 #include <ctype.h>
 #include <string.h>
 
 #include "core/text.h"
-#include "deck/reader.h"
+#include "deck/parameter.h"
+#include "deck/quantity.h"
 
 // Levels of brackets, signs and powers within each other, so that no text overflows the stack.
 enum { DEPTH_MAX = 100 };
@@ -58,16 +61,6 @@ static bool name_is(const char *from, const char *to, const char *name) {
     return (size_t)(to - from) == strlen(name) && strncmp(from, name, strlen(name)) == 0;
 }
 
-bool expression_is_reserved(const char *name, size_t n) {
-    const char *end = name + n;
-    for (int i = 0; i < n_quantity_function; i++) {
-        if (name_is(name, end, quantity_functions[i].name)) {
-            return true;
-        }
-    }
-    return name_is(name, end, "pi") || name_is(name, end, "min") || name_is(name, end, "max");
-}
-
 static bool close_bracket(struct parser *p, const char *open) {
     if (next(p) != ')') {
         return report_false(p->deck, p->word, open, open + 1, "the ')' to this '(' is missing");
@@ -109,7 +102,7 @@ static bool unknown_function(struct parser *p, const char *name, const char *end
 }
 
 static bool call(struct parser *p, const char *name, const char *name_end, struct quantity *out) {
-    if (!expression_is_reserved(name, (size_t)(name_end - name)) || name_is(name, name_end, "pi")) {
+    if (!quantity_is_reserved(name, (size_t)(name_end - name)) || name_is(name, name_end, "pi")) {
         return unknown_function(p, name, name_end);
     }
     const char *open = p->at++;
@@ -143,8 +136,8 @@ static bool name_or_call(struct parser *p, struct quantity *out) {
         *out = (struct quantity){.value = 3.14159265358979323846};
         return true;
     }
-    if (expression_is_reserved(name, (size_t)(end - name))) {
-        return report_false(p->deck, p->word, name, end, "a '(' must stand after a function");
+    if (quantity_is_reserved(name, (size_t)(end - name))) {
+        return report_false(p->deck, p->word, name, end, "a '(' must follow a function");
     }
     if (!parameter_find(p->deck, name, (size_t)(end - name)) &&
         literal_is_unit(p->deck, name, (size_t)(end - name))) {
@@ -284,7 +277,7 @@ static bool dollar(struct deck *d, const struct word *w, const char **at, struct
     }
     const char *to = parameter_name_end(from);
     if (to == from) {
-        return report_false(d, w, *at, from, "a name or '{' must stand after '$'");
+        return report_false(d, w, *at, from, "a name or '{' must follow '$'");
     }
     *at = to;
     return parameter_number(d, w, from, to, out);

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts with parameters: $name and ${expression} inside a word stand for the text of the parameter,
-// or the number with up to 15 digits; $$ stands for $. A $ before anything else stands for itself.
+// or for the number with up to 15 digits; $$ stands for $. A $ before anything else stands for
+// itself.
+//
+// The value of a parameter is a number if its word is not quoted and starts like a number (a digit,
+// or a point and a digit, either after a sign), or if the word as a whole is $name or
+// ${expression}. Any other value is a text, so a text that starts with a digit must be quoted.
 #include <stdio.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/text.h"
-#include "deck/reader.h"
+#include "deck/expression.h"
+#include "deck/parameter.h"
 
 struct buffer {
     char text[TEXT_MAX + 1];
@@ -141,4 +147,78 @@ const char *deck_parameters(struct deck *d) {
         used += (size_t)parameter_line(p, text + used, size - used);
     }
     return text;
+}
+
+// True if the word is $name or ${...}, perhaps after a sign, and nothing else.
+static bool is_dollar(const char *text) {
+    text += *text == '-' || *text == '+';
+    if (text[0] != '$') {
+        return false;
+    }
+    if (text[1] == '{') {
+        const char *close = strchr(text, '}');
+        return close && close[1] == 0;
+    }
+    const char *end = parameter_name_end(text + 1);
+    return end > text + 1 && *end == 0;
+}
+
+static bool is_number_like(const struct word *w) {
+    const char *t = w->text + (*w->text == '-' || *w->text == '+');
+    t += *t == '.';
+    return !w->quoted && ((*t >= '0' && *t <= '9') || is_dollar(w->text));
+}
+
+// The text parameter that the word names as a whole, as $name or ${name}; NULL: it is no such word.
+static const struct parameter *whole_text(const struct deck *d, const struct word *w) {
+    if (w->quoted || w->text[0] != '$') {
+        return NULL;
+    }
+    const char *name = w->text + 1;
+    name += *name == '{';
+    const char *end = parameter_name_end(name);
+    const struct parameter *p = parameter_find(d, name, (size_t)(end - name));
+    return is_dollar(w->text) && p && p->kind == PARAMETER_TEXT && (*end == 0 || *end == '}')
+               ? p
+               : NULL;
+}
+
+static const struct source *text_origin(const struct deck *d, const struct word *w) {
+    const struct word bare = {.text = w->text};
+    const struct parameter *p = whole_text(d, &bare);
+    return p ? p->origin : w->place.source;
+}
+
+void parameter_read_text(struct deck *d, const struct word *w, struct parameter *p) {
+    p->origin = text_origin(d, w);
+    p->text = deck_text_of_file(d, w);
+    p->kind = p->text ? PARAMETER_TEXT : PARAMETER_WRONG;
+}
+
+void parameter_read(struct deck *d, const struct word *w, struct parameter *p) {
+    if (!is_number_like(w) || whole_text(d, w)) {
+        parameter_read_text(d, w, p);
+        return;
+    }
+    bool ok = expression_number(d, w, w->text, &p->number);
+    p->kind = ok ? PARAMETER_NUMBER : PARAMETER_WRONG;
+}
+
+struct deck_path *deck_path_enter(struct deck *d, const struct word *w, const char *name) {
+    const struct source *from = text_origin(d, w);
+    const struct source top = {.name = d->path};
+    const char *path = source_path(d, from && from->text ? from : &top, name);  // a -D has none
+    struct deck_path *file = arena_alloc(d->arena, 1, sizeof *file);
+    if (!path || !file) {
+        diagnostics_no_memory(&d->diagnostics);
+        return NULL;
+    }
+    *file = (struct deck_path){.path = path, .next = d->files};
+    d->files = file;
+    return file;
+}
+
+const char *deck_file(struct deck *d, const struct word *w, const char *name) {
+    const struct deck_path *file = deck_path_enter(d, w, name);
+    return file ? file->path : NULL;
 }

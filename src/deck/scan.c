@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "core/text.h"
-#include "deck/reader.h"
+#include "deck/statement.h"
 
 struct scan {
     struct deck *deck;
@@ -100,7 +100,7 @@ static void scan_quoted(struct scan *s) {
     advance(s);
     const bool joins = s->at < s->end && *s->at == '\\' && s->at + 1 == s->end;
     if (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !joins) {
-        fail(s, s->column, 1, "a blank must stand after the closing quote");
+        fail(s, s->column, 1, "a space must follow the closing quote");
     }
 }
 
@@ -124,12 +124,11 @@ static const struct look_alike {
     bool inside;  // they are wrong inside a word too
     const char *message;
 } look_alikes[] = {
-    {"\u00A0\u2002\u2003\u2009\u200B\u202F", true,
-     "a blank that parts no words, as word processors set it; write a plain one"},
+    {"\u00A0\u2002\u2003\u2009\u200B\u202F", true, "a typographic space; use an ordinary space"},
     {"\u2010\u2011\u2013\u2014\u2212", false,
-     "this dash is not a '-'; options and negative numbers begin with a plain '-'"},
-    {"\u201C\u201D\u201E", true, "a quote that quotes nothing; texts stand in plain ones, \"...\""},
-    {"\u2018\u2019'", false, "an apostrophe quotes nothing; texts stand in plain quotes, \"...\""},
+     "a typographic dash; options and negative numbers start with '-'"},
+    {"\u201C\u201D\u201E", true, "a typographic quotation mark; use \"...\""},
+    {"\u2018\u2019'", false, "an apostrophe does not quote; use \"...\""},
 };
 
 // What is wrong with the character at s->at in a word that begins at `start`; NULL: nothing.
@@ -280,6 +279,28 @@ static bool build(struct deck *d, const struct frame *start, const struct frame 
                   end->line - start->line},
     };
     return true;
+}
+
+static bool stands_at(const struct deck_lines *lines, const struct frame *f) {
+    const char *at = f->source->text + f->offset;
+    const size_t n = lines->size, rest = f->source->size - f->offset;
+    return lines->text && n <= rest && memcmp(lines->text, at, n) == 0 &&
+           (at[n - 1] == '\n' || n == rest);
+}
+
+// If each run read its sweeps anew, the time of a study would grow with the square of their
+// lengths.
+static const struct sweep *sweep_known(const struct deck *d, const struct frame *f) {
+    const struct deck *first = d->reader->first_reading;
+    const bool same = first && unit_system_equal(&first->units, &d->units);
+    for (const struct sweep *s = same ? first->sweeps : NULL; s; s = s->next) {
+        for (const struct sweep *p = s; p; p = p->along) {
+            if (stands_at(&p->lines, f)) {
+                return p;
+            }
+        }
+    }
+    return NULL;
 }
 
 // Scans the lines that are joined to the next one, and it.

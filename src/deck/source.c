@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a deck.
+// The files of a deck, and the errors and warnings at their words.
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
+
+void *deck_array(struct deck *d, size_t n, size_t size) {
+    void *array = arena_alloc(d->arena, n, size);
+    if (!array) {
+        diagnostics_no_memory(&d->diagnostics);
+    }
+    return array;
+}
 
 static const char byte_order_mark[] = "\xEF\xBB\xBF";
 
@@ -31,7 +40,8 @@ struct source *source_add(struct deck *d, const char *name, const char *text, si
     return s;
 }
 
-const char *source_line(const struct source *s, int line) {
+// The text of line `line` (from 1).
+static const char *source_line(const struct source *s, int line) {
     const char *at = s->text + text_start(s), *end = s->text + s->size;
     for (int i = 1; i < line; i++) {
         const char *feed = memchr(at, '\n', (size_t)(end - at));
@@ -43,7 +53,8 @@ const char *source_line(const struct source *s, int line) {
     return at;
 }
 
-struct place source_end(const struct deck *d) {
+// The place after the last word of the deck.
+static struct place source_end(const struct deck *d) {
     const struct source *s = d->reader->source;
     while (s->next) {
         s = s->next;
@@ -84,14 +95,15 @@ void source_enter(struct deck *d, struct source *s) {
 
 static const char include_mark[] = "# include ";
 
-// Its mark and line feeds included; the last one only where the text has none.
+// The bytes of one entry of deck_includes: the line of the mark, and the text. The text gets a
+// final line feed if it has none.
 static size_t include_size(const struct source *s) {
     bool ends = s->size > 0 && s->text[s->size - 1] == '\n';
     return strlen(include_mark) + strlen(s->name) + 1 + s->size + (ends ? 0 : 1);
 }
 
-// The sources are listed the last one first, so the text is filled from its end; the first one is
-// the deck itself.
+// The list starts with the last source, so the text is filled from its end. The first source is the
+// deck itself and is left out.
 const char *deck_includes(struct deck *d) {
     size_t size = 0;
     for (const struct source *s = d->reader->source; s && s->next; s = s->next) {
@@ -114,4 +126,107 @@ const char *source_mention(struct deck *d, const struct place *p, const struct p
                                                  : arena_format(d->arena, "line %d of %s", p->line,
                                                                 text_short(&name, p->source->name));
     return text ? text : "another line";
+}
+
+enum { MESSAGE_MAX = 1024 };
+
+static void report(struct deck *d, const struct word *w, enum severity severity, const char *format,
+                   va_list list) {
+    char message[MESSAGE_MAX];
+    vsnprintf(message, sizeof message, format, list);
+    struct diagnostic entry = {.severity = severity, .file = d->path};
+    const struct place p = w ? w->place : source_end(d);
+    if (p.source) {
+        entry.file = p.source->name;
+        entry.line = p.line;
+        entry.column = p.column;
+        entry.width = p.width;
+        // Messages above the limit are not kept and need no line.
+        if (p.line > 0 && d->diagnostics.n_item < DIAGNOSTICS_MAX) {
+            entry.source_line = source_line(p.source, p.line);
+        }
+    }
+    diagnostics_add(&d->diagnostics, &entry, "%s", message);
+}
+
+void deck_error(struct deck *d, const struct word *w, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    report(d, w, SEVERITY_ERROR, format, list);
+    va_end(list);
+}
+
+void deck_error_of(struct deck *d, const struct word *w, const struct error *e) {
+    deck_error(d, w, "%s", e->message);
+    d->diagnostics.system = d->diagnostics.system || e->status == STATUS_SYSTEM;
+}
+
+void deck_warning(struct deck *d, const struct word *w, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    report(d, w, SEVERITY_WARNING, format, list);
+    va_end(list);
+}
+
+const char *deck_quote(struct deck_quote *q, const struct word *w, const char *value) {
+    struct text_short shown, from;
+    const bool replaced = strchr(w->text, '$') && strcmp(w->text, value) != 0;
+    snprintf(q->text, sizeof q->text, "'%s'%s%s%s", text_short(&shown, value),
+             replaced ? " (from " : "", replaced ? text_short(&from, w->text) : "",
+             replaced ? ")" : "");
+    return q->text;
+}
+
+const char *deck_unknown(struct deck *d, const struct word *w, const char *value, const char *what,
+                         const char *const *known, int n) {
+    struct deck_quote word;
+    deck_quote(&word, w, value);
+    const char *nearest = text_nearest(value, known, n);
+    if (nearest) {
+        deck_error(d, w, "unknown %s %s; did you mean '%s'?", what, word.text, nearest);
+        return nearest;
+    }
+    if (n == 0 || n > TEXT_LISTED_MAX) {
+        deck_error(d, w, "unknown %s %s", what, word.text);
+        return NULL;
+    }
+    char list[MESSAGE_MAX - 2 * sizeof word];
+    deck_error(d, w, "unknown %s %s; available: %s", what, word.text,
+               text_list(list, sizeof list, known, n));
+    return NULL;
+}
+
+int deck_keyword(struct deck *d, const struct word *w, const char *what, const char *const *known,
+                 int n) {
+    for (int i = 0; i < n; i++) {
+        if (strcmp(w->text, known[i]) == 0) {
+            return i;
+        }
+    }
+    deck_unknown(d, w, w->text, what, known, n);
+    return -1;
+}
+
+struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to) {
+    size_t n = (size_t)(to - from);
+    struct word part = *w;
+    part.place.column += (w->quoted ? 1 : 0) + text_columns(w->text, (size_t)(from - w->text));
+    part.place.width = n > 0 ? text_columns(from, n) : 1;
+    const size_t longest = sizeof(struct text_short);  // messages show no more
+    part.text = arena_text(d->arena, from, n < longest ? n : longest);
+    if (!part.text) {
+        diagnostics_no_memory(&d->diagnostics);
+        part.text = "";
+    }
+    return part;
+}
+
+bool report_false(struct deck *d, const struct word *w, const char *from, const char *to,
+                  const char *format, ...) {
+    struct word part = report_part(d, w, from, to);
+    va_list list;
+    va_start(list, format);
+    report(d, &part, SEVERITY_ERROR, format, list);
+    va_end(list);
+    return false;
 }

@@ -4,7 +4,10 @@
 #include <string.h>
 
 #include "core/text.h"
-#include "deck/reader.h"
+#include "deck/definition.h"
+#include "deck/expression.h"
+#include "deck/statement.h"
+#include "deck/sweep.h"
 
 const struct deck_statement deck_statements[] = {
     {"title", "title \"TEXT\"", "title of the analysis"},
@@ -14,7 +17,7 @@ const struct deck_statement deck_statements[] = {
     {"param", "param NAME VALUE", "a parameter; -D NAME=VALUE overrides it"},
     {"sweep", sweep_usage,
      "a parameter that takes one value after another, in place of that of its param if there is "
-     "one; sweeps multiply, but those with the same -as go together, value by value, and so do "
+     "one; sweeps multiply, but those with the same -as are paired, value by value, and so do "
      "random "
      "ones without: normal MEAN SD, lognormal MEDIAN DISPERSION or uniform LOW HIGH"},
     {"include", "include FILE", "reads another deck here"},
@@ -100,7 +103,7 @@ static void run_units(struct deck *d, const struct statement *s) {
     }
     if (r->other.source) {
         deck_error(d, s->word,
-                   "units must stand above all other statements but title and include; "
+                   "units must be above all other statements except title and include; "
                    "the first is in %s",
                    source_mention(d, &r->other, &s->word->place));
         return;
@@ -132,7 +135,7 @@ static void run_gravity(struct deck *d, const struct statement *s) {
         return;
     }
     if (d->reader->gravity_used) {
-        deck_error(d, s->word, "gravity must stand above the first use of the unit g");
+        deck_error(d, s->word, "gravity must be above the first use of the unit g");
         return;
     }
     const double g = unit_convert(value.number[0], unit_size(&d->units, dimension_acceleration), 1);

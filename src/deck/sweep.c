@@ -6,11 +6,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "deck/bundle.h"
-#include "deck/reader.h"
-#include "deck/sweep_files.h"
-#include "deck/sweep_random.h"
-#include "deck/sweep_values.h"
+#include "deck/definition.h"
+#include "deck/expression.h"
+#include "deck/parameter.h"
+#include "deck/sweep.h"
 
 const char sweep_usage[] =
     "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\" | random DISTRIBUTION A B "
@@ -19,7 +18,7 @@ const char sweep_usage[] =
 enum { AS, LOG, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the sweeps that go together"},
+    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the paired sweeps"},
     [LOG] = {"log", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "equal ratios"},
 };
 
@@ -85,46 +84,11 @@ static bool read_values_of(struct deck *d, const struct statement *s, struct swe
     }
 }
 
-const struct sweep *sweep_bound(const struct deck *d, const char *name, int *choice) {
-    int i = 0;
-    for (const struct sweep *s = d->reader->bound; s; s = s->next, i++) {
-        for (const struct sweep *p = s; p; p = p->along) {
-            if (strcmp(p->name, name) == 0) {
-                *choice = s->fixed ? 0 : d->reader->choice[i];
-                return p;
-            }
-        }
-    }
-    return NULL;
-}
-
 const struct sweep *sweep_named(const struct sweep *s) {
     while (s && s->random) {
         s = s->along;
     }
     return s;
-}
-
-static bool stands_at(const struct deck_lines *lines, const struct frame *f) {
-    const char *at = f->source->text + f->offset;
-    const size_t n = lines->size, rest = f->source->size - f->offset;
-    return lines->text && n <= rest && memcmp(lines->text, at, n) == 0 &&
-           (at[n - 1] == '\n' || n == rest);
-}
-
-// If each run read its sweeps anew, the time of a study would grow with the square of their
-// lengths.
-const struct sweep *sweep_known(const struct deck *d, const struct frame *f) {
-    const struct deck *first = d->reader->first_reading;
-    const bool same = first && unit_system_equal(&first->units, &d->units);
-    for (const struct sweep *s = same ? first->sweeps : NULL; s; s = s->next) {
-        for (const struct sweep *p = s; p; p = p->along) {
-            if (stands_at(&p->lines, f)) {
-                return p;
-            }
-        }
-    }
-    return NULL;
 }
 
 // The sweep of the first reading that `s` is along; NULL: none.
@@ -150,17 +114,6 @@ static void take_known(const struct deck *d, const struct statement *s, struct s
     q->count = &s->word[1];
 }
 
-void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
-    p->kind = s->number ? PARAMETER_NUMBER : PARAMETER_TEXT;
-    p->swept = true;
-    if (s->number) {
-        p->number = (struct quantity){s->number[choice], s->known, s->dimension};
-    } else {
-        p->text = s->text[choice];
-        p->origin = s->origin;
-    }
-}
-
 // The value of this run as a parameter.
 static struct parameter chosen(const struct deck *d, const struct sweep *sweep) {
     int choice = 0;
@@ -172,30 +125,6 @@ static struct parameter chosen(const struct deck *d, const struct sweep *sweep) 
         sweep_choose(sweep, 0, &p);
     }
     return p;
-}
-
-bool sweep_append(struct deck *d, const struct word *w, struct sweep *s) {
-    struct reader *r = d->reader;
-    if (s->fixed) {
-        s->n = 1;
-    }
-    if (r->n_sweep == STUDY_SWEEPS_MAX) {
-        deck_error(d, w, "more than %d sweeps", STUDY_SWEEPS_MAX);
-        return false;
-    }
-    if (d->n_run > STUDY_RUNS_MAX / s->n) {
-        deck_error(d, w, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
-        return false;
-    }
-    d->n_run *= s->n;
-    if (r->last_sweep) {
-        r->last_sweep->next = s;
-    } else {
-        d->sweeps = s;
-    }
-    r->last_sweep = s;
-    r->n_sweep++;
-    return true;
 }
 
 // Reads the values; false after having reported what is wrong with them.
@@ -217,13 +146,6 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *own,
         own->lines = s->lines;
     }
     return true;
-}
-
-void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s) {
-    s->fixed = true;
-    if (p->kind != PARAMETER_WRONG) {
-        sweep_take(d, s, p, 1);
-    }
 }
 
 // The values of a sweep cannot be made from the param that they replace.

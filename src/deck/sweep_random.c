@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random sweeps go together: without -as they are all of one bundle, the sample.
-#include "deck/sweep_random.h"
-
 #include <math.h>
 
+#include "deck/definition.h"
+#include "deck/expression.h"
+#include "deck/parameter.h"
+#include "deck/quantity.h"
 #include "deck/random.h"
-#include "deck/sweep_values.h"
+#include "deck/sweep.h"
 
 static const char default_sample[] = "sample";
 
@@ -26,7 +28,7 @@ static const struct row rows[N_ROW] = {
     [LHS] = {"lhs", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "Latin hypercube"},
     [MIN] = {"min", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "least value"},
     [MAX] = {"max", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "largest value"},
-    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the sweeps that go together"},
+    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the paired sweeps"},
 };
 
 // The statement as read.

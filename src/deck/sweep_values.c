@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values of a list or a range.
+// The values of a sweep that the deck lists, as a list, a range or a pattern of file names.
 //
 // range gives FROM + i (TO - FROM) / (N - 1), or with -log FROM (TO / FROM)^(i / (N - 1)), i = 0 ..
 // N - 1; the last is TO itself.
-#include "deck/sweep_values.h"
-
+#include <glob.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "core/arena.h"
 #include "core/text.h"
+#include "deck/definition.h"
+#include "deck/expression.h"
+#include "deck/parameter.h"
+#include "deck/quantity.h"
+#include "deck/sweep.h"
 
 bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
                  struct parameter *p) {
@@ -81,7 +87,7 @@ struct key {
     int at;
 };
 
-static int compare(const void *a, const void *b) {
+static int compare_values(const void *a, const void *b) {
     const struct key *x = a, *y = b;
     int order =
         x->label ? strcmp(x->label, y->label) : (x->number > y->number) - (x->number < y->number);
@@ -97,11 +103,11 @@ static bool check_distinct(struct deck *d, const struct sweep *s, const struct w
     if (!key) {
         return false;
     }
-    qsort(key, (size_t)s->n, sizeof *key, compare);
+    qsort(key, (size_t)s->n, sizeof *key, compare_values);
     for (int i = 1; i < s->n; i++) {
         struct key before = key[i - 1];
         before.at = key[i].at;
-        if (compare(&before, &key[i]) == 0) {
+        if (compare_values(&before, &key[i]) == 0) {
             struct text_short t;
             deck_error(d, &word[key[i].at], "value %s is given twice",
                        text_short(&t, word[key[i].at].text));
@@ -173,4 +179,211 @@ bool sweep_range(struct deck *d, const struct statement *s, enum spacing spacing
     sweep->known = p[0].number.known;
     sweep->dimension = p[0].number.dimension;
     return number != NULL;
+}
+
+void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s) {
+    s->fixed = true;
+    if (p->kind != PARAMETER_WRONG) {
+        sweep_take(d, s, p, 1);
+    }
+}
+
+static int compare_paths(const void *a, const void *b) {
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+// The part of a path that a label shows: 0 the name without its ending, 1 the name, 2 all of it.
+static const char *label_of(struct deck *d, const char *path, int form) {
+    size_t n;
+    const char *stem = text_stem(path, &n);
+    const char *label = form < 2 ? stem : path;
+    return arena_text(d->arena, label, form == 0 ? n : strlen(label));
+}
+
+// True if the labels differ, or if there is no memory to compare_paths them.
+static bool are_distinct(struct deck *d, const char *const *label, int n) {
+    const char **sorted = deck_array(d, (size_t)n, sizeof *sorted);
+    if (!sorted) {
+        return true;
+    }
+    memcpy(sorted, label, (size_t)n * sizeof *sorted);
+    qsort(sorted, (size_t)n, sizeof *sorted, compare_paths);
+    for (int i = 1; i < n; i++) {
+        if (strcmp(sorted[i - 1], sorted[i]) == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void set_labels(struct deck *d, struct sweep *s) {
+    const char **label = deck_array(d, (size_t)s->n, sizeof *label);
+    if (!label) {
+        return;
+    }
+    for (int form = 0; form < 3; form++) {
+        for (int i = 0; i < s->n; i++) {
+            label[i] = label_of(d, s->text[i], form);
+            if (!label[i]) {
+                diagnostics_no_memory(&d->diagnostics);
+                return;
+            }
+        }
+        if (are_distinct(d, label, s->n)) {
+            break;
+        }
+    }
+    s->label = label;
+}
+
+// The paths found, without the first `skip` bytes, which are the folder of the deck.
+static bool take_paths(struct deck *d, const struct word *w, const glob_t *found, size_t skip,
+                       struct sweep *out) {
+    if (found->gl_pathc > SWEEP_VALUES_MAX) {
+        deck_error(d, w, "the pattern matches %zu files; at most %d are allowed", found->gl_pathc,
+                   SWEEP_VALUES_MAX);
+        return false;
+    }
+    const char **path = arena_alloc(d->arena, found->gl_pathc, sizeof *path);
+    out->n = (int)found->gl_pathc;
+    for (int i = 0; path && i < out->n; i++) {
+        const char *name = found->gl_pathv[i] + skip;
+        const char *wrong = text_not_plain(name);
+        if (wrong) {
+            struct text_short t;
+            deck_error(d, w,
+                       text_character(wrong, strlen(wrong))
+                           ? "the file name '%s' has a control character; rename the file"
+                           : "the file name '%s' is not UTF-8",
+                       text_short(&t, name));
+            return false;
+        }
+        path[i] = arena_text(d->arena, name, strlen(name));
+        path = path[i] ? path : NULL;
+    }
+    if (!path) {
+        diagnostics_no_memory(&d->diagnostics);
+        return false;
+    }
+    qsort(path, (size_t)out->n, sizeof *path, compare_paths);
+    out->text = path;
+    out->origin = w->place.source;
+    set_labels(d, out);
+    return out->label != NULL;
+}
+
+// `path` as a pattern whose first `n` bytes, a folder, are literal.
+static const char *escaped(struct deck *d, const char *path, size_t n) {
+    char *text = arena_alloc(d->arena, n + strlen(path) + 1, 1);
+    char *to = text;
+    for (size_t i = 0; text && path[i]; i++) {
+        if (i < n && strchr("*?[\\", path[i])) {
+            *to++ = '\\';
+        }
+        *to++ = path[i];
+    }
+    return text;
+}
+
+static bool search(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
+    const char *path = source_path(d, w->place.source, pattern);
+    const size_t folder = path ? strlen(path) - strlen(pattern) : 0;
+    path = path ? escaped(d, path, folder) : NULL;
+    if (!path) {
+        diagnostics_no_memory(&d->diagnostics);
+        return false;
+    }
+    glob_t found;
+    int answer = glob(path, GLOB_NOSORT, NULL, &found);
+    if (answer != 0) {
+        struct deck_quote quote;
+        deck_error(d, w, answer == GLOB_NOMATCH ? "no file matches %s" : "cannot search for %s",
+                   deck_quote(&quote, w, pattern));
+        return false;
+    }
+    bool good = take_paths(d, w, &found, folder, out);
+    globfree(&found);
+    return good;
+}
+
+// May the text be a file, beside the deck or beside the sweep?
+static bool may_be_file(struct deck *d, const struct sweep *s, const char *text) {
+    const struct source top = {.name = d->path};
+    const char *path[] = {source_path(d, &top, text), source_path(d, s->origin, text)};
+    return strchr(text, '$') || !path[0] || !path[1] || access(path[0], F_OK) == 0 ||
+           access(path[1], F_OK) == 0;
+}
+
+// A -D may name a file by the label that all tables show, in place of its path. False after having
+// reported that it names none.
+static bool take_label(struct deck *d, const struct sweep *s) {
+    struct define *define = define_find(d, s->name);
+    for (int i = 0; define && i < s->n; i++) {
+        if (strcmp(define->value.text, s->label[i]) == 0) {
+            define->value.text = s->text[i];
+            define->beside = s->origin;
+            return true;
+        }
+    }
+    if (!define || define->beside || may_be_file(d, s, define->value.text)) {
+        return true;
+    }
+    deck_unknown(d, &define->value, define->value.text, s->name, s->label, s->n);
+    define->taken = true;
+    struct parameter *p = parameter_find(d, s->name, strlen(s->name));
+    if (p) {
+        p->kind = PARAMETER_WRONG;
+    }
+    return false;
+}
+
+enum ending { WITHOUT_ENDING, WITH_ENDING };
+
+// The only text of `s` whose name, with or without its ending, is `name`; NULL: none, or several.
+static const char *text_of(const struct sweep *s, const char *name, enum ending ending) {
+    const char *found = NULL;
+    for (int i = 0; i < s->n; i++) {
+        size_t n;
+        const char *stem = text_stem(s->text[i], &n);
+        n = ending == WITHOUT_ENDING ? n : strlen(stem);
+        if (strlen(name) == n && strncmp(stem, name, n) == 0) {
+            if (found && strcmp(found, s->text[i]) != 0) {
+                return NULL;
+            }
+            found = s->text[i];
+        }
+    }
+    return found;
+}
+
+void sweep_take_short_name(struct deck *d, const struct sweep *s) {
+    struct define *define = s->text ? define_find(d, s->name) : NULL;
+    bool listed = false;
+    for (int i = 0; define && i < s->n; i++) {
+        listed = listed || strcmp(define->value.text, s->text[i]) == 0;
+    }
+    if (!define || listed || define->beside || may_be_file(d, s, define->value.text)) {
+        return;
+    }
+    const char *text = text_of(s, define->value.text, WITHOUT_ENDING);
+    text = text ? text : text_of(s, define->value.text, WITH_ENDING);
+    if (text) {
+        define->value.text = text;
+        define->beside = s->origin;
+    }
+}
+
+bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
+    int choice;
+    const struct sweep *from = sweep_bound(d, out->name, &choice);
+    const bool one = from && from->fixed && !define_find(d, out->name);  // that its bundle takes
+    if (from && from->text && !one) {
+        out->n = from->n;
+        out->text = from->text;
+        out->origin = from->origin;
+        out->label = from->label;
+    } else if (!search(d, w, pattern, out)) {
+        return false;
+    }
+    return take_label(d, out);
 }

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "core/text.h"
-#include "deck/reader.h"
+#include "deck/expression.h"
+#include "deck/parameter.h"
+#include "deck/quantity.h"
 
 // The `*` that ends the count of a repeat; NULL: the word is no repeat.
 static const char *repeat_mark(const struct word *w) {

@@ -244,7 +244,7 @@ static bool search_samples(struct fit *f, struct fit_result *out) {
 static int search_all(struct fit *f, struct fit_result *out, struct error *e) {
     const struct fit_point from = f->start;
     fit_model_predict(&f->model, &from, NULL);
-    if (fit_model_jumps(&f->model) && search_samples(f, out)) {
+    if ((f->model.jumps_closing || f->model.jumps_opening) && search_samples(f, out)) {
         return STATUS_OK;
     }
     f->start = from;

@@ -92,8 +92,10 @@ static bool jumps_at(const struct fit_model *m, const struct isolated_point *p) 
     return fabs(p->force) > JUMP * m->peak;
 }
 
-bool fit_model_jumps(const struct fit_model *m) {
-    return jumps_at(m, &m->closure) || jumps_at(m, &m->opening);
+bool fit_model_note_jumps(struct fit_model *m) {
+    m->jumps_closing = jumps_at(m, &m->closure);
+    m->jumps_opening = jumps_at(m, &m->opening);
+    return m->jumps_closing || m->jumps_opening;
 }
 
 // The samples up to `first` continue the force at closure, those from `end` on that at opening, as
@@ -124,10 +126,10 @@ static void leave_out(struct fit_model *m, size_t inner, size_t outer) {
 }
 
 static void leave_out_jumps(struct fit_model *m) {
-    if (m->contact.first > 0 && jumps_at(m, &m->closure)) {
+    if (m->contact.first > 0 && m->jumps_closing) {
         leave_out(m, m->contact.first, m->contact.first - 1);
     }
-    if (m->contact.end > m->contact.first && jumps_at(m, &m->opening)) {
+    if (m->contact.end > m->contact.first && m->jumps_opening) {
         leave_out(m, m->contact.end - 1, m->contact.end);
     }
 }

@@ -17,9 +17,10 @@ struct fit_samples {
 
 struct fit_model {
     const struct fit_request *q;
-    bool damped;                     // the law has a zeta
-    double value[CONTACT_ROWS_MAX];  // of the law's rows
-    double peak;                     // largest force of the record
+    bool damped;                        // the law has a zeta
+    bool jumps_closing, jumps_opening;  // the force does, where the search starts
+    double value[CONTACT_ROWS_MAX];     // of the law's rows
+    double peak;                        // largest force of the record
 
     // (n) at the samples; filled by fit_model_predict.
     double *time;          // since closure
@@ -39,16 +40,16 @@ int fit_model_impact(struct fit_model *m, const struct fit_point *p,
 
 // Force and rate at the samples. Bodies that do not part have no force that could fit: 0. With
 // `held`, those samples count as in contact: beyond closure and opening the force goes on with its
-// rate there. Where the force jumps, the samples on both sides of the jump take what was measured,
-// so that they are left out.
+// rate there. Where the force jumps at the start, the samples on both sides of the jump take what
+// was measured, so that they are left out, also where a search makes the jump as small as rounding.
 void fit_model_predict(struct fit_model *m, const struct fit_point *p,
                        const struct fit_samples *held);
 
 // The sum of the squares of what fit_model_predict is off by, where none are held.
 double fit_model_squares(struct fit_model *m, const struct fit_point *p);
 
-// True if the force last predicted jumps at closure or opening.
-bool fit_model_jumps(const struct fit_model *m);
+// Notes where the force last predicted jumps, at closure or opening; true if it does.
+bool fit_model_note_jumps(struct fit_model *m);
 
 // Sets `restitution` and `cut` of the result. Errors: STATUS_INPUT (the impulse of the record, the
 // effective mass and the approach velocity imply a restitution beyond 0 and 1; the record begins or

@@ -168,7 +168,7 @@ int fit_start(struct fit_model *m, struct fit_point *p, double *duration, struct
     p->start = pulse.moment / pulse.impulse - impact.moment / impact.impulse;
     *duration = i.duration;
     fit_model_predict(m, p, NULL);
-    if (fit_model_jumps(m)) {
+    if (fit_model_note_jumps(m)) {
         scan(m, p, SCAN * i.duration);
     }
     return STATUS_OK;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A path is told from the committed point on in the direction of the drift, with drifts and shears
-// counted positive that way. It unloads the other side down to zero shear if it must, goes up to
-// the point where this side was last unloaded, from there straight to its target, and along the
-// backbone.
+// A storey is remembered by the point from which it was last unloaded, and by the largest drift
+// either way. From that point the unloading line leads down to zero shear, where the other side
+// begins. As long as a storey moves on that line, up or down, nothing has to be remembered; nor
+// before its first yielding.
 #include "law/peak_oriented.h"
 
 #include <assert.h>
@@ -10,25 +10,11 @@
 #include <stdbool.h>
 #include <string.h>
 
-// The committed drift and shear, the beyond-yield part of the largest drift either way, the point
-// from which the present side was last unloaded, and the softening of the unloading stiffness
-// either way. The softening follows from the largest drift; it is kept because a power is slow to
-// compute.
-enum { DRIFT, SHEAR, RIGHT, LEFT, TURN_DRIFT, TURN_SHEAR, SOFTENING_RIGHT, SOFTENING_LEFT };
+// The point of the last unloading; of either side the part of the largest drift that is beyond
+// yield, and by which share its unloading stiffness is below the initial one. That share follows
+// from the largest drift; it is kept because a power is slow to compute.
+enum { TURN_DRIFT, TURN_SHEAR, RIGHT, LEFT, SOFTENING_RIGHT, SOFTENING_LEFT };
 static_assert(SOFTENING_LEFT + 1 == PEAK_ORIENTED_HISTORY, "every value of the history has a name");
-
-struct point {
-    double drift, shear;
-};
-
-struct path {
-    const double *constant;
-    double sign;       // of the direction
-    struct point now;  // where it starts
-    struct point turn;
-    double largest;       // drift of this side
-    double unloading[2];  // stiffness of unloading from this side, and from the other
-};
 
 int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
                           struct error *e) {
@@ -36,32 +22,26 @@ int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *c
         return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
     }
     memcpy(constant, value, PEAK_ORIENTED_CONSTANTS * sizeof *constant);
+    constant[PEAK_ORIENTED_YIELD_DRIFT] =
+        value[PEAK_ORIENTED_YIELD] / value[PEAK_ORIENTED_STIFFNESS];
     return STATUS_OK;
 }
 
-static double yield_drift(const double *c) {
-    return c[PEAK_ORIENTED_YIELD] / c[PEAK_ORIENTED_STIFFNESS];
-}
-
-// By which share the stiffness of unloading is below the initial one. At zero shear the drift is
-// not on the other side of zero: else reloading would have to start beyond its target.
-static double softening(const double *c, double largest) {
+// At zero shear the drift is not on the other side of zero: else reloading would have to start
+// beyond its target.
+static double peak_oriented_softening(const double *c, double largest) {
     double alpha = c[PEAK_ORIENTED_ALPHA];
     if (alpha == 0.0) {
         return 0.0;
     }
-    double share = yield_drift(c) / largest;
+    double share = c[PEAK_ORIENTED_YIELD_DRIFT] / largest;
     double to_origin = share + c[PEAK_ORIENTED_HARDENING] * (1.0 - share);
     return 1.0 - fmax(pow(share, alpha), to_origin);
 }
 
-static double unloading_stiffness(const double *c, double softened) {
-    return c[PEAK_ORIENTED_STIFFNESS] * (1.0 - softened);
-}
-
-static struct storey_response backbone(const double *c, double drift) {
+static struct storey_response peak_oriented_backbone(const double *c, double drift) {
     double k = c[PEAK_ORIENTED_STIFFNESS];
-    double beyond = drift - yield_drift(c);
+    double beyond = drift - c[PEAK_ORIENTED_YIELD_DRIFT];
     if (beyond < 0.0) {
         return (struct storey_response){k * drift, k};
     }
@@ -69,97 +49,91 @@ static struct storey_response backbone(const double *c, double drift) {
     return (struct storey_response){c[PEAK_ORIENTED_YIELD] + hardening * beyond, hardening};
 }
 
-// From the turning point on.
-static struct storey_response reload(const struct path *p, double drift) {
-    const double *c = p->constant;
-    double target = p->largest - c[PEAK_ORIENTED_BETA] * (p->largest - yield_drift(c));
-    double stiffness = p->unloading[0];
-    double rise = backbone(c, target).shear - p->turn.shear;
-    struct storey_response r = backbone(c, drift);
-    if (rise < stiffness * (target - p->turn.drift)) {
-        if (drift >= target) {
-            return r;
-        }
-        stiffness = rise / (target - p->turn.drift);
-    }
-    double line = p->turn.shear + stiffness * (drift - p->turn.drift);
-    return line < r.shear || drift < target ? (struct storey_response){line, stiffness} : r;
-}
+// The side to which a storey moves, with drifts and shears counted positive that way.
+struct side {
+    const double *constant;
+    double sign;
+    bool right;
+    double beyond;                  // yield, of the largest drift
+    double unloading;               // stiffness
+    double turn_drift, turn_shear;  // where it was last unloaded
+};
 
-static struct path path_to(const double *c, const double *h, double drift) {
-    double sign = drift >= h[DRIFT] ? 1.0 : -1.0;
-    const bool right = sign > 0.0;
-    const double to_right = unloading_stiffness(c, h[SOFTENING_RIGHT]);
-    const double to_left = unloading_stiffness(c, h[SOFTENING_LEFT]);
-    return (struct path){
+static struct side peak_oriented_side(const double *c, const double *h, bool right) {
+    const double sign = right ? 1.0 : -1.0;
+    return (struct side){
         .constant = c,
         .sign = sign,
-        .now = {sign * h[DRIFT], sign * h[SHEAR]},
-        .turn = {sign * h[TURN_DRIFT], sign * h[TURN_SHEAR]},
-        .largest = yield_drift(c) + h[right ? RIGHT : LEFT],
-        .unloading = {right ? to_right : to_left, right ? to_left : to_right},
+        .right = right,
+        .beyond = h[right ? RIGHT : LEFT],
+        .unloading =
+            c[PEAK_ORIENTED_STIFFNESS] * (1.0 - h[right ? SOFTENING_RIGHT : SOFTENING_LEFT]),
+        .turn_drift = sign * h[TURN_DRIFT],
+        .turn_shear = sign * h[TURN_SHEAR],
     };
 }
 
-// Where along the path `drift` lies. Unloading to zero shear moves the turning point there.
-enum stage { STAGE_UNLOAD, STAGE_RETURN, STAGE_RELOAD };
-static enum stage stage_of(struct path *p, double drift) {
-    if (p->now.shear < 0.0) {
-        double zero = p->now.drift - p->now.shear / p->unloading[1];
-        if (drift <= zero) {
-            return STAGE_UNLOAD;
+// From the turning point straight to the target, and along the backbone.
+static struct storey_response peak_oriented_reload(const struct side *s, double drift) {
+    const double *c = s->constant;
+    const double target = c[PEAK_ORIENTED_YIELD_DRIFT] + (1.0 - c[PEAK_ORIENTED_BETA]) * s->beyond;
+    const double rise = peak_oriented_backbone(c, target).shear - s->turn_shear;
+    const double way = target - s->turn_drift;
+    const struct storey_response r = peak_oriented_backbone(c, drift);
+    double stiffness = s->unloading;
+    if (rise < stiffness * way) {
+        if (drift >= target) {
+            return r;
         }
-        p->turn = (struct point){zero, 0.0};
+        stiffness = rise / way;
     }
-    return drift < p->turn.drift ? STAGE_RETURN : STAGE_RELOAD;
+    double line = s->turn_shear + stiffness * (drift - s->turn_drift);
+    return line < r.shear || drift < target ? (struct storey_response){line, stiffness} : r;
 }
 
-static struct storey_response response(struct path *p, enum stage stage, double drift) {
-    if (stage == STAGE_RELOAD) {
-        return reload(p, drift);
-    }
-    double stiffness = p->unloading[stage == STAGE_UNLOAD];
-    return (struct storey_response){p->now.shear + stiffness * (drift - p->now.drift), stiffness};
-}
-
-// Takes `drift`, counted positive to its side, as the largest one of this side if it is.
-static void grow(const double *constant, double *history, bool right, double drift) {
-    double *beyond = &history[right ? RIGHT : LEFT];
-    if (drift - yield_drift(constant) > *beyond) {
-        *beyond = drift - yield_drift(constant);
-        history[right ? SOFTENING_RIGHT : SOFTENING_LEFT] = softening(constant, drift);
+// Makes the end of a path that has reloaded the turning point.
+static void peak_oriented_arrive(const struct side *s, double drift, double shear, double *h) {
+    const double beyond = drift - s->constant[PEAK_ORIENTED_YIELD_DRIFT];
+    h[TURN_DRIFT] = s->sign * drift;
+    h[TURN_SHEAR] = s->sign * shear;
+    if (beyond > s->beyond) {
+        h[s->right ? RIGHT : LEFT] = beyond;
+        h[s->right ? SOFTENING_RIGHT : SOFTENING_LEFT] =
+            peak_oriented_softening(s->constant, drift);
     }
 }
 
-// Brings a history to `drift`, whose shear is given.
-static void arrive(const struct path *p, enum stage stage, double drift, double shear,
-                   double *history) {
-    const bool to_zero = stage == STAGE_UNLOAD && p->sign * shear >= 0.0;  // it would reload there
-    history[DRIFT] = drift;
-    history[SHEAR] = shear;
-    if (stage == STAGE_RELOAD || to_zero) {
-        grow(p->constant, history, p->sign > 0.0, p->sign * drift);
-        history[TURN_DRIFT] = drift;
-        history[TURN_SHEAR] = shear;
+struct storey_response peak_oriented_respond(const double *c, const double *h, double drift,
+                                             double *after) {
+    if (after && after != h) {
+        memcpy(after, h, PEAK_ORIENTED_HISTORY * sizeof *after);
     }
-}
-
-struct storey_response peak_oriented_respond(const double *constant, const double *history,
-                                             double drift, double *after) {
-    struct path p = path_to(constant, history, drift);
-    const double way = p.sign * drift;
-    const enum stage stage = stage_of(&p, way);
-    struct storey_response r = response(&p, stage, way);
-    r.shear *= p.sign;
+    if (h[RIGHT] + h[LEFT] == 0.0 && fabs(drift) <= c[PEAK_ORIENTED_YIELD_DRIFT]) {
+        return (struct storey_response){c[PEAK_ORIENTED_STIFFNESS] * drift,
+                                        c[PEAK_ORIENTED_STIFFNESS]};
+    }
+    const bool to_right = drift >= h[TURN_DRIFT];
+    struct side s =
+        peak_oriented_side(c, h, h[TURN_SHEAR] > 0.0 || (h[TURN_SHEAR] == 0.0 && to_right));
+    if (s.right != to_right) {
+        const double line = s.turn_shear + s.unloading * (s.sign * drift - s.turn_drift);
+        if (line > 0.0) {
+            return (struct storey_response){s.sign * line, s.unloading};
+        }
+        const double zero = s.sign * (s.turn_drift - s.turn_shear / s.unloading);
+        s = peak_oriented_side(c, h, !s.right);
+        s.turn_drift = s.sign * zero;
+        s.turn_shear = 0.0;
+    }
+    struct storey_response r = peak_oriented_reload(&s, s.sign * drift);
     if (after) {
-        memmove(after, history, PEAK_ORIENTED_HISTORY * sizeof *after);
-        arrive(&p, stage, drift, r.shear, after);
+        peak_oriented_arrive(&s, s.sign * drift, r.shear, after);
     }
+    r.shear *= s.sign;
     return r;
 }
 
-double peak_oriented_stored(const double *constant, const double *history, double drift) {
-    double shear = peak_oriented_respond(constant, history, drift, NULL).shear;
-    double softened = history[shear > 0.0 ? SOFTENING_RIGHT : SOFTENING_LEFT];
-    return shear * shear / (2.0 * unloading_stiffness(constant, softened));
+double peak_oriented_stored(const double *c, const double *h, double drift) {
+    const double shear = peak_oriented_respond(c, h, drift, NULL).shear;
+    return shear * shear / (2.0 * peak_oriented_side(c, h, shear > 0.0).unloading);
 }

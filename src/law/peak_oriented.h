@@ -21,9 +21,10 @@ enum peak_oriented_constant {
     PEAK_ORIENTED_HARDENING,  // R
     PEAK_ORIENTED_ALPHA,
     PEAK_ORIENTED_BETA,
+    PEAK_ORIENTED_YIELD_DRIFT,  // V_y / k, which peak_oriented_prepare fills in
     PEAK_ORIENTED_CONSTANTS
 };
-enum { PEAK_ORIENTED_HISTORY = 8 };
+enum { PEAK_ORIENTED_HISTORY = 6 };
 
 // Errors: STATUS_INPUT, where there is no stiffness.
 int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,

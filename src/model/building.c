@@ -3,15 +3,13 @@
 #include "jostle/model.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "core/lanes.h"
 
 void building_damping_force(const struct building *g, const double *v, double *force) {
     const int n = g->n_floor;
     if (g->damping_full) {
-        memset(force, 0, (size_t)n * sizeof *force);
-        lanes_add_symmetric(n, g->damping_full, v, force);
+        lanes_add_symmetric(n, g->damping_full, v, NULL, force);
         return;
     }
     for (int i = 0; i < n; i++) {

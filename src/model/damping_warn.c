@@ -53,8 +53,8 @@ static struct share largest_share(const struct model *m, const struct building *
     return largest;
 }
 
-bool damping_warning(const struct model *m, const struct building *g, const double *rate,
-                     const char *known, char text[DAMPING_TEXT_SIZE]) {
+double damping_warning(const struct model *m, const struct building *g, const double *rate,
+                       const char *known, char text[DAMPING_TEXT_SIZE]) {
     const struct unit_system *u = &m->deck->units;
     const struct share share = largest_share(m, g, rate);
     const bool by_mass = share.all - share.mass <= SHARE_MAX;
@@ -67,13 +67,14 @@ bool damping_warning(const struct model *m, const struct building *g, const doub
                  g->name, by_mass ? "between the ground and floors above" : "in", share.storey,
                  share.all, known, rate[share.storey - 1], u->length_name, u->time_name, g->name);
     }
-    return share.all > SHARE_MAX;
+    return share.all > SHARE_MAX ? share.all : 0.0;
 }
 
-int damping_warn(const struct model *m, struct error *e) {
+int damping_find(const struct model *m, bool warns, struct damping_finding *most, struct error *e) {
     double *velocity = arena_alloc(m->deck->arena, (size_t)2 * FLOORS_MAX, sizeof *velocity);
     double *rate = velocity + FLOORS_MAX;
-    char text[DAMPING_TEXT_SIZE];
+    struct damping_finding found;
+    most->share = 0.0;
     if (!velocity) {
         return error_no_memory(e);
     }
@@ -85,8 +86,13 @@ int damping_warn(const struct model *m, struct error *e) {
         if (floor_velocity(m, k, velocity, rate, e) != STATUS_OK) {
             return e->status;
         }
-        if (damping_warning(m, g, rate, "estimated ", text)) {
-            deck_warning(m->deck, g->damping, "%s", text);
+        found.building = k;
+        found.share = damping_warning(m, g, rate, "estimated ", found.text);
+        if (found.share > 0.0 && warns) {
+            deck_warning(m->deck, g->damping, "%s", found.text);
+        }
+        if (found.share > most->share) {
+            *most = found;
         }
     }
     return STATUS_OK;

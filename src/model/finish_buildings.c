@@ -89,6 +89,16 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     }
 }
 
+// Are all storeys that are not elastic of straight lines, none of which the law can name?
+static bool is_predictable(const struct building *g, const struct storey *storey) {
+    bool is = !g->elastic && g->n_part == 0;
+    for (int i = 0; i < g->n_floor; i++) {
+        const struct storey_law *law = storey[g->first + i].law;
+        is = is && (law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch));
+    }
+    return is;
+}
+
 static void finish_storeys(struct builder *b, struct model *m, struct building *g,
                            const struct building_draft *d, struct storey *storey) {
     g->elastic = true;
@@ -114,6 +124,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= linear;
         g->smooth |= !linear;
     }
+    g->predictable = is_predictable(g, storey);
     m->elastic &= g->elastic;
 }
 

@@ -17,6 +17,7 @@ static void fill(double *const x[N_ARRAY], struct chain *c, const struct buildin
         }
     }
     c->full_damping |= g->damping_full != NULL;
+    c->parts |= g->n_part > 0;
 }
 
 void finish_chain(struct builder *b, struct model *m) {

@@ -87,7 +87,7 @@ static double most_at_a_floor(const struct model *m, int i, enum bilateral_row w
     return largest;
 }
 
-// See stability.c for the bound; contacts are left out, as steps are cut for them.
+// See stability.c for the bound; contacts are left out, as steps are rejected for them.
 double model_fastest(const struct model *m, int i) {
     const struct building *g = &m->building[i];
     return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + most_at_a_floor(m, i, BILATERAL_STIFFNESS));

@@ -290,7 +290,7 @@ static void check_between(struct builder *b, const struct model *m, const struct
     }
     for (int k = l->building[0] + 1; k < l->building[1]; k++) {
         if (m->building[k].n_floor >= l->floor[0] && m->building[k].n_floor >= l->floor[1]) {
-            deck_warning(b->deck, &d->word, "building %s stands between the floors of contact %s",
+            deck_warning(b->deck, &d->word, "building %s is between the floors of contact %s",
                          m->building[k].name, l->name);
         }
     }

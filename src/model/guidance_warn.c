@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "model/guidance.h"
 
-enum { STEPS_FEW = 10 };                  // longer steps are cut, see docs/theory.md
+enum { STEPS_FEW = 10 };                  // longer steps are rejected, see docs/theory.md
 static const double DURATION_MIN = 1e-6;  // [s]
 static const double VELOCITY_MAX = 20.0;  // [m/s]
 static const double DEPTH_MAX = 1.0;      // [m]
@@ -65,7 +65,7 @@ static void warn_step(const struct model *m, const struct guidance *g, int n_sho
     const struct unit_system *u = &m->deck->units;
     deck_warning(m->deck, &m->step,
                  "step %.6g %s covers contact %s, which lasts about %.2g %s at %.2g %s/%s, by "
-                 "%.2g steps%s; fewer than %d are cut; step fixed %g resolves it",
+                 "%.2g steps%s; fewer than %d are rejected; step fixed %g resolves it",
                  m->dt, u->time_name, m->link[g->shortest].name, c->duration, u->time_name,
                  c->velocity, u->length_name, u->time_name, c->duration / m->dt,
                  n_short > 1 ? ", others too" : "", STEPS_FEW,

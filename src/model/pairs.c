@@ -20,7 +20,7 @@ static bool check_order(struct builder *b, struct pairs *p, enum wall_use walls)
     if (left == right) {
         deck_error(b->deck, &p->word[1], "a building cannot be connected with itself");
     } else {
-        deck_error(b->deck, &p->word[1], "building %s stands to the left of %s; write %s first",
+        deck_error(b->deck, &p->word[1], "building %s is to the left of %s; write %s first",
                    builder_draft(b, right)->name, builder_draft(b, left)->name,
                    builder_draft(b, right)->name);
     }

@@ -75,6 +75,14 @@ static bool read_repeat(struct piece field, struct compound *out) {
     return true;
 }
 
+// A number, a sign and digits up to the end?
+static bool lacks_letter(struct piece s) {
+    bool ambiguous;
+    const size_t sign = number_length(s, &ambiguous);
+    return sign > 0 && sign + 1 < s.n && is_one_of(s, sign, "+-") &&
+           skip_digits(s, sign + 1) == s.n;
+}
+
 struct compound compound_of(struct piece field) {
     struct compound c = {COMPOUND_ONE, field, 1};
     if (read_repeat(field, &c)) {
@@ -86,6 +94,8 @@ struct compound compound_of(struct piece field) {
         c.kind = COMPOUND_AMBIGUOUS;
     } else if (n > 1) {
         c = (struct compound){COMPOUND_TOUCHING, field, n};
+    } else if (n == 0 && lacks_letter(field)) {
+        c.kind = COMPOUND_NO_LETTER;
     }
     return c;
 }

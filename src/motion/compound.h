@@ -7,10 +7,11 @@
 #include "motion/lines.h"
 
 enum compound_kind {
-    COMPOUND_ONE,       // one value, or no number at all
-    COMPOUND_REPEATED,  // one value, n times
-    COMPOUND_TOUCHING,  // n values
-    COMPOUND_AMBIGUOUS  // numbers that touch, which could end at two places
+    COMPOUND_ONE,        // one value, or no number at all
+    COMPOUND_REPEATED,   // one value, n times
+    COMPOUND_TOUCHING,   // n values
+    COMPOUND_AMBIGUOUS,  // numbers that touch, which could end at two places
+    COMPOUND_NO_LETTER   // no number: an exponent without a letter, and not of three digits
 };
 
 struct compound {
@@ -24,7 +25,7 @@ struct compound {
 // 1.234-103.5 is ambiguous.
 struct compound compound_of(struct piece field);
 
-// Takes the next value off; of COMPOUND_ONE and COMPOUND_AMBIGUOUS the whole field.
+// Takes the next value off; of the others the whole field.
 struct piece compound_next(struct compound *c);
 
 #endif

@@ -363,6 +363,8 @@ int lines_read_number(const struct number_field *f, double *value, struct error 
                               "that run on with -format series",
         [COMPOUND_AMBIGUOUS] = "are numbers that touch and can be parted in two ways; put blanks "
                                "between them",
+        [COMPOUND_NO_LETTER] = "is not a number: an exponent without a letter has three digits; "
+                               "write an E before its sign",
     };
     const char *reason = reasons[compound_of(f->field).kind];
     if (how == NUMBER_RANGE) {

@@ -21,8 +21,10 @@ struct canvas {
     FILE *to;    // the script; borrowed
     FILE *data;  // blocks of data, $NAME; borrowed. No two of a picture have one name
     enum canvas_kind kind;
-    double width, height;  // of the sheet [em]
-    struct area area;      // what is left for the panels: heads and legends take from it
+    const struct unit_system *units;  // of the values shown; borrowed
+    int n_series;                     // of the panel that is open
+    double width, height;             // of the sheet [em]
+    struct area area;                 // what is left for the panels: heads and legends take from it
 };
 
 // The title, on a sheet only, and a line that says what is shown. They are drawn with the first

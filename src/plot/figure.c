@@ -149,6 +149,7 @@ int figure_open(const struct figure_head *head, const struct figure_files *to, s
     *c = (struct canvas){.to = to->script,
                          .data = to->data,
                          .kind = CANVAS_SHEET,
+                         .units = head->units,
                          .width = size->width,
                          .height = size->height,
                          .area = {0.3, size->width - 1, 0.3, size->height - 0.3}};
@@ -172,7 +173,7 @@ static int check(const struct figure *f, const struct runs *s, struct error *e) 
 
 int figure_write(const struct figure *f, const struct runs *s, const struct figure_files *to,
                  struct error *e) {
-    const struct figure_head head = {f->name, f->doc, s->r[0]->version, f->sheet};
+    const struct figure_head head = {f->name, f->doc, s->r[0]->version, &s->r[0]->units, f->sheet};
     struct canvas c;
     int status = check(f, s, e);
     if (status == STATUS_OK) {

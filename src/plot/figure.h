@@ -48,6 +48,7 @@ struct figure_files {
 // What opens both files: what is drawn (half a line), and by which version of the program.
 struct figure_head {
     const char *name, *doc, *version;
+    const struct unit_system *units;  // borrowed by the canvas
     enum sheet sheet;
 };
 

@@ -91,6 +91,34 @@ int runs_data(const struct runs *s, int run, int n_column, struct data *d, struc
     return status == STATUS_OK ? data_create(d, s->r[run]->n_row, n_column, e) : status;
 }
 
+static int read_one(const struct result_file *file, const struct history *h, double *to,
+                    struct error *e) {
+    switch (h->kind) {
+        case HISTORY_FLOOR:
+            return result_floor_history(file, (enum field)h->field, h->index, h->floor, to, e);
+        case HISTORY_CONTACT:
+            return result_contact_history(file, (enum field)h->field, h->index, to, e);
+        case HISTORY_LINK:
+            return result_link_history(file, (enum field)h->field, h->index, to, e);
+        case HISTORY_GROUND:
+            return result_ground(file, h->index, to, e);
+        case HISTORY_ENERGY:
+            return result_energy(file, (enum energy)h->field, to, e);
+        case HISTORY_TIME:
+            break;
+    }
+    return result_time(file, to, e);
+}
+
+int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
+              struct error *e) {
+    int status = runs_data(s, run, n, d, e);
+    for (int i = 0; i < n && status == STATUS_OK; i++) {
+        status = h[i].index < 0 ? STATUS_OK : read_one(s->file[run], &h[i], d->column[i], e);
+    }
+    return status;
+}
+
 bool runs_have(const struct runs *s, unsigned fields) {
     for (int k = 0; k < s->n; k++) {
         if ((s->r[k]->fields & fields) != fields) {
@@ -204,6 +232,13 @@ const char *runs_title(const struct runs *s) {
 
 double runs_duration(const struct runs *s) {
     return s->n == 1 ? s->r[0]->duration : fmax(s->r[0]->duration, s->r[1]->duration);
+}
+
+struct axis runs_time_axis(const struct runs *s, bool at_foot) {
+    return (struct axis){.name = at_foot ? "time" : NULL,
+                         .dimension = dimension_time,
+                         .span = {0, runs_duration(s)},
+                         .kind = at_foot ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
 }
 
 void runs_legend(const struct runs *s, const char *colour, struct legend *l) {

@@ -24,8 +24,28 @@ struct runs {
 int runs_init(struct runs *s, const struct result_file *first, const struct result_file *second,
               struct error *e);
 
-// Columns for histories of a run, by data_create. Errors: STATUS_INPUT (they take too much memory),
-// STATUS_SYSTEM.
+// A history to be read from a result file.
+enum history_kind {
+    HISTORY_TIME,
+    HISTORY_FLOOR,
+    HISTORY_CONTACT,
+    HISTORY_LINK,
+    HISTORY_GROUND,
+    HISTORY_ENERGY
+};
+struct history {
+    enum history_kind kind;
+    int field;  // enum field, or enum energy
+    int index;  // building, contact or link; below 0: none, the column is left zero
+    int floor;  // from 0
+};
+
+// Reads histories of a run, a column each, to be given to data_free in any case. Errors:
+// STATUS_INPUT (they take too much memory; a damaged file), STATUS_SYSTEM.
+int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
+              struct error *e);
+
+// Columns of zeros for histories of a run. Errors as of runs_read.
 int runs_data(const struct runs *s, int run, int n_column, struct data *d, struct error *e);
 
 // True if all runs hold all these histories, bits of enum field.
@@ -51,6 +71,9 @@ int runs_building(const struct report *r, const char *name);
 // The first run's title, or its deck where it has none. Before the title of one run of a study,
 // its number.
 const char *runs_title(const struct runs *s);
+
+// The axis of the time of all runs, for the panel at the foot of the picture or one above it.
+struct axis runs_time_axis(const struct runs *s, bool at_foot);
 
 // The longest duration.
 double runs_duration(const struct runs *s);

@@ -36,7 +36,8 @@ const struct study_figure *study_figure_default(const struct suite *s) {
 
 int study_figure_write(const struct study_figure *f, const struct study_picture *p,
                        const struct figure_files *to, struct error *e) {
-    const struct figure_head head = {f->name, f->doc, p->suite->view->version, SHEET_ACROSS};
+    const struct figure_head head = {f->name, f->doc, p->suite->view->version,
+                                     &p->suite->view->units, SHEET_ACROSS};
     struct canvas c;
     int status = f->check(p, e);
     if (status == STATUS_OK) {

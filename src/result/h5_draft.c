@@ -67,7 +67,7 @@ static int check_names(const struct report *r, struct error *e) {
         const char *name = r->building[i].name;
         if (strchr(name, '/') || strcmp(name, ".") == 0 || name[0] == '\0') {
             return error_set(e, STATUS_INPUT,
-                             "building name '%s' cannot stand in a result file; it must not be "
+                             "building name '%s' cannot be in a result file; it must not be "
                              "empty, '.' or contain '/'",
                              name);
         }
@@ -116,7 +116,7 @@ static int check_replaced(const char *path, struct error *e) {
         return STATUS_OK;
     }
     return error_set(e, STATUS_INPUT,
-                     "%s exists and is no HDF5 file; --force replaces no other ones", path);
+                     "%s exists and is not an HDF5 file; --force overwrites HDF5 files only", path);
 }
 
 int h5_draft_check(const struct report *r, const struct result_options *o, struct error *e) {

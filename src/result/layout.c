@@ -32,7 +32,7 @@ const struct column_table layout_root = {root_column, sizeof root_column / sizeo
 
 static const struct column totals_column[] = {
     {.name = "steps",
-     .long_name = "computed steps, split and cut ones included",
+     .long_name = "computed steps, split ones and shorter ones after a rejection included",
      .kind = COLUMN_LONG,
      .offset = offsetof(struct totals, steps)},
     {.name = "newton_iterations",
@@ -45,7 +45,7 @@ static const struct column totals_column[] = {
      .kind = COLUMN_LONG,
      .offset = offsetof(struct totals, events)},
     {.name = "steps_cut",
-     .long_name = "steps halved, or rejected where they adapt",
+     .long_name = "rejected steps",
      .kind = COLUMN_LONG,
      .offset = offsetof(struct totals, rejected)},
     {.name = "steps_unsolved",
@@ -88,7 +88,7 @@ static const struct column link_column[] = {
     {"gap", "gap at rest", &dimension_length, COLUMN_DOUBLE, offsetof(struct report_link, gap), 0},
     {"effective_mass", "effective mass of the two bodies", &dimension_mass, COLUMN_DOUBLE,
      offsetof(struct report_link, mass), 0},
-    {"restitution", "coefficient of restitution asked for, NaN if none", NULL, COLUMN_DOUBLE,
+    {"restitution", "requested coefficient of restitution, NaN if none", NULL, COLUMN_DOUBLE,
      offsetof(struct report_link, restitution), 0},
     {"calibrated", "1: the damping delivers the restitution exactly, 0: as published", NULL,
      COLUMN_FLAG, offsetof(struct report_link, calibrated), 0},

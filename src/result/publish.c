@@ -38,7 +38,7 @@ int result_check_path(const char *path, enum result_existing existing, struct er
     }
     if (strcmp(path, "-") == 0) {
         return error_set(e, STATUS_INPUT,
-                         "no file is written to the standard output; ./- is a file called -");
+                         "jostle cannot write a file to standard output; ./- is a file called -");
     }
     const int status = check_obstacle(AT_FDCWD, path, path, e);
     return status == STATUS_OK && existing == RESULT_KEEP && lstat(path, &found) == 0

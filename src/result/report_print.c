@@ -45,21 +45,6 @@ static void units_init(struct printer *p) {
     }
 }
 
-// Left-aligned text; where it is too long, its end is kept, which names the floors.
-static void cell(FILE *to, const char *text, int width) {
-    const int n = text_columns(text, strlen(text));
-    const char *tail = text;
-    for (int skip = n > width ? n - width + 2 : 0; skip > 0; skip--) {
-        tail++;
-        while (((unsigned char)*tail & 0xC0) == 0x80) {
-            tail++;
-        }
-    }
-    fputs(n > width ? ".." : "", to);
-    safe_put(to, SAFE_TERMINAL, tail);
-    fprintf(to, "%*s", n < width ? width - n : 0, "");
-}
-
 // A blank and four digits; numbers of five or six before the point are whole, with no power of ten
 // to be read.
 static void number(FILE *to, double value, int width) {
@@ -128,7 +113,7 @@ static void print_buildings(const struct printer *p, const struct shown_building
         for (int f = 0; f < b->n_floor; f++) {
             mass += b->mass[f];
         }
-        cell(to, b->name, s->width);
+        safe_cell(to, b->name, s->width);
         fprintf(to, " %6d", b->n_floor);
         number(to, mass, 10);
         for (int t = 0; t < 3; t++) {
@@ -157,7 +142,7 @@ static void print_displacements(const struct printer *p, const struct shown_buil
     for (int i = 0; i < s->n; i++) {
         const struct report_building *b = &p->r->building[s->choice[i].index];
         const int roof = b->n_floor - 1;
-        cell(to, b->name, s->width);
+        safe_cell(to, b->name, s->width);
         number(to, b->peak[PEAK_DISPLACEMENT][roof], 12);
         number(to, b->peak_time[PEAK_DISPLACEMENT][roof], 8);
         const int storey = print_drift(to, b, b->peak[PEAK_DRIFT]);
@@ -177,7 +162,7 @@ static void print_residuals(const struct printer *p, const struct shown_building
                     "[%]");
         }
         if (b->residual_drift) {
-            cell(to, b->name, s->width);
+            safe_cell(to, b->name, s->width);
             print_drift(to, b, b->residual_drift);
             fprintf(to, "\n");
         }
@@ -196,7 +181,7 @@ static void print_forces(const struct printer *p, const struct shown_buildings *
         const struct report_building *b = &p->r->building[s->choice[i].index];
         const int floor = largest(b->peak[PEAK_ACCELERATION], b->n_floor);
         const bool hit = report_floor_was_hit(p->r, b->name, floor + 1);
-        cell(to, b->name, s->width);
+        safe_cell(to, b->name, s->width);
         number(to, b->peak[PEAK_ACCELERATION][floor], 13);
         number(to, b->peak[PEAK_ACCELERATION][floor] * in_g, 9);
         fprintf(to, "%c%7d", hit ? '*' : ' ', floor + 1);
@@ -212,10 +197,10 @@ static void print_forces(const struct printer *p, const struct shown_buildings *
 }
 
 static void print_contact(FILE *to, const struct report_link *c, int name_width, int law_width) {
-    cell(to, c->name, name_width);
+    safe_cell(to, c->name, name_width);
     if (law_width > 0) {
         fprintf(to, " ");
-        cell(to, c->law, law_width);
+        safe_cell(to, c->law, law_width);
     }
     number(to, c->gap, 9);
     fprintf(to, " %7ld", c->peak.impacts);
@@ -297,7 +282,7 @@ static void print_links(const struct printer *p) {
             p->unit[UNIT_TIME], p->unit[UNIT_LENGTH], p->unit[UNIT_TIME], p->unit[UNIT_ENERGY]);
     for (int i = 0; i < r->n_link && i < SHOWN_MAX; i++) {
         const struct link_peak *k = &r->link[i].peak;
-        cell(p->to, r->link[i].name, LINK_WIDTH_MAX);
+        safe_cell(p->to, r->link[i].name, LINK_WIDTH_MAX);
         number(p->to, k->force, 10);
         number(p->to, k->force_time, 8);
         number(p->to, k->penetration, 12);
@@ -329,7 +314,7 @@ static void print_totals(const struct printer *p) {
     const struct totals *t = &r->totals;
     const double input = r->energy[ENERGY_INPUT];
     if (r->dt > 0.0) {
-        fprintf(p->to, "\nsteps       %ld (%ld cut, %ld split at impacts, %ld not to tolerance)\n",
+        fprintf(p->to, "\nsteps       %ld (%ld rejected, %ld split at impacts, %ld not to tolerance)\n",
                 t->steps, t->rejected, t->events, t->unsolved);
         fprintf(p->to, "iterations  %ld\n", t->iterations);
     } else {

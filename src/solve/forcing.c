@@ -32,11 +32,11 @@ bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
     return fields_alloc(&forcing_fields, m, f, a);
 }
 
-static double slack(const struct signal *s, double t) {
+static double forcing_slack(const struct signal *s, double t) {
     return s->value ? AT_SAMPLE * s->dt : AT_TIME * (1.0 + fabs(t));
 }
 
-static struct piece line_from(const struct signal *s, double t) {
+static struct piece forcing_line_from(const struct signal *s, double t) {
     double x = (t - s->start) / s->dt + AT_SAMPLE;
     size_t j = x > 0.0 ? (size_t)x : 0;
     j = j < s->n - 2 ? j : s->n - 2;
@@ -51,8 +51,8 @@ static struct piece line_from(const struct signal *s, double t) {
 }
 
 // The piece of a signal that holds from t on.
-static struct piece piece_from(const struct signal *s, double t) {
-    double near = slack(s, t);
+static struct piece forcing_piece_from(const struct signal *s, double t) {
+    double near = forcing_slack(s, t);
     if (t < s->start - near) {
         return (struct piece){.signal = s, .shape = PIECE_LINE, .end = s->start};
     }
@@ -60,22 +60,23 @@ static struct piece piece_from(const struct signal *s, double t) {
         return (struct piece){.signal = s, .shape = PIECE_LINE, .end = INFINITY};
     }
     if (s->value) {
-        return line_from(s, t);
+        return forcing_line_from(s, t);
     }
     return (struct piece){.signal = s, .shape = PIECE_SINE, .end = s->end};
 }
 
-static double sine_value(const struct signal *s, double t) {
+static double forcing_sine_value(const struct signal *s, double t) {
     return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
 }
 
-static inline double piece_value(const struct piece *p, double t) {
-    return p->shape == PIECE_LINE ? p->value + p->slope * (t - p->start) : sine_value(p->signal, t);
+static inline double forcing_piece_value(const struct piece *p, double t) {
+    return p->shape == PIECE_LINE ? p->value + p->slope * (t - p->start)
+                                  : forcing_sine_value(p->signal, t);
 }
 
 // What rounding makes of the value of a piece at its end, where the sum may cancel: that of its
 // terms, and of the time.
-static double rounding(const struct piece *p, double t) {
+static double forcing_rounding(const struct piece *p, double t) {
     if (p->shape == PIECE_SINE) {
         return JUMP * fabs(p->signal->amplitude);
     }
@@ -84,24 +85,25 @@ static double rounding(const struct piece *p, double t) {
 }
 
 // Replaces the piece by the next one where it has ended. True if the signal jumps there.
-static bool turn(const struct forcing *f, struct piece *p, const struct signal *s, double t) {
+static bool forcing_turn_piece(const struct forcing *f, struct piece *p, const struct signal *s,
+                               double t) {
     if (f->corner == -INFINITY) {
-        *p = piece_from(s, t);
+        *p = forcing_piece_from(s, t);
         return true;
     }
-    if (t < p->end - slack(s, t)) {
+    if (t < p->end - forcing_slack(s, t)) {
         return false;
     }
-    double before = piece_value(p, t);
-    double error = rounding(p, t);
-    *p = piece_from(s, t);
-    return fabs(piece_value(p, t) - before) > fmax(error, rounding(p, t));
+    double before = forcing_piece_value(p, t);
+    double error = forcing_rounding(p, t);
+    *p = forcing_piece_from(s, t);
+    return fabs(forcing_piece_value(p, t) - before) > fmax(error, forcing_rounding(p, t));
 }
 
 // Adds the piece to the lines of its ground if it is a line.
-static void add_line(struct forcing *f, struct sloping *lines, const struct piece *p) {
+static void forcing_add_line(struct forcing *f, struct sloping *lines, const struct piece *p) {
     if (p->shape == PIECE_LINE) {
-        lines->value += piece_value(p, lines->start);
+        lines->value += forcing_piece_value(p, lines->start);
         lines->slope += p->slope;
     } else {
         f->sines = true;
@@ -117,34 +119,33 @@ bool forcing_turn(struct forcing *f, double t) {
     for (int k = 0; k < m->n_ground; k++) {
         f->lines[k] = (struct sloping){.start = t};
         for (int i = 0; i < m->ground[k].n_signal; i++, p++) {
-            jumps |= turn(f, p, &m->ground[k].signal[i], t);
+            jumps |= forcing_turn_piece(f, p, &m->ground[k].signal[i], t);
             corner = fmin(corner, p->end);
-            add_line(f, &f->lines[k], p);
+            forcing_add_line(f, &f->lines[k], p);
         }
     }
     for (int k = 0; k < m->n_load; k++) {
-        jumps |= turn(f, &f->load[k], &m->load[k].signal, t);
+        jumps |= forcing_turn_piece(f, &f->load[k], &m->load[k].signal, t);
         corner = fmin(corner, f->load[k].end);
     }
     f->corner = corner;
     return jumps;
 }
 
-static void add_sines(const struct forcing *f, double t, double *a) {
+static void forcing_add_sines(const struct forcing *f, double t, double *a) {
     const struct piece *p = f->ground;
     for (int k = 0; k < f->model->n_ground; k++) {
         for (const struct piece *end = p + f->model->ground[k].n_signal; p < end; p++) {
-            a[k] += p->shape == PIECE_SINE ? sine_value(p->signal, t) : 0.0;
+            a[k] += p->shape == PIECE_SINE ? forcing_sine_value(p->signal, t) : 0.0;
         }
     }
 }
 
-static void integrals(const struct model *m, double t, struct forcing_values *out) {
+void forcing_integrals(const struct model *m, double t, struct forcing_values *out) {
     for (int k = 0; k < m->n_ground; k++) {
         out->v[k] = out->u[k] = 0.0;
         for (int i = 0; i < m->ground[k].n_signal; i++) {
-            double v;
-            double u;
+            double v, u;
             signal_integrals(&m->ground[k].signal[i], t, &v, &u);
             out->v[k] += v;
             out->u[k] += u;
@@ -157,13 +158,13 @@ void forcing_ground(const struct forcing *f, double t, struct forcing_values *ou
         out->a[k] = forcing_lines(f, k, t);
     }
     if (f->sines) {
-        add_sines(f, t, out->a);
+        forcing_add_sines(f, t, out->a);
     }
     if (f->model->n_ground > 1) {
-        integrals(f->model, t, out);
+        forcing_integrals(f->model, t, out);
     }
 }
 
 double forcing_load(const struct forcing *f, int k, double t) {
-    return piece_value(&f->load[k], t);
+    return forcing_piece_value(&f->load[k], t);
 }

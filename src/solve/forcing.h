@@ -60,6 +60,9 @@ static inline double forcing_lines(const struct forcing *f, int k, double t) {
 // The ground's motion then: lines and all else.
 void forcing_ground(const struct forcing *f, double t, struct forcing_values *out);
 
+// The velocities and displacements of the grounds at any time t.
+void forcing_integrals(const struct model *m, double t, struct forcing_values *out);
+
 // Load number k at time t, not after the next corner [F].
 double forcing_load(const struct forcing *f, int k, double t);
 

@@ -24,9 +24,38 @@ bool pace_is_slow(struct pace *p, const struct model *m, double time, double *st
     return way * ADAPTIVE_STEPS_MAX < PACE_STEPS * m->duration;
 }
 
-double pace_parts(double rest, double trial, double longest) {
+void pace_next(double time, double goal, double trial, double longest, double *h, double *end) {
+    const double rest = goal - time;
+    *h = rest;
+    *end = goal;
     if (rest <= (1.0 + STRETCH) * trial && rest <= longest) {
-        return 1.0;
+        return;
     }
-    return ceil(fmax(rest / trial - STRETCH, rest / longest - ROUNDING));
+    const double parts = ceil(fmax(rest / trial - STRETCH, rest / longest - ROUNDING));
+    if (parts > 1.0) {
+        *h = rest / parts;
+        *end = time + *h;
+    }
+}
+
+bool pace_can_shorten(const struct model *m, double time, double h) {
+    return h > m->control.shortest && time + h / 2.0 > time;
+}
+
+int pace_too_slow(const struct model *m, double time, double h, const struct pace_cause *cause,
+                  struct error *e) {
+    const char *unit = m->deck->units.time_name;
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
+                     "%.0e of them; use a larger -tolerance, %s",
+                     time, unit, h, unit, cause->name, (double)ADAPTIVE_STEPS_MAX, cause->remedy);
+}
+
+int pace_too_long(const struct model *m, double time, double h, const struct pace_cause *cause,
+                  struct error *e) {
+    const char *unit = m->deck->units.time_name;
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
+                     "-tolerance, a smaller -min%s or step fixed DT",
+                     time, unit, h, unit, cause->name, cause->remedy);
 }

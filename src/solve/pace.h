@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pace of adaptive steps: how many there are to the next corner, and whether the run will end
-// in a reasonable time.
+// What the step controls of both adaptive methods share: equal steps to the next corner, whether
+// the run will end in a reasonable time, and what is said where it will not.
 #ifndef JOSTLE_PACE_H
 #define JOSTLE_PACE_H
 
@@ -15,8 +15,21 @@ struct pace {
 // more than ADAPTIVE_STEPS_MAX of them; *step is then their mean length [T].
 bool pace_is_slow(struct pace *p, const struct model *m, double time, double *step);
 
-// The number of equal steps in which to cover `rest` (a value below 1 means one step): they may be
-// a little longer than `trial`, but not longer than `longest`; [T].
-double pace_parts(double rest, double trial, double longest);
+// The next one of the equal steps from `time` to `goal`, its length *h and its end *end [T]: they
+// may be a little longer than `trial`, but not longer than `longest`.
+void pace_next(double time, double goal, double trial, double longest, double *h, double *end);
+
+// May a step of h from `time` on be tried again with a shorter one?
+bool pace_can_shorten(const struct model *m, double time, double h);
+
+// What keeps steps short, and the options that help, for the errors STATUS_FAILED that are set:
+// steps of `h` are too many, or still too long.
+struct pace_cause {
+    const char *name, *remedy;
+};
+int pace_too_slow(const struct model *m, double time, double h, const struct pace_cause *cause,
+                  struct error *e);
+int pace_too_long(const struct model *m, double time, double h, const struct pace_cause *cause,
+                  struct error *e);
 
 #endif

@@ -51,7 +51,7 @@ void scale_expect(struct scales *s, const struct model *m) {
     s->most_u = s->most_v * time;
 }
 
-static double largest_of(const double *x, const struct building *g) {
+static double scale_largest_of(const double *x, const struct building *g) {
     double largest = 0.0;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         largest = x[i] > largest ? x[i] : largest;
@@ -60,22 +60,22 @@ static double largest_of(const double *x, const struct building *g) {
 }
 
 // Where nothing moves, nothing is expected to and nothing is wrong.
-static double over(double size) {
+static double scale_over(double size) {
     return size > 0.0 ? 1.0 / size : 0.0;
 }
 
 // One over the size of velocities of building k by which their errors are as bad as those of its
 // accelerations.
-static double over_accelerations(struct scales *s, const struct model *m, const struct results *r,
-                                 int k) {
+static double scale_over_accelerations(struct scales *s, const struct model *m,
+                                       const struct results *r, int k) {
     const struct building *g = &m->building[k];
-    double a = fmax(largest_of(r->peak[PEAK_ACCELERATION], g), SHARE * s->most_a);
-    double u = fmax(largest_of(r->peak[PEAK_DISPLACEMENT], g), SHARE * s->most_u);
+    double a = fmax(scale_largest_of(r->peak[PEAK_ACCELERATION], g), SHARE * s->most_a);
+    double u = fmax(scale_largest_of(r->peak[PEAK_DISPLACEMENT], g), SHARE * s->most_u);
     double omega = sqrt(s->square[k]);
     double radians = omega * s->memory[k];
     double weight = WEIGHT * radians * radians / (radians + MANY);
-    double wanted = weight * omega * over(a);
-    double possible = m->control.tolerance * over(DBL_EPSILON * omega * u);
+    double wanted = weight * omega * scale_over(a);
+    double possible = m->control.tolerance * scale_over(DBL_EPSILON * omega * u);
     s->noisy = u > 0.0 && wanted > possible ? k : s->noisy;
     return u > 0.0 ? fmin(wanted, possible) : wanted;
 }
@@ -90,9 +90,9 @@ void scale_update(struct scales *s, const struct model *m, const struct results 
     s->noisy = -1;
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        double of_u = over(fmax(largest_of(u, g), SHARE * s->most_u));
-        double of_v = over(fmax(largest_of(v, g), SHARE * s->most_v));
-        of_v = s->square ? fmax(of_v, over_accelerations(s, m, r, k)) : of_v;
+        double of_u = scale_over(fmax(scale_largest_of(u, g), SHARE * s->most_u));
+        double of_v = scale_over(fmax(scale_largest_of(v, g), SHARE * s->most_v));
+        of_v = s->square ? fmax(of_v, scale_over_accelerations(s, m, r, k)) : of_v;
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             s->over_u[i] = of_u;
             s->over_v[i] = of_v;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/state.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -38,6 +39,16 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
     return fields_alloc(&state_fields, m, s, a);
 }
 
+// Asserts what the loops over floors rely on, of arrays that they read a floor below and above.
+static void state_assert_arrays(const struct state *s, const struct model *m, const double *u,
+                                const double *v) {
+    lanes_assert(u, m->n_dof);
+    lanes_assert(v, m->n_dof);
+    lanes_assert(s->drift, m->n_dof);
+    lanes_assert(s->shear, m->n_dof);
+    assert(m->chain.n == lanes_whole(m->n_dof) && m->chain.joint[0] == 0.0);
+}
+
 void state_open_links(struct state *s) {
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
@@ -50,6 +61,7 @@ void state_open_link(struct state *s, int k) {
     int i = 0;
     while (s->live[i] != k) {
         i++;
+        assert(i < s->n_live);
     }
     s->n_live--;
     memmove(s->live + i, s->live + i + 1, (size_t)(s->n_live - i) * sizeof *s->live);
@@ -64,45 +76,40 @@ void state_open_where(struct state *s, const struct model *m, state_question *op
     }
 }
 
-// Shears and tangents from the histories `from`; `after` as in struct storey_law.
-static void inelastic_shears(struct state *s, const struct model *m, const double *from,
-                             double *after) {
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; !g->elastic && i < g->first + g->n_floor; i++) {
-            const struct storey *law = &m->storey[i];
-            const struct storey_response r =
-                law->law->respond(law->constant, from + law->history, s->drift[i],
-                                  after ? after + law->history : NULL);
-            s->shear[i] = r.shear;
-            s->tangent[i] = r.tangent;
-        }
+void state_storeys(struct state *s, const struct model *m, const struct building *g,
+                   const double *from, double *after) {
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        const struct storey *law = &m->storey[i];
+        const struct storey_response r = law->law->respond(
+            law->constant, from + law->history, s->drift[i], after ? after + law->history : NULL);
+        s->shear[i] = r.shear;
+        s->tangent[i] = r.tangent;
     }
 }
 
 // Drift rates of building g at the velocities v (n_dof).
-static void find_rates(struct state *s, const struct building *g, const double *v) {
+static void state_find_rates(struct state *s, const struct building *g, const double *v) {
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
     }
 }
 
-static void part_shears(struct state *s, const struct model *m, const double *v, const double *from,
-                        double *after) {
+static void state_part_shears(struct state *s, const struct model *m, const double *v,
+                              const double *from, double *after) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         if (g->n_part == 0) {
             continue;
         }
         if (!g->elastic) {
-            find_rates(s, g, v);
+            state_find_rates(s, g, v);
         }
         parts_respond(g, from, s->drift + g->first, s->rate + g->first,
                       &(struct part_sums){.shear = s->shear + g->first}, after);
     }
 }
 
-static void full_damping(struct state *s, const struct model *m, const double *v) {
+static void state_full_damping(struct state *s, const struct model *m, const double *v) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         if (g->damping_full) {
@@ -111,26 +118,34 @@ static void full_damping(struct state *s, const struct model *m, const double *v
     }
 }
 
-static void internal_forces(struct state *s, const struct model *m, const double *u,
-                            const double *v, const double *from, double *after) {
-    chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
-    if (!m->elastic) {
-        inelastic_shears(s, m, from, after);
-    }
+void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
+                       double *after) {
     if (m->chain.full_damping) {
-        full_damping(s, m, v);
-        part_shears(s, m, v, from, after);
+        state_full_damping(s, m, v);
+        state_part_shears(s, m, v, from, after);
     }
+}
+
+static void state_forces_from(struct state *s, const struct model *m, const double *u,
+                              const double *v, const double *from, double *after) {
+    chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
+    for (int k = 0; !m->elastic && k < m->n_building; k++) {
+        if (!m->building[k].elastic) {
+            state_storeys(s, m, &m->building[k], from, after);
+        }
+    }
+    state_full_forces(s, m, v, from, after);
 }
 
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v) {
-    internal_forces(s, m, u, v, s->storey_history, NULL);
+    state_assert_arrays(s, m, u, v);
+    state_forces_from(s, m, u, v, s->storey_history, NULL);
 }
 
 void state_reach(struct state *s, const struct model *m, const double *u, const double *v,
                  const double *from) {
-    internal_forces(s, m, u, v, from, s->storey_history);
+    state_forces_from(s, m, u, v, from, s->storey_history);
 }
 
 void state_totals(struct state *s, const struct model *m) {

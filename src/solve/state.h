@@ -93,9 +93,9 @@ double state_link_force(const struct state *s, const struct model *m, int k);
 // Whether link k is a rigid contact at rest.
 bool state_rests(const struct state *s, const struct model *m, int k);
 
-// Are all storeys elastic, and all bands of C in struct chain?
+// Are all storeys elastic, and without parts beside them?
 static inline bool state_is_linear(const struct model *m) {
-    return m->n_storey_history == 0 && !m->chain.full_damping;
+    return m->n_storey_history == 0 && !m->chain.parts;
 }
 
 // Does one ground move all floors, and nothing else from outside?
@@ -112,6 +112,13 @@ void state_internal_forces(struct state *s, const struct model *m, const double 
 // which ends at these drifts commits. It may be that of `s` itself.
 void state_reach(struct state *s, const struct model *m, const double *u, const double *v,
                  const double *from);
+
+// Parts of that, after the chain's: shears and tangents of the storeys of building g; then C v of
+// full matrices, and the shears of parts. `after` as in struct storey_law.
+void state_storeys(struct state *s, const struct model *m, const struct building *g,
+                   const double *from, double *after);
+void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
+                       double *after);
 
 // Computes what the steps of linear models leave out: accelerations of the ground, external and
 // internal forces, drifts and total accelerations. Adaptive steps have the external forces already.

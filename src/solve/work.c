@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/work.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -8,7 +9,7 @@
 #include "core/lanes.h"
 #include "solve/contact/sweep.h"
 
-static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
+static bool work_alloc_floors(struct work *w, const struct model *m, struct arena *a) {
     struct storeys *s = &w->storeys;
     w->u_trial = lanes_array(a, m->n_dof);
     w->v_trial = lanes_array(a, m->n_dof);
@@ -22,8 +23,8 @@ static bool alloc_floors(struct work *w, const struct model *m, struct arena *a)
     return floors_alloc(w, a);
 }
 
-static bool alloc_links(struct work *w, const struct model *m, const struct results *r,
-                        struct arena *a) {
+static bool work_alloc_links(struct work *w, const struct model *m, const struct results *r,
+                             struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     w->link = lanes_lines(a, n_link, sizeof *w->link);
     w->acting = arena_alloc(a, n_link, sizeof(void *));
@@ -34,7 +35,7 @@ static bool alloc_links(struct work *w, const struct model *m, const struct resu
 
 // The most links with a force law at any floor, by their weights, counted in `count` (n_dof), which
 // is 0 before and after.
-static double most_links(const struct model *m, double *count) {
+static double work_most_links(const struct model *m, double *count) {
     double most = 1.0;
     for (int i = 0; i < 2 * m->n_link; i++) {
         const struct link *l = &m->link[i / 2];
@@ -48,7 +49,7 @@ static double most_links(const struct model *m, double *count) {
     return most;
 }
 
-static void fill_links(struct work *w, const struct model *m, struct arena *a) {
+static void work_fill_links(struct work *w, const struct model *m, struct arena *a) {
     for (int k = 0; k < m->n_link && sweep_init(&w->link[k], m, k, a); k++) {
         w->link[k].resolved = &w->memory->resolved[k];
         w->commits |= m->link[k].law->commit != NULL;
@@ -72,18 +73,18 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
     w->home = arena_alloc(a, n, sizeof *w->home);
     w->other = arena_alloc(a, n, sizeof *w->other);
     w->effective = w->home;
-    if (!alloc_floors(w, m, a) || !alloc_links(w, m, r, a)) {
+    if (!work_alloc_floors(w, m, a) || !work_alloc_links(w, m, r, a)) {
         return false;
     }
-    fill_links(w, m, a);
-    w->most_links = most_links(m, w->storeys.residual);
+    work_fill_links(w, m, a);
+    w->most_links = work_most_links(m, w->storeys.residual);
     return effective_alloc(w->home, m->building, m->n_building, EFFECTIVE_LONG, a) &&
            effective_alloc(w->other, m->building, m->n_building, EFFECTIVE_BRIEFLY, a);
 }
 
 // Factorises building k of `e` unless it is there for b, g and the tangents last used. Parts that
 // are not linear have others in every step, which factorises by itself.
-static int refactor(struct work *w, struct effective *e, int k) {
+static int work_refactor(struct work *w, struct effective *e, int k) {
     const struct building *g = e[k].building;
     const double *tangent = w->memory->tangent + g->first;
     size_t size = (size_t)g->n_floor * sizeof *tangent;
@@ -99,6 +100,9 @@ static int refactor(struct work *w, struct effective *e, int k) {
 }
 
 void work_resume(struct work *w) {
+    lanes_assert(w->u_trial, w->model->n_dof);
+    lanes_assert(w->v_trial, w->model->n_dof);
+    lanes_assert(w->correction, w->model->n_dof);
     const double h = w->h;
     const long factors = w->factors;
     for (int k = 0; k < w->model->n_building; k++) {
@@ -119,6 +123,7 @@ int work_factor(struct work *w, double h) {
     if (w->h == h) {
         return STATUS_OK;
     }
+    assert(h > 0.0);
     struct effective *e = h == w->model->dt ? w->home : w->other;
     w->h = 0.0;
     w->factors++;
@@ -127,7 +132,7 @@ int work_factor(struct work *w, double h) {
     w->per_b = 1.0 / w->b;
     w->per_g = 1.0 / w->g;
     for (int k = 0; k < w->model->n_building; k++) {
-        int status = refactor(w, e, k);
+        int status = work_refactor(w, e, k);
         if (status != STATUS_OK) {
             return status;
         }

@@ -148,7 +148,7 @@ static int fix(const struct study_view *v, const char *text, struct roles *r, st
     }
     if (is_repeated(s, r->fixed[i])) {
         return error_set(e, STATUS_INPUT,
-                         "--at %s: this stands more than once; name a number of '%s'", text,
+                         "--at %s: this occurs more than once; give a number of '%s'", text,
                          v->sweep[i]->name);
     }
     return set_role(v, r, i, ROLE_FIXED, e);

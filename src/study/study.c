@@ -67,19 +67,26 @@ static int accept_changes(struct study *s, const char *head, struct error *e) {
     return status;
 }
 
+#define ACCEPT_OR_RESTART "--accept keeps its finished runs, --restart begins anew"
+
 static int check_changes(struct study *s, const char *head, struct error *e) {
     if (strcmp(s->journal.head, head) != 0) {
         int length;
         const char *cause = identity_difference(s->journal.head, head, &length);
+        const char *accepted = "";
+        const int status = identity_accept(s->ledger.arena, s->journal.head, head, &accepted, e);
+        if (status == STATUS_SYSTEM) {
+            return status;
+        }
         return error_set(e, STATUS_INPUT,
-                         "%s holds runs of this study, but %.*s has changed since; --restart "
-                         "begins anew",
-                         s->journal.path, length, cause);
+                         "%s holds runs of this study, but %.*s has changed since; %s",
+                         s->journal.path, length, cause,
+                         status == STATUS_OK ? ACCEPT_OR_RESTART : "--restart begins anew");
     }
     int status = ledger_unchanged(&s->ledger, e);
     if (status == STATUS_INPUT) {
         const struct error cause = *e;
-        return error_set(e, STATUS_INPUT, "%s; --restart begins the study anew", cause.message);
+        return error_set(e, STATUS_INPUT, "%s; " ACCEPT_OR_RESTART, cause.message);
     }
     return status;
 }
@@ -134,8 +141,7 @@ static int resume(struct study *s, struct error *e) {
     }
     if (!s->journal.head) {
         return error_set(e, STATUS_INPUT,
-                         "%s may hold runs of this study, but its head is damaged; --restart "
-                         "begins anew",
+                         "%s is damaged and may hold finished runs; --restart discards them",
                          s->journal.path);
     }
     if (!s->journal.head[0]) {

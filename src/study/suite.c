@@ -145,9 +145,9 @@ static void order_points(struct maker *m) {
 static const char *find_mixed(const struct suite *s, const struct sweep *dimension) {
     if (s->abscissa != dimension) {
         return s->abscissa->random ? "a random parameter"
-                                   : "a sweep that goes together with others";
+                                   : "a sweep that is paired with others";
     }
-    return sweep_named(dimension->along) ? "a dimension of sweeps that go together" : NULL;
+    return sweep_named(dimension->along) ? "a dimension of paired sweeps" : NULL;
 }
 
 static const char *append_title(struct maker *m, const char *text, const struct sweep *s) {

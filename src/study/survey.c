@@ -21,6 +21,7 @@ struct walk {
     int choice[STUDY_SWEEPS_MAX];  // of the strongest run so far
     long run;                      // that was built last
     double bound, velocity;        // of it
+    struct damping_finding damped;
 };
 
 static int note_file(struct walk *w, const char *path, struct error *e) {
@@ -88,8 +89,11 @@ static int guide(void *context, const struct model *m, struct study_outcome *out
     struct walk *w = context;
     struct guidance g;
     (void)outcome;
-    const int status = guidance_find(m, &g, e);
+    int status = guidance_find(m, &g, e);
     w->bound = g.bound;
+    if (status == STATUS_OK) {
+        status = damping_find(m, false, &w->damped, e);
+    }
     if (status == STATUS_OK) {
         note_softest(w->survey, &g, w->run);
     }
@@ -117,6 +121,7 @@ static int look(struct walk *w, const int *choice, struct error *e) {
     w->run = run;
     w->bound = INFINITY;
     w->velocity = 0;
+    w->damped.share = 0;
     int status = trial_build(s->plan, run, &watch, guide, w, &outcome, e);
     s->n_run++;
     if (status == STATUS_INPUT) {
@@ -124,7 +129,13 @@ static int look(struct walk *w, const int *choice, struct error *e) {
     } else if (status == STATUS_OK && outcome.status != STUDY_DONE) {
         status = note_error(s, run, outcome.message, e);
     }
-    if (w->bound < s->bound || (w->bound == s->bound && w->velocity > s->velocity)) {
+    const bool more_damped = w->damped.share > s->damped.share;
+    if (more_damped) {
+        s->damped = w->damped;
+        s->damped_run = run;
+    }
+    if (w->bound < s->bound || (w->bound == s->bound && w->velocity > s->velocity) ||
+        (w->bound == s->bound && w->velocity == s->velocity && more_damped)) {
         s->bound = w->bound;
         s->velocity = w->velocity;
         s->strongest = run;
@@ -281,18 +292,27 @@ static int pass(void *context, const struct model *m, struct study_outcome *outc
     return STATUS_OK;
 }
 
+static int check_shape(const struct plan *p, long run, const struct trial_watch *watch,
+                       struct error *e) {
+    struct study_outcome outcome;
+    return trial_build(p, run, watch, pass, NULL, &outcome, e);
+}
+
 int survey_shapes(const struct plan *p, struct error *e) {
     if (!p->first->deck->varies) {
         return STATUS_OK;
     }
     const struct trial_watch watch = {.records = shelf_create(SHELF_BYTES)};
     int status = watch.records ? STATUS_OK : error_no_memory(e);
+    const bool all = p->n_run <= SURVEY_COMBINATIONS;
+    for (long run = 1; all && run < p->n_run && status == STATUS_OK; run++) {
+        status = check_shape(p, run, &watch, e);
+    }
     long apart = p->n_run;  // runs from one value of the sweep to the next
-    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+    for (const struct sweep *s = p->first->deck->sweeps; s && !all; s = s->next) {
         apart /= s->n;
         for (int i = 1; i < s->n && status == STATUS_OK; i++) {
-            struct study_outcome outcome;
-            status = trial_build(p, i * apart, &watch, pass, NULL, &outcome, e);
+            status = check_shape(p, i * apart, &watch, e);
         }
     }
     shelf_free(watch.records);

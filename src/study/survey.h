@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A look at the models of a study before it runs: are all of its files and values usable, which
 // run is the strongest, and in which run is each contact softest? The strongest run is that with
-// the shortest bound on its step (guidance.h), and of several the one whose contacts close fastest.
+// the shortest bound on its step (guidance.h), of several the one whose contacts close fastest, and
+// then the one whose Rayleigh damping carries most of the yield force of a storey.
 // A contact is softest where its stiffness over that of the stiffest storey beside it is smallest.
 //
 // All runs would be too many. The survey varies one sweep at a time, those of numbers first, and
@@ -12,6 +13,7 @@
 #ifndef JOSTLE_SURVEY_H
 #define JOSTLE_SURVEY_H
 
+#include "model/damping_warn.h"
 #include "model/guidance.h"
 #include "study/plan.h"
 
@@ -38,6 +40,8 @@ struct survey {
     int n_contact;                     // of each run; guidance.h estimates no more
     struct guidance_contact *softest;  // (n_contact) each from the run where it is softest
     long *softest_run;                 // (n_contact)
+    struct damping_finding damped;     // of the run whose dashpots carry most of the yield force
+    long damped_run;
 };
 
 // Builds the models and finds out. Errors of runs are results. Errors: STATUS_SYSTEM.
@@ -50,8 +54,9 @@ int survey_strongest(const struct survey *s,
                      void (*use)(void *context, const struct model *m, const struct guidance *g),
                      void *context, struct error *e);
 
-// Builds the model of run 1 with each value of each sweep: have all the same floors and links? A
-// deck in which no word that could change them depends on a sweep (deck.varies) needs no such look.
+// Have all runs the same floors and links? Builds all models where there are at most
+// SURVEY_COMBINATIONS, else that of run 1 with each value of each sweep. A deck in which no word
+// that could change them depends on a sweep (deck.varies) needs no such look.
 // A model with another error passes. Errors: STATUS_INPUT (they have not), STATUS_SYSTEM.
 int survey_shapes(const struct plan *p, struct error *e);
 

@@ -16,6 +16,11 @@ static const char bilinear[] = "storey B1:all bilinear -yield 4MN -hardening 0.0
     "storey B1:all " law " -yield 4MN -hardening 0.05" options "\nstorey B2:all " law              \
     " -yield 2.5MN -hardening 0.05" options "\n"
 
+// A wall in each building, whose stiffness matrix is full.
+#define WALLS                                                                                      \
+    "matrix B1 ../tests/bench/wall8.txt -unit MN/m\n"                                              \
+    "matrix B2 ../tests/bench/wall5.txt -unit MN/m\n"
+
 const struct bench_case bench_cases[] = {
     {"pair", 0, 0, NEAR JANKOWSKI, NULL, 1e-3, 40.0, bench_analysis, 15.0, 60.0},
     {"pair", 0, 0, NEAR JANKOWSKI, NULL, 1e-4, 40.0, bench_analysis, 12.7, 60.0},
@@ -33,6 +38,7 @@ const struct bench_case bench_cases[] = {
      bench_analysis, 0.0, 400.0},
     {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
      1e-3, 40.0, bench_analysis, 0.0, 90.0},
+    {"pair, full matrices", 0, 0, NEAR JANKOWSKI, WALLS, 1e-3, 40.0, bench_analysis, 0.0, 120.0},
     {"pair, damper link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -dashpot 2MN*s/m\n", 1e-3, 40.0,
      bench_analysis, 0.0, 100.0},
     {"pair, spring link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -stiffness 50MN/m\n", 1e-3, 40.0,
@@ -99,6 +105,7 @@ const struct bench_case bench_counted[] = {
      bench_analysis, 0.0, 0.0},
     {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
      1e-3, 5.0, bench_analysis, 0.0, 0.0},
+    {"pair, full matrices", 0, 0, NEAR JANKOWSKI, WALLS, 1e-3, 5.0, bench_analysis, 0.0, 0.0},
     {"pair, spring link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -stiffness 50MN/m\n", 1e-3, 5.0,
      bench_analysis, 0.0, 0.0},
     {"row 10x10", 10, 10, NEAR JANKOWSKI, NULL, 1e-3, 4.0, bench_analysis, 0.0, 0.0},

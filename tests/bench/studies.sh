@@ -39,8 +39,8 @@ for _ in $(seq "$rounds"); do
     done
 done | awk 'function least(a, b) { return a == "" || b < a ? b : a }
     { wall[$1] = least(wall[$1], $2); cpu[$1] = least(cpu[$1], $3 + $4) }
-    END { print wall[1], cpu[1], wall[2], cpu[2] }' >times
-read -r one one_cpu two two_cpu <times
+    END { print wall[1], cpu[1], wall[2], cpu[2] }' >times.txt
+read -r one one_cpu two two_cpu <times.txt
 LC_ALL=C date -u '+%Y-%m-%d' | tr '\n' ','
 sed -n 's/^model name[^:]*: *\(.*\)/ \1/p' /proc/cpuinfo | head -n 1
 echo "$n_record records x 20 intensities x 3 gaps: $n_run runs, fastest of $rounds rounds"

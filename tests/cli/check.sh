@@ -68,7 +68,7 @@ END
 }
 bodies coarse.deck "linear -k 93.5MN/m" 4.48ms
 run "$jostle" check coarse.deck
-expect "check warns of a step that cuts a contact" '[ $status -eq 0 ] && said "coarse.deck:6:1: warning: step 0.00448 s covers contact A:1-B:1, which lasts about 0.04 s at 0.5 m/s, by 9 steps; fewer than 10 are cut; step fixed 0.0005 resolves it"'
+expect "check warns of a step that cuts a contact" '[ $status -eq 0 ] && said "coarse.deck:6:1: warning: step 0.00448 s covers contact A:1-B:1, which lasts about 0.04 s at 0.5 m/s, by 9 steps; fewer than 10 are rejected; step fixed 0.0005 resolves it"'
 run "$jostle" run coarse.deck
 expect "so does run" '[ $status -eq 0 ] && said "coarse.deck:6:1: warning: step 0.00448 s covers contact"'
 run "$jostle" run -q --force coarse.deck
@@ -140,5 +140,5 @@ expect "the caret of a wrong channel is below it" '[ $status -eq 2 ] && said "ch
     awk 'BEGIN { for (i = 0; i < 600000; i++) printf "param p%d %d\n", i, i }'
 } >parameters.deck
 run timeout 30 "$jostle" check parameters.deck -D c=1kN*s/m
-expect "hundred thousands of parameters are found as fast as a few" '[ $status -eq 0 ] && said "nothing uses parameter"'
+expect "hundred thousands of parameters are found as fast as a few" '[ $status -eq 0 ] && said "the deck does not use parameter"'
 rm parameters.deck

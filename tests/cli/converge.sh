@@ -77,7 +77,7 @@ expect "and looks at it" 'grep -qx "4 levels, steps 0.0004 0.0002 0.0001 5e-05 s
 run "$jostle" converge
 expect "a deck is needed" '[ $status -eq 2 ] && said "one deck is expected"'
 run "$jostle" converge bodies.deck -n 2
-expect "two levels give no order" '[ $status -eq 2 ] && said "-n takes a number from 3 to 16"'
+expect "two levels give no order" '[ $status -eq 2 ] && said "-n takes a whole number from 3 to 16"'
 run "$jostle" converge bodies.deck -n 3.5
 expect "levels are whole" '[ $status -eq 2 ] && said "whole number"'
 run "$jostle" converge bodies.deck --rtol 0

@@ -43,6 +43,9 @@ expect "statements that add up are judged by their sum" '[ $status -eq 0 ] && sa
 sed 's/^param yield.*/sweep yield values 250kN 5000kN/' storey.deck >study.deck
 run "$jostle" run study.deck
 expect "a study is judged by the estimate for its first run" '[ $status -eq 0 ] && said "$warning estimated"'
+sed 's/^sweep yield.*/sweep yield values 5000kN 250kN 400kN/' study.deck >later.deck
+run "$jostle" check later.deck
+expect "check looks at the others, and names the run in which the force is largest" '[ $status -eq 0 ] && said "later.deck:6:11: warning: in run 2 (yield = 250), $warning estimated" && [ "$(grep -c warning: "$err")" -eq 1 ] && grep -q "^run 2 (yield = 250) is the strongest run checked:" "$out"'
 
 # An isolated building of 2.5 s, as in docs/modelling.md.
 isolated() {

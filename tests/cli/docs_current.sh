@@ -34,6 +34,7 @@ same docs/ida.md
 same docs/gap.md
 same docs/restitution.md
 same docs/law-command.md
+same docs/contact-values.md
 same README.md
 sh tests/support/man.sh "$JOSTLE" "$folder"
 same docs/jostle.1

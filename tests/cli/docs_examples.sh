@@ -30,7 +30,7 @@ run "$jostle" run scaled.deck -q
 expect "which a study takes" '[ $status -eq 0 ] && "$jostle" show scaled.h5 | grep -q "^study of 15 runs, 0 failed"'
 
 # What the quick start says, but for its own start, `make demo`, and then what other pages do.
-awk '/`first.deck`/ { inside = 1; next } /^- / { inside = 0 } inside && /^    / { print substr($0, 5) }' \
+awk '/`first.deck`/ { inside = 1; next } /^[-|] / { inside = 0 } inside && /^    / { print substr($0, 5) }' \
     "$root/docs/quick-start.md" >first.deck
 mkdir build && ln -s "$jostle" build/jostle
 PATH=$PWD/build:$PATH

@@ -20,6 +20,11 @@ expect "closing displacements of all runs are printed" '[ $status -eq 0 ] && [ !
 # mean 0.7/3, 16 % 0.132, 50 % 0.2, 84 % 0.336, largest 0.4 in run 3, two runs beyond the gap
 expect "with mean, percentiles and the runs that would hit" 'grep -qE "^A:1-wall +0\.2333 +0\.132 +0\.2 +0\.336 +0\.4 +3 +0\.1 +2$" "$out"'
 expect "each column ends below its head" 'awk "function ends(line, at,  i, n) { n = 0; for (i = 1; i <= length(line); i++) if (substr(line, i, 1) != \" \" && substr(line, i + 1, 1) ~ /^ ?\$/ && i > 14) at[++n] = i; return n } /^closing by / { head = \$0; sub(/16 %/, \"16_%\", head); sub(/50 %/, \"50_%\", head); sub(/84 %/, \"84_%\", head); sub(/in run/, \"in_run\", head); sub(/runs hit/, \"runs_hit\", head); n = ends(head, h) } /^A:1-wall +0.2333 +0.132 / { m = ends(\$0, v); bad = m != n || n != 8; for (i = 1; i <= n; i++) bad = bad || h[i] != v[i]; found = 1 } END { exit !found || bad }" "$out"'
+sed 's/^building A/building a-long-name/; s/^initial A/initial a-long-name/; s/^contact A/contact a-long-name/' swing.deck >long.deck
+run "$jostle" gap long.deck
+expect "so it does where a name is long, whose end is kept" 'awk "/^closing by/ { n = length(\$0) } /^\.\.-name:1-wall +0.2333 +0.132/ { found = length(\$0) == n } END { exit !found }" "$out"'
+rm long.deck
+run "$jostle" gap swing.deck
 expect "each rule has its formula and its source" '[ "$(grep -cE "^(abs. sum|SRSS|0.7 SRSS|double diff.) += " "$out")" -eq 4 ] && grep -q "Der Kiureghian (1980)" "$out" && grep -q "EN 1998-1" "$out"'
 expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
 expect "nothing is written" 'only swing.deck'
@@ -92,6 +97,8 @@ for option in --limit --range --tolerance --percentile --parameter; do
     refuses "$option is given twice" swing.deck $option 1 $option 2
 done
 refuses "--range goes with --limit" swing.deck --range 0:1:3
+run "$jostle" gap swing.deck --limit acceleration:A=20
+expect "a limit of accelerations shows g too" 'grep -q "^largest acceleration:A at most 20 m/s^2 (2.039 g) in all 3 runs$" "$out"'
 refuses "unknown EDP 'forc'; did you mean 'force'?" swing.deck --limit forc=1
 refuses "--limit takes EDP=VALUE" swing.deck --limit force
 refuses "limit -1 is below 0, where impacts never is" swing.deck --limit impacts=-1

@@ -86,13 +86,13 @@ expect "bodies that do not part are a failure" '[ $status -eq 1 ] && said "under
 law $jankowski --tvs
 expect "a wrong option is named with the nearest" '[ $status -eq 2 ] && said "unknown option '"'--tvs'; did you mean '--tsv'?"'"'
 law $jankowski --tsv=yes
-expect "--tsv takes no value" '[ $status -eq 2 ] && said "option '"'--tsv' takes no value"'"'
+expect "--tsv takes no value" '[ $status -eq 2 ] && said "option '"'--tsv=yes' takes no value"'"'
 for option in --history --plot --fit --compare; do
     law $jankowski $option
     expect "$option needs a value" '[ $status -eq 2 ] && said "option '"'$option' needs a value"'"'
 done
 law $jankowski --plot a.png --plot b.png
-expect "--plot is given once" '[ $status -eq 2 ] && said "option '"'--plot' is given twice"'"'
+expect "--plot is given once" '[ $status -eq 2 ] && said "--plot is given twice"'"'
 law $jankowski --plot a.jpg
 expect "a picture has a known ending" '[ $status -eq 2 ] && said "'"'a.jpg' must end in .png, .svg or .pdf"'"'
 law $jankowski --history h.tsv --compare hertz

@@ -25,6 +25,18 @@ ln -s "$root/input/records" records
 read -r -a link < <(PKG_CONFIG_PATH=usr/lib/pkgconfig pkg-config --cflags --libs jostle)
 run $compiler -Wall -Wextra -Werror best_damper.c "${link[@]}" -o best_damper
 expect "a program is built with what pkg-config says" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+if command -v c++ >/dev/null; then
+    for header in usr/include/jostle/*.h; do
+        echo "#include \"jostle/${header##*/}\""
+    done >every.cc
+    echo 'int main() { return contact_law_find("hertz") && n_storey_law > 0 ? 0 : 1; }' >>every.cc
+    run c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror every.cc "${link[@]}" -o every
+    expect "a C++ program includes every header and links" '[ $status -eq 0 ] && ./every'
+else
+    skip "a C++ program includes every header and links" "no C++ compiler"
+fi
+expect "every symbol of the library has the prefix jostle_" \
+    '! nm -P -g --defined-only usr/lib/libjostle.a 2>/dev/null | awk "NF > 1 { print \$1 }" | grep -v "^jostle_"'
 run ./best_damper best_damper.deck 0 20000
 expect "it finds a damper" '[ $status -eq 0 ] && grep -q "^c = [1-9][0-9.]*, largest drift 0.01" "$out"'
 read -r _ _ c _ _ drift <"$out"

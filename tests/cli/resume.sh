@@ -75,16 +75,16 @@ expect "a signal ends it with 3 and says what is kept" '[ $status -eq 3 ] && sai
 cp part.h5.runs kept.runs
 
 run "$jostle" run study.deck -q -o part.h5 -D gap=5mm
-expect "another -D is refused" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but -D has changed since; --restart"'
+expect "another -D is refused" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but -D has changed since; --restart begins anew" && ! said "--accept"'
 cp study.deck kept.deck
 sed -i 's/^step .*/step fixed 0.5ms/' study.deck
 run "$jostle" run study.deck -q -o part.h5
-expect "a changed deck is refused" '[ $status -eq 2 ] && said "but the deck has changed since"'
+expect "a changed deck is refused" '[ $status -eq 2 ] && said "but the deck has changed since; --accept keeps its finished runs, --restart begins anew"'
 mv kept.deck study.deck
 cp records/1.txt kept.txt
 echo 0.1 >>records/1.txt
 run "$jostle" run study.deck -q -o part.h5
-expect "a changed record is refused" '[ $status -eq 2 ] && said "records/1.txt has changed since the study was started; --restart"'
+expect "a changed record is refused" '[ $status -eq 2 ] && said "records/1.txt has changed since the study was started; --accept keeps its finished runs, --restart begins anew"'
 mv kept.txt records/1.txt
 cp records/1.txt records/4.txt
 run "$jostle" run study.deck -q -o part.h5
@@ -144,7 +144,7 @@ for at in 8 12 13 16 40; do
     printf '\377' | dd of=part.h5.runs bs=1 seek=$at conv=notrunc 2>/dev/null
     cp part.h5.runs damaged.runs
     run "$jostle" run study.deck -q -o part.h5
-    expect "byte $at of the head damaged: the runs are not thrown away" '[ $status -eq 2 ] && said "part.h5.runs may hold runs of this study, but its head is damaged; --restart begins anew" && cmp part.h5.runs damaged.runs && [ ! -e part.h5 ]'
+    expect "byte $at of the head damaged: the runs are not thrown away" '[ $status -eq 2 ] && said "part.h5.runs is damaged and may hold finished runs; --restart discards them" && cmp part.h5.runs damaged.runs && [ ! -e part.h5 ]'
 done
 run "$jostle" run study.deck -q -o part.h5 --restart
 expect "but with --restart" '[ $status -eq 0 ] && same whole.h5 part.h5'

@@ -48,7 +48,7 @@ run "$jostle" run pair.deck -o pair.old --force
 expect "--force does not replace what is no HDF5 file" '[ $status -eq 2 ] && said "pair.old exists and is no HDF5 file" && cmp -s pair.deck pair.old'
 for name in empty.old junk.h5; do
     [ $name = empty.old ] || echo junk >$name
-    >>$name
+    : >>$name
     run "$jostle" run pair.deck -o $name -q --force
     expect "but it replaces $name" '[ $status -eq 0 ] && [ "$(head -c 4 $name | tail -c 3)" = HDF ]'
 done

@@ -81,6 +81,7 @@ for n in 1 3 30 16; do
     rm merged.h5
 done
 ls part/*.h5 | sort -R >order
+# shellcheck disable=SC2046  # the names have no blanks
 run "$jostle" merge $(cat order) "$empty" study.2-of-4.h5 part/3.h5 -o merged.h5 -q
 expect "in any order, of any division, one of them twice" '[ $status -eq 0 ] && [ ! -s "$out" ] && same whole.h5 merged.h5'
 run "$jostle" merge part/*.h5 -o merged.h5

@@ -230,6 +230,18 @@ run "$jostle" run later.deck -j 1
 expect "whatever the place of the value among many" '[ $status -eq 2 ] && said "run 52 (k = 52) has 3 floors" && [ ! -e later.h5.runs ]'
 run "$jostle" check later.deck
 expect "check finds it too" '[ $status -eq 2 ] && said "run 52 (k = 52) has 3 floors"'
+{
+    printf 'sweep a values 1 2\nsweep b values 1 2 3\n'
+    sed '/^sweep/d; s/-floors $n/-floors ${1 + (a - 1)*(b - 1)}/' shapes.deck
+} >both.deck
+run "$jostle" run both.deck -q -o later.h5
+expect "or if only a combination of two sweeps makes it" '[ $status -eq 2 ] && said "run 5 (a = 2, b = 2) has 2 floors" && ! said kept && [ ! -e later.h5.runs ]'
+run "$jostle" check both.deck
+expect "which check finds too" '[ $status -eq 2 ] && said "run 5 (a = 2, b = 2) has 2 floors"'
+sed 's/^sweep \([ab]\).*/sweep \1 range 1 50 50/' both.deck >many.deck
+run "$jostle" run many.deck -q -o later.h5
+expect "among more than 2000 runs it ends the study, which cannot go on as it is" '[ $status -eq 2 ] && said "floors in building A, the first run has 1" && ! said "goes on"'
+rm -f later.h5.runs both.deck many.deck
 for i in $(seq 70); do
     [ "$i" -eq 33 ] && echo 'param n 3' >part$i.deck || echo 'param n 2' >part$i.deck
 done
@@ -281,5 +293,9 @@ rm names.*
 run "$jostle" run many.deck
 expect "of many buildings those that drift most are shown, on a page" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -le 60 ] && grep -qE "^B7 +drift " "$out" && [ "$(grep -cE "^B[0-9]+ +drift " "$out")" -eq 8 ] && grep -q "^  292 more buildings not shown (by drift); all are in many.h5" "$out"'
 expect "accelerations stand in g beside the units of the deck" 'awk "/^B7 +acceleration/ { n++; good = \$5 == \"m/s^2\" && (\$4 / 9.80665 - \$6)^2 < 1e-7 } END { exit !(n == 1 && good) }" "$out" && grep -qE "^ +quantity +floor +unit +.g.  run$" "$out"'
+sed 's/^building B7 /building the-tower-of-1968 /; s/ B7 / the-tower-of-1968 /g' many.deck >long.deck
+run "$jostle" run long.deck
+expect "long names keep the table's columns" 'awk "/^ +quantity / { at = index(\$0, \"quantity\") } /^(the-tower-of-1968|B[0-9]+) +drift / { n++; bad = bad || index(\$0, \"drift\") != at } END { exit bad || n != 8 }" "$out"'
+rm long.*
 expect "the table for programs has them all" '[ "$("$jostle" show --tsv many.h5 | awk -F "\t" "NR > 1 && \$0 ~ /\tdrift\t/ && \$0 !~ /_time/" | wc -l)" -ge 600 ]'
 rm many.*

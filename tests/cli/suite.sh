@@ -135,7 +135,7 @@ run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method 
 # limit is 2e-4 more, and drifts at the steps are within 1e-5.
 expect "where all exceed, the moments of the logarithms count" 'awk -F "\t" "NR == 2 { exit !(\$9 > 1.1700 && \$9 < 1.1710 && \$10 > 0.6795 && \$10 < 0.6797 && \$13 == \"ida\" && \$14 == 0 && \$15 == 0) }" "$out"'
 run "$jostle" fragility first.h5 --edp drift --limit 0.1,0 --over k --method ida
-expect "zeros do not tell where 0 is first exceeded" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "zeros do not tell where a limit of 0 on drift is first exceeded"'
+expect "zeros do not tell where 0 is first exceeded" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "cannot locate the first exceedance of 0 on drift, which is 0 until the first contact"'
 run "$jostle" fragility first.h5 --edp drift --limit 1 --over k --method ida
 expect "where none does, there is no curve" '[ $status -eq 0 ] && grep -q "^no curve: no run exceeds" "$out" && grep -q "^4 of 4 samples never exceed" "$out"'
 cat >scatter.deck <<'END'
@@ -213,7 +213,7 @@ expect "and is not compared" '[ $status -eq 2 ] && said "--compare is for single
 run "$jostle" plot scaled.h5 --edp drift
 expect "options of studies are refused for one run" '[ $status -eq 2 ] && said "--edp is for studies"'
 run "$jostle" plot scaled.h5 --against gap
-expect "by either of their names" '[ $status -eq 2 ] && said "--im or --against is for studies"'
+expect "by the name that was given" '[ $status -eq 2 ] && said "--against is for studies"'
 run "$jostle" plot scaled.h5 ida
 expect "and their figures" '[ $status -eq 2 ] && said "ida is for studies; scaled.h5 is one run"'
 run "$jostle" plot missing.h5 --edp drift

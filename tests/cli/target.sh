@@ -121,7 +121,7 @@ wrong "a target has one damping" "takes one damping ratio" centro.AT2 --target c
 wrong "--match is for a target" "--match needs --target" centro.AT2 --match 1,2
 wrong "for the deck of --pounding there is none" "--match needs --target" --pounding some.deck --match 1,2
 wrong "and so is --deck" "--deck needs --target" centro.AT2 --deck
-wrong "one form is printed" "give --tsv or --deck, not both" centro.AT2 --target code.txt --deck --tsv
+wrong "one form is printed" "--deck and --tsv exclude each other" centro.AT2 --target code.txt --deck --tsv
 wrong "a path with a line end cannot stand in a deck" "cannot stand in a deck" $'a\nb.AT2' --target code.txt --deck
 wrong "nor can one with a quote" "cannot stand in a deck" 'a"b.AT2' --target code.txt --deck
 wrong "a target is for records" "takes records and damping from the deck" --pounding some.deck --target code.txt

@@ -124,7 +124,7 @@ sed -e '/^sweep factor/c sweep motion files "motions/*.deck"' -e '/^sweep record
 "$jostle" show --tsv include.h5 | awk -F '\t' '$8 != "gap"' | cut -f 1,5- >include.txt
 cut -f 1,9- whole.tsv >whole.txt
 expect "files that are included make the same runs" '[ "$(wc -l <include.txt)" -gt 1000 ] && cmp whole.txt include.txt'
-limits=(--edp drift-ratio --limit 2%,3%)
+limits=(--edp drift-ratio --limit '2%,3%')
 for method in counts ida; do
     "$jostle" fragility include.h5 "${limits[@]}" --over motion --method $method --tsv | cut -f 1-3,5- >wanted.txt
     run "$jostle" fragility whole.h5 "${limits[@]}" --method $method --tsv
@@ -135,13 +135,13 @@ expect "the groups are named by what belongs to them" '[ $status -eq 0 ] && grep
 run "$jostle" fragility whole.h5 "${limits[@]}" --at record=NAPA_2014_68150_HNE --at k=2e5 --tsv
 expect "--at takes one that goes together with others" '[ $status -eq 0 ] && [ "$(awk -F "\t" "NR > 1 && \$6 == 1" "$out" | wc -l)" -eq 6 ]'
 run "$jostle" fragility whole.h5 "${limits[@]}" --at gap=5mm
-expect "but not a value that stands twice" '[ $status -eq 2 ] && said "--at gap=5mm: this stands more than once; name a number of '"'measure'"'"'
+expect "but not a value that stands twice" '[ $status -eq 2 ] && said "--at gap=5mm: this occurs more than once; give a number of '"'measure'"'"'
 run "$jostle" fragility whole.h5 "${limits[@]}" --im motion
-expect "numbers of what goes together are no intensity" '[ $status -eq 2 ] && said "--im motion: it only numbers what goes together"'
+expect "numbers of what goes together are no intensity" '[ $status -eq 2 ] && said "--im motion: it only numbers paired sweeps"'
 run "$jostle" fragility whole.h5 "${limits[@]}" --im factor --over "" --method ida
-expect "first exceedances along one of them are refused" '[ $status -eq 2 ] && said "'"'factor'"' is a sweep that goes together with others"'
+expect "first exceedances along one of them are refused" '[ $status -eq 2 ] && said "'"'factor'"' is a sweep that is paired with others"'
 run "$jostle" plot whole.h5 ida --im measure -o ida.png
-expect "and so is ida along them" '[ $status -eq 2 ] && said "'"'measure'"' is a dimension of sweeps that go together" && [ ! -e ida.png ]'
+expect "and so is ida along them" '[ $status -eq 2 ] && said "'"'measure'"' is a dimension of paired sweeps" && [ ! -e ida.png ]'
 run "$jostle" plot whole.h5 response --against measure --at im=2.5 --script scripts
 expect "response is drawn over their values" '[ $status -eq 0 ] && grep -q "2: 0.005, 200000. 2" scripts/response.gp && grep -q "measure: gap \[m\], k" scripts/response.gp && ! grep -q linespoints scripts/response.gp'
 if command -v gnuplot >/dev/null; then

@@ -18,7 +18,7 @@ run "$jostle" run study.deck --shard 1/1 -o part.h5 -q
 for words in "run pair.deck -o -" "run study.deck -o -" "tasks study.deck -o -" "merge part.h5 -o -" "law hertz -k 1 -m1 1 -v 1 --history -"; do
     # shellcheck disable=SC2086
     run "$jostle" $words
-    expect "${words%% *} writes no file to the standard output" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "no file is written to the standard output; ./- is a file called -" && [ ! -e ./- ]'
+    expect "${words%% *} writes no file to the standard output" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "jostle cannot write a file to standard output; ./- is a file called -" && [ ! -e ./- ]'
 done
 run "$jostle" plot full.h5 --script -
 expect "nor does plot its script" '[ $status -eq 2 ] && said "./- is one called -" && [ ! -e ./- ]'

@@ -69,9 +69,15 @@ tasks -n3 --parts=3 -n or --parts
 converge --rtol=1e-3 --rtol=1e-4 --rtol
 fragility --im=pga --im=pga --im
 fragility --method=ida --method=ida --method
-plot --against=pga --im=pga --against or --im
+plot --against=pga --im=pga --im or --against
 spectrum --output=a.png -oa.png -o or --output
 END
+run "$jostle" run a.deck --accept -q --restart
+expect "of options that exclude each other both are named" '[ $status -eq 2 ] && said "--restart and --accept exclude each other"'
+run env POSIXLY_CORRECT=1 "$jostle" converge no_such_file --rtol 0
+expect "options may stand behind the deck, whatever POSIXLY_CORRECT says" '[ $status -eq 2 ] && said "--rtol takes a number from 1e-12 to 1"'
+run "$jostle" check -- -q
+expect "behind -- there are no options" '[ $status -eq 2 ] && said "-q: No such file or directory"'
 for command in run check modes show plot; do
     run "$jostle" "$command"
     expect "$command needs a file" '[ $status -eq 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'

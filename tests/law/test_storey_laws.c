@@ -209,6 +209,39 @@ static double per_slope(double z, void *exponent) {
 
 // Without a closed form: the drift that leads from rest to z is the integral of dz / (1 - z^n),
 // which has nothing to do with the Runge-Kutta method of the law.
+// Short steps take a series for tanh, which must not be seen where it ends.
+static void short_steps_of_bouc_wen_follow_tanh(void **state) {
+    (void)state;
+    struct bound_law b = bind(storey_law_find("bouc-wen"), 0.0);
+    for (int i = 1; i <= 200; i++) {
+        const double s = 0.0005 * i, shear = YIELD * tanh(s);
+        assert_true(fabs(at(&b, s * (YIELD / STIFFNESS)).shear - shear) <= 2e-15 * shear);
+    }
+}
+
+// Nothing needs to be remembered before a storey yields, or while it unloads and loads again.
+static void peak_oriented_storeys_remember_only_where_they_turned(void **state) {
+    (void)state;
+    const double yield = YIELD / STIFFNESS;
+    const double unloading[] = {2.9, 2.2, 2.6, 2.1, 3.0}, zero[STOREY_HISTORY_MAX] = {0};
+    const char *const name[] = {"clough", "takeda"};
+    for (int i = 0; i < 2; i++) {
+        struct bound_law b = bind(storey_law_find(name[i]), 0.05);
+        commit(&b, 0.7 * yield);
+        commit(&b, -0.9 * yield);
+        assert_memory_equal(b.history, zero, sizeof zero);
+        assert_true(at(&b, 0.5 * yield).shear == STIFFNESS * (0.5 * yield));
+        commit(&b, 3.0 * yield);
+        struct bound_law turned = b;
+        for (int j = 0; j < 5; j++) {
+            commit(&b, unloading[j] * yield);
+            assert_memory_equal(b.history, turned.history, sizeof zero);
+        }
+        commit(&b, -1.5 * yield);
+        assert_memory_not_equal(b.history, turned.history, sizeof zero);
+    }
+}
+
 static void bouc_wen_of_any_exponent_agrees_with_an_integral(void **state) {
     (void)state;
     const struct storey_law *law = storey_law_find("bouc-wen");
@@ -343,6 +376,8 @@ int main(void) {
         cmocka_unit_test(hardening_moves_the_elastic_range),
         cmocka_unit_test(the_end_of_a_path_does_not_depend_on_its_steps),
         cmocka_unit_test(bouc_wen_has_its_closed_forms),
+        cmocka_unit_test(short_steps_of_bouc_wen_follow_tanh),
+        cmocka_unit_test(peak_oriented_storeys_remember_only_where_they_turned),
         cmocka_unit_test(bouc_wen_of_any_exponent_agrees_with_an_integral),
         cmocka_unit_test(bouc_wen_that_would_create_energy_is_refused),
         cmocka_unit_test(clough_aims_at_the_largest_drift),

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Holds the layers of docs/house-style.md: a file includes nothing from a higher layer, nor from
-# another folder of its own layer; within src/solve the same of its groups; HDF5 belongs to
+# another folder of its own layer; src/solve and src/deck have such an order within, too; HDF5 belongs to
 # src/result; below src/command nothing prints, exits or reads the environment.
 set -euo pipefail
 status=0
@@ -29,7 +29,7 @@ level() {
 # The folder a public header speaks for.
 home() {
     case $1 in
-    error | units | row | curve | checksum | numerics) echo core ;;
+    error | units | row | curve | checksum | names | numerics) echo core ;;
     contact_law | storey_law) echo law ;;
     part) echo model ;;
     record | signal | spectrum | intensity) echo motion ;;
@@ -83,6 +83,29 @@ solve_group() {
     esac
 }
 
+# The order of the files of src/deck, the lowest first.
+deck_group() {
+    case ${1#src/deck/} in
+    reader.h | source.c | random.*) echo 0 ;;
+    quantity.*) echo 1 ;;
+    parameter.*) echo 2 ;;
+    expression.*) echo 3 ;;
+    replace.c | values.c | options.c) echo 4 ;;
+    definition.*) echo 5 ;;
+    sweep*.[ch] | bundle.c) echo 6 ;;
+    statement.* | scan.c) echo 7 ;;
+    deck.c) echo 8 ;;
+    *) echo "check_layers: no place is known for '$1'" >&2 && exit 1 ;;
+    esac
+}
+
+# Within src/deck: file $1, line $2, includes $3.
+check_deck() {
+    if [ "$(deck_group "$3")" -gt "$(deck_group "$1")" ]; then
+        bad "$1:$2: includes \"${3#src/}\", which is above it in src/deck"
+    fi
+}
+
 # Within src/solve: file $1, line $2, includes $3.
 check_groups() {
     local from to
@@ -100,6 +123,7 @@ while IFS=: read -r file line include; do
     to=$(folder_of "$(path_of "$name" "$file")")
     case $file:$name in
     src/solve/*:solve/*) check_groups "$file" "$line" "src/$name" ;;
+    src/deck/*:deck/*) check_deck "$file" "$line" "src/$name" ;;
     esac
     [ "$from" = "$to" ] && continue
     if [ "$(level "$to")" -ge "$(level "$from")" ]; then

@@ -7,7 +7,7 @@
 set -euo pipefail
 [ $# -gt 0 ] || set -- src/plot/*.c
 
-awk -v tables='colour dash font heading before between comma palette power dark data FONT' '
+awk -v tables='colour dash font heading before between comma palette power dark data words FONT' '
 BEGIN { n = split(tables, word, " "); while (n > 0) is_table[word[n--]] = 1 }
 
 # True if the argument, in which "" stands for a text in quotes, is a literal.
@@ -30,15 +30,15 @@ function bad(text) {
     status = 1
 }
 
-# Checks the arguments of one call; the second is the format of fprintf.
+# Checks the arguments of one call; the second is the format of fprintf, the third that of panel_series.
 function check(call,   k, rest, one) {
-    if (call != "fprintf") {
+    if (call !~ /^(fprintf|panelseries)$/) {
         if (!is_literal(quoteless[1])) bad(argument[1])
         return
     }
-    if (!is_literal(quoteless[2]) && argument[2] != "p->format") bad("the format " argument[2])
-    rest = argument[2]
-    k = 3
+    k = call == "fprintf" ? 2 : 3
+    if (!is_literal(quoteless[k]) && argument[k] != "p->format") bad("the format " argument[k])
+    rest = argument[k++]
     while (match(rest, /%[-+ #0]*[*0-9]*(\.[*0-9]*)?[hlzjtL]*[a-zA-Z%]/)) {
         one = substr(rest, RSTART, RLENGTH)
         rest = substr(rest, RSTART + RLENGTH)
@@ -52,7 +52,7 @@ function check(call,   k, rest, one) {
 # Takes the file apart into calls, their arguments and the texts in quotes.
 function take(text,   call, at, depth, n, c, name, size) {
     line = 1
-    while (match(text, /(^|[^a-z_])(fprintf|fputs|vfprintf|fwrite|dprintf)\(/)) {
+    while (match(text, /(^|[^a-z_])(fprintf|fputs|vfprintf|fwrite|dprintf|panel_series)\(/)) {
         call = substr(text, RSTART, RLENGTH)
         name = substr(text, 1, RSTART + RLENGTH)
         line += gsub(/\n/, "", name)
@@ -77,6 +77,7 @@ function take(text,   call, at, depth, n, c, name, size) {
             argument[n] = argument[n] c
             quoteless[n] = quoteless[n] c
         }
+        if (call == "vfprintf" && file ~ /plot\/panel\.c$/) continue  # the format of panel_series
         if (call ~ /^(vfprintf|fwrite|dprintf)$/) bad("by " call)
         else check(call)
         name = substr(text, 1, at)

@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# check_symbols.sh LIBRARY: every global symbol starts with the name of its module, and no static
-# variable changes outside src/command. The names of a module: its file (finish_links.c: finish or
+# check_symbols.sh BUILD: every global symbol starts with the name of its module, behind the prefix
+# jostle_ if it is public; the library has public ones only, and they are those of the public headers.
+# No static variable changes outside src/command. The names of a module: its file (finish_links.c: finish or
 # finish_links), its folder, a header of that folder, and the words below. A count is `n_` and what
 # is counted. No product is fused with a sum either: the bits must not depend on the processor.
 set -euo pipefail
-library=$1
+build=$1
+library=$build/object/jostle.a
+public=$build/libjostle.a
 status=0
 
 # Words of public headers, and of what a public header declares.
@@ -27,7 +30,8 @@ bad() {
 }
 
 allowed() {
-    local symbol=${1#n_} file=${2##*/} folder=${2#src/} word header
+    local symbol=${1#jostle_} file=${2##*/} folder=${2#src/} word header
+    symbol=${symbol#n_}
     file=${file%.c}
     folder=${folder%%/*}
     for header in "src/$folder"/*.h; do
@@ -45,7 +49,7 @@ allowed() {
 }
 
 while IFS= read -r source; do
-    object=${library%/*}/object/${source%.c}.o
+    object=$build/object/${source%.c}.o
     while read -r symbol; do
         allowed "$symbol" "$source" || bad "$source" "$symbol" "does not start with its module's name"
     done < <(nm -P -g --defined-only "$object" | cut -d ' ' -f 1)
@@ -58,6 +62,21 @@ while IFS= read -r source; do
     done < <(objdump -t "$object" |
         awk 'NF > 4 && $(NF - 2) ~ /^\.(data|bss|tdata|tbss)$/ && $NF !~ /^\./ { print $NF }')
 done < <(find src -name '*.c' -not -path src/main.c | sort)
+
+while read -r symbol; do
+    case $symbol in
+    jostle_*) ;;
+    *) bad "$public" "$symbol" "is visible, but not public" ;;
+    esac
+done < <(nm -P -g --defined-only "$public" 2>/dev/null | awk 'NF > 1 { print $1 }')
+
+# A symbol without the prefix is not one that a public header declares.
+while read -r symbol; do
+    bad include/jostle/names.h "$symbol" "is declared in a public header, but missing"
+done < <(nm -P -g --defined-only "$library" 2>/dev/null | awk 'NF > 1 && $1 !~ /^jostle_/ { print $1 }' |
+    sort -u | grep -Fwf - <(sed -e 's|//.*||' include/jostle/*.h) |
+    sed -n -e 's/^[a-z].*[ *]\([a-z_0-9]*\)(.*/\1/p' -e 's/^extern .*[ *]\([a-z_0-9]*\)[[;].*/\1/p' |
+    grep -Fxf <(nm -P -g --defined-only "$library" 2>/dev/null | awk 'NF > 1 { print $1 }') || :)
 
 while read -r member; do
     bad "$library" "$member" "fuses products with sums"

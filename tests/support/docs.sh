@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
-# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md, studies.md, ida.md, gap.md,
-# accuracy.md and README.md with what they show made anew, but for wall times, which no two runs share.
+# laws.md, deck-statements.md and restitution.md; law-command.md, contact-values.md, spectrum.md,
+# studies.md, ida.md, gap.md, accuracy.md and README.md with what they show made anew, but for wall times, which no two runs share.
 set -eu
 jostle=$1
 folder=$2
@@ -23,8 +23,10 @@ sed -e "s|$folder/||" -e '/^wall time/d' "$folder/printed" >"$folder/study"
 sh tests/support/with_block.sh study "$folder/study" <docs/studies.md >"$folder/studies.md"
 "$jostle" run input/ida.deck -o "$folder/ida.h5" -q --force
 "$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 1%,2% >"$folder/fragility"
+"$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 >"$folder/hits"
 "$jostle" show "$folder/ida.h5" --long --edp drift-ratio:A | sed -n 1,5p >"$folder/long"
 sh tests/support/with_block.sh fragility "$folder/fragility" <docs/ida.md |
+    sh tests/support/with_block.sh hits "$folder/hits" |
     sh tests/support/with_block.sh long "$folder/long" >"$folder/ida.md"
 "$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"
 "$jostle" spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:8 >"$folder/pounding"
@@ -41,3 +43,6 @@ sh tests/support/with_block.sh check "$folder/checked" <docs/accuracy.md |
 "$jostle" gap input/separation.deck --limit storey-shear:A:6=6MN --range 0:120mm:13 >"$folder/limit"
 sh tests/support/with_block.sh closing "$folder/closing" <docs/gap.md |
     sh tests/support/with_block.sh limit "$folder/limit" >"$folder/gap.md"
+sh tests/support/sensitivity.sh "$jostle" "$folder"
+sh tests/support/with_block.sh choices "$folder/sensitivity/choices" <docs/contact-values.md |
+    sh tests/support/with_block.sh storeys "$folder/sensitivity/storeys" >"$folder/contact-values.md"

@@ -37,6 +37,7 @@ find_missing_of() {
     lint)
         have clang-tidy || need clang-tidy
         have clang-format || need clang-format
+        have shellcheck || need shellcheck
         ;;
     count)
         have valgrind || need valgrind
@@ -72,6 +73,7 @@ gnuplot     gnuplot-nox        gnuplot             gnuplot     gnuplot
 hdf5-tools  hdf5-tools         hdf5                hdf5        hdf5
 clang-tidy  clang-tidy         clang-tools-extra   clang       llvm
 clang-format clang-format      clang-tools-extra   clang       clang-format
+shellcheck  shellcheck         ShellCheck          shellcheck  shellcheck
 valgrind    valgrind           valgrind            valgrind    valgrind
 clang       clang              clang               clang       llvm
 fuzzer      $(fuzzer_package)  compiler-rt         compiler-rt llvm

@@ -49,11 +49,11 @@ static void wrong_statements_are_reported(void **state) {
         {"units kg m s", "1:7: kg is a unit of a mass; a force unit is needed"},
         {"units kn m sec", "1:7: unknown force unit 'kn'; did you mean 'kN'? | "
                            "1:12: unknown time unit 'sec'; available: s, ms, us, min"},
-        {"param a 3\nunits N m s", "2:1: units must stand above all other statements but title and "
+        {"param a 3\nunits N m s", "2:1: units must be above all other statements except title and "
                                    "include; the first is in line 1"},
         {"gravity 1s", "1:9: gravity has the dimension of a time (s); an acceleration is needed"},
         {"gravity -9.81", "1:9: gravity is -9.81 m/s^2; it must be > 0"},
-        {"param a 1g\ngravity 9.81", "2:1: gravity must stand above the first use of the unit g"},
+        {"param a 1g\ngravity 9.81", "2:1: gravity must be above the first use of the unit g"},
         {"gravity 9.81\ngravity 9.81", "2:1: gravity is already given in line 1"},
         {"param a 3\nparam a 4", "2:7: parameter 'a' is already defined in line 1"},
         {"param pi 3", "1:7: 'pi' has a meaning in expressions and cannot name a parameter"},
@@ -142,7 +142,7 @@ static void parameters_that_nothing_uses_are_reported(void **state) {
     assert_string_equal(d->diagnostics.item[0].message, "nothing in the deck uses parameter 'gap'");
     assert_string_equal(d->diagnostics.item[0].file, "-D gap=30mm");
     assert_int_equal(d->diagnostics.n_warning, 1);
-    assert_string_equal(d->diagnostics.item[1].message, "nothing uses parameter 'e'");
+    assert_string_equal(d->diagnostics.item[1].message, "the deck does not use parameter 'e'");
     deck_free(d);
 }
 

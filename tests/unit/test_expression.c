@@ -73,7 +73,7 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("${ß}", "10: unexpected 'ß'"),
         CASE("${tow}", "10: unknown parameter 'tow'; did you mean 'two'?"),
         CASE("${sqr(2)}", "10: unknown function 'sqr'; did you mean 'sqrt'?"),
-        CASE("${sin}", "10: a '(' must stand after a function"),
+        CASE("${sin}", "10: a '(' must follow a function"),
         CASE("${sin(1,2)}", "15: this function takes one value"),
         CASE("${min(1)}", "10: at least two values are needed here"),
         CASE("${2mm^x}", "13: this is not a power of a unit, as in m^1.5; put the quantity in "
@@ -90,7 +90,7 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
                      "N/m^1.5"),
         CASE("${2**3}", "12: unexpected '*'; a power is written ^"),
         CASE("2+3",
-             "9: unexpected '+3' after the number; expressions stand in ${...}, texts in quotes"),
+             "9: unexpected '+3' after the number; write expressions as ${...} and texts in quotes"),
         CASE("2*N/m",
              "9: unexpected '*N/m' after the number; write a unit directly after its number"),
         CASE("2\u00b5m",
@@ -99,7 +99,7 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("${2 mm}", "12: unexpected 'm'; write a unit directly after its number"),
         CASE("two", "8: gap needs a number, not 'two'; did you mean '$two'?"),
         CASE("nan", "8: gap needs a number, not 'nan'"),
-        CASE("$", "8: a name or '{' must stand after '$'"),
+        CASE("$", "8: a name or '{' must follow '$'"),
         CASE("-1mm", "8: gap is -0.001 m; it must be >= 0"),
     };
     case_check(cases, sizeof cases / sizeof cases[0]);

@@ -349,7 +349,8 @@ static void a_journal_that_is_open_has_its_name_though_others_end(void **state) 
         come_and_go(path);
         _exit(0);
     }
-    for (int i = 0; i < TURNS; i++) {
+    // The other process may stand still with the journal open for all of these turns, but it ends.
+    for (int i = 0; i < TURNS || n_open == 0; i++) {
         struct journal j;
         struct error e;
         if (journal_open(&j, path, RUNS, VALUES, &e) == STATUS_OK) {

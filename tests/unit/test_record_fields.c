@@ -128,11 +128,16 @@ static void numbers_that_touch_and_repeat_counts_are_read_where_values_run_on(vo
 }
 
 static void numbers_that_can_be_parted_in_two_ways_are_refused(void **state) {
+#define NO_LETTER                                                                                  \
+    " is not a number: an exponent without a letter has three digits; write an E before its sign"
 #define TWO_WAYS " are numbers that touch and can be parted in two ways; put blanks between them"
     static const struct refusal c[] = {
         {PEER_4 ".1 .2 .3 1.234-103.500\n", "a.txt:5: value 4 '1.234-103.500'" TWO_WAYS},
         {PEER_4 ".1 .2 1.2E-012.3\n.4\n", "a.txt:5: value 3 '1.2E-012.3'" TWO_WAYS},
-        {PEER_4 ".1 .2 .3 1.5-2\n", "a.txt:5: value 4 '1.5-2' is not a number"},
+        {PEER_4 ".1 .2 .3 1.5-2\n", "a.txt:5: value 4 '1.5-2'" NO_LETTER},
+        {PEER_4 ".1234-01 .2 .3 .4\n", "a.txt:5: value 1 '.1234-01'" NO_LETTER},
+        {PEER_4 ".1 .2 .3 .4+0100\n", "a.txt:5: value 4 '.4+0100'" NO_LETTER},
+        {PEER_4 ".1 .2 .3 1.5-\n", "a.txt:5: value 4 '1.5-' is not a number"},
         {PEER_4 ".1 .2 .3 1.5.2\n", "a.txt:5: value 4 '1.5.2' is not a number"},
         {PEER_4 ".1 .2 .3 0*1.5\n", "a.txt:5: value 4 '0*1.5' is not a number"},
         {PEER_4 ".1 .2 4*.5\n", "a.txt:4: the header says 4 values; the file holds 6"},

@@ -116,7 +116,7 @@ static void what_goes_together_plays_one_part(void **state) {
     assert_string_equal(s->over, "specimen");
     suite_free(s);
     refused(f, (struct suite_request){.at = at + 2, .n_at = 1},
-            "--at record=a: this stands more than once; name a number of 'specimen'");
+            "--at record=a: this occurs more than once; give a number of 'specimen'");
     study_file_close(f);
 }
 

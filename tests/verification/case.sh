@@ -14,6 +14,7 @@ work=$folder/$name.work
 . $here/common.sh
 
 mkdir -p "$work"
+# shellcheck source=/dev/null  # each case is checked by itself
 . "$here/$name.sh" >"$work/values"
 awk -f $here/fill.awk "$work/values" "$here/$name.md" >"$work/page.md"
 {

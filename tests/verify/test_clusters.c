@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "solve/account/energy.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/sweep.h"
 #include "solve/event/equilibrium.h"
@@ -43,6 +44,7 @@ struct bench {
     struct state now, next;
     struct work work;
     struct results results;
+    struct energy_account energy;
     struct memory memory;
     struct random random;
 };
@@ -261,8 +263,10 @@ static void take_cluster(uint64_t seed, struct tally *tally) {
     assert_non_null(b.arena);
     assert_true(state_alloc(&b.now, b.model, b.arena) && state_alloc(&b.next, b.model, b.arena) &&
                 peaks_alloc(&b.results, b.model, b.arena) &&
+                energy_alloc(&b.energy, b.model, b.arena) &&
                 memory_alloc(&b.memory, b.model, b.arena) &&
                 work_alloc(&b.work, b.model, &b.results, &b.memory, b.arena));
+    floors_account_to(&b.work, &b.energy, &b.results);
     b.work.strictness = STEP_ACCEPT;
     for (int i = 0; i < STEPS_EACH; i++) {
         take(&b, &tally[kind_of(b.model)], seed, i);

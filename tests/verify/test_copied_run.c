@@ -178,6 +178,14 @@ static const char *const kind[] = {
           "storey B bilinear -yield 500kN -hardening 5%\n",
     TALL,
     TALL "storey A bilinear -yield 1MN -hardening 5%\n",
+    TWO "storey A takeda -yield 300kN -hardening 2% -alpha 0.3 -beta 0.2\n"
+        "storey B clough -yield 200kN -hardening 2%\ncontact A B -gap 5mm -law linear -k 1e8\n",
+    TWO "storey A clough -yield 300kN -hardening 2%\ndamping A modal 5%\n"
+        "storey B:2:4 takeda -yield 200kN -hardening 2%\n"
+        "contact A B -gap 5mm -law hertz -k 1e9\n",
+    TALL "storey A clough -yield 500kN -hardening 5%\n",
+    TALL "storey C:all takeda -yield 500kN -hardening 2%\n",
+    FRAME "storey B takeda -yield 300kN -hardening 2%\ncontact A B -gap 9mm -law linear -k 1e8\n",
 };
 
 // A building of a full matrix beside a chain that yields, with a contact between two floors.

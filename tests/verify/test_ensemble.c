@@ -209,7 +209,7 @@ static void a_row_of_one_height_has_the_same_bits(void **state) {
     free_models(member, ENSEMBLE_MAX);
 }
 
-// Links act in most steps; forces that jump and a stiff contact whose steps are cut take runs
+// Links act in most steps; forces that jump and a stiff contact whose steps are rejected take runs
 // alone in between. Only building C differs from run to run.
 static void a_row_in_heavy_contact_has_the_same_bits(void **state) {
     (void)state;

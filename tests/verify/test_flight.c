@@ -166,6 +166,24 @@ static void storeys_that_yield_have_the_same_bits(void **state) {
         check(PAIR SHAKEN "step fixed 2ms\nstorey A:all clough -yield 4MN -hardening 0.05\n") > 5);
 }
 
+static void full_matrices_have_the_same_bits(void **state) {
+    (void)state;
+    assert_true(check(PAIR SHAKEN "step fixed 1ms\ndamping A modal 3%\n") > 10);
+    assert_true(check(PAIR SHAKEN "step fixed 1ms\ndamping A modal 3%\n"
+                                  "building C -floors 21 -mass 300t -stiffness 345MN/m\n"
+                                  "damping C modal 2%\n") > 10);
+    assert_true(check(PAIR SHAKEN "step fixed 1ms\nbuilding C -floors 10 -mass 300t -stiffness "
+                                  "345MN/m\ndamping C modal 2%\n" ROW("B", "C")) > 10);
+    assert_true(check(PAIR SHAKEN "step fixed 1ms\nbuilding C -floors 7 -mass 86t\n"
+                                  "matrix C input/frame7.txt -unit N/m\ndamping B modal 1%\n" ROW(
+                                      "B", "C")) > 10);
+    assert_true(check(PAIR "step fixed 2ms\nbuilding C -floors 7 -mass 86t -stiffness 20MN/m\n"
+                           "matrix C input/frame7.txt -unit N/m\n" ROW("B", "C") SHAKEN
+                      "load C:7 sine -amplitude 1MN -frequency 1.3Hz\n") > 10);
+    assert_true(check(PAIR SHAKEN "step fixed 1ms\ndamping A modal 3%\n"
+                                  "storey A:all bilinear -yield 4MN -hardening 0.05\n") > 5);
+}
+
 // Blocks of floors begin and end where lanes do, not where buildings do.
 static void buildings_of_a_long_row_have_the_bits_of_one_alone(void **state) {
     (void)state;
@@ -233,6 +251,7 @@ int main(void) {
         cmocka_unit_test(any_beta_and_gamma_have_the_same_bits),
         cmocka_unit_test(loads_and_grounds_have_the_same_bits),
         cmocka_unit_test(storeys_that_yield_have_the_same_bits),
+        cmocka_unit_test(full_matrices_have_the_same_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,11 +14,11 @@ static long cuts_of_a_hit(const char *law, double step) {
                                     "initial A:1 -velocity 1\ncontact A wall -gap 1mm -law %s\n"
                                     "step fixed %.17g\nduration 0.2\n",
                                     law, step);
-    long cuts = a.results->totals.rejected;
+    long rejected = a.results->totals.rejected;
     assert_int_equal(a.results->n_impact, 1);
     assert_true(a.results->impact[0].steps >= 10);
     analysis_free(&a);
-    return cuts;
+    return rejected;
 }
 
 // k S h^2 <= (pi / 10)^2 with S = 1 / m: ten steps in the duration pi sqrt(m / k) of the contact.

@@ -26,6 +26,7 @@ enum {
     BACK,
     STRENGTH,
     DRIFT_OF_YIELD,
+    SLOPE,  // of the yielding part at z = 0
     EXPONENT,
     PLUS,   // gamma + beta
     MINUS,  // gamma - beta
@@ -36,6 +37,7 @@ enum {
 enum { DRIFT, Z, N_HISTORY };
 
 static const double STEP = 0.02;    // of the drift, in units of d_y
+static const double SHORT = 2e-3;   // of the square of a step, in those units, for a series
 static const double ENOUGH = 60.0;  // drift in units of d_y after which z does not change any more
 
 static const struct range exponent_range = {.min = 1.0, .max = 20.0, .text = ">= 1 and <= 20"};
@@ -63,6 +65,7 @@ static int bouc_wen_prepare(const double *value, double stiffness, double *const
     constant[BACK] = r * stiffness;
     constant[STRENGTH] = (1.0 - r) * value[YIELD];
     constant[DRIFT_OF_YIELD] = value[YIELD] / stiffness;
+    constant[SLOPE] = constant[STRENGTH] / constant[DRIFT_OF_YIELD];
     constant[EXPONENT] = value[N];
     constant[PLUS] = value[GAMMA] + value[BETA];
     constant[MINUS] = value[GAMMA] - value[BETA];
@@ -72,7 +75,7 @@ static int bouc_wen_prepare(const double *value, double stiffness, double *const
 }
 
 // dz/ds along the drift s in units of d_y; z counts positive in the direction of the drift.
-static double slope(const double *c, double z) {
+static inline double slope(const double *c, double z) {
     const double n = c[EXPONENT];
     const double power = n == 2.0 ? z * z : n == 1.0 ? fabs(z) : pow(fabs(z), n);
     return 1.0 - power * (z > 0.0 ? c[PLUS] : c[MINUS]);
@@ -83,9 +86,20 @@ static double relax(double p, double z, double s) {
     return p != 0.0 ? z - (1.0 - p * z) * expm1(-p * s) / p : z + s;
 }
 
+// tanh(root s) / root, where p = root^2, which is s for p = 0. Most steps are short: then the
+// series is right to the last bits and costs a fraction of a call of tanh.
+static inline double tanh_over_root(double p, double root, double s) {
+    const double y = p * s * s;
+    if (y > SHORT) {
+        return tanh(root * s) / root;
+    }
+    const double low = -1.0 / 3.0 + y * (2.0 / 15.0), high = -17.0 / 315.0 + y * (62.0 / 2835.0);
+    return s + s * y * (low + y * y * high);
+}
+
 // n = 2, z >= 0; `root` is that of p.
-static double saturate(double p, double root, double z, double s) {
-    double t = p > 0.0 ? tanh(root * s) / root : s;
+static inline double saturate(double p, double root, double z, double s) {
+    const double t = tanh_over_root(p, root, s);
     return (z + t) / (1.0 + p * z * t);
 }
 
@@ -118,6 +132,7 @@ static double advance_exactly(const double *c, double z, double s) {
     }
     return linear ? relax(c[PLUS], z, s) : saturate(c[PLUS], c[ROOT_OF_PLUS], z, s);
 }
+
 static double runge_kutta(const double *c, double z, double h) {
     double k1 = slope(c, z);
     double k2 = slope(c, z + h / 2.0 * k1);
@@ -149,10 +164,14 @@ static double advance(const double *c, double z, double s) {
     return through_zero(c, z, left);
 }
 
-static double z_at(const double *c, const double *h, double drift, double *sign) {
-    double s = (drift - h[DRIFT]) / c[DRIFT_OF_YIELD];
+static inline double z_at(const double *c, const double *h, double drift, double *sign) {
+    const double s = (drift - h[DRIFT]) / c[DRIFT_OF_YIELD];
     *sign = s < 0.0 ? -1.0 : 1.0;
-    return *sign * advance(c, *sign * h[Z], fabs(s));
+    const double z = *sign * h[Z];
+    if (z >= 0.0 && c[EXPONENT] == 2.0) {
+        return *sign * saturate(c[PLUS], c[ROOT_OF_PLUS], z, fabs(s));
+    }
+    return *sign * advance(c, z, fabs(s));
 }
 
 static struct storey_response bouc_wen_respond(const double *c, const double *h, double drift,
@@ -165,7 +184,7 @@ static struct storey_response bouc_wen_respond(const double *c, const double *h,
     }
     return (struct storey_response){
         .shear = c[BACK] * drift + c[STRENGTH] * z,
-        .tangent = c[BACK] + c[STRENGTH] / c[DRIFT_OF_YIELD] * slope(c, sign * z),
+        .tangent = c[BACK] + c[SLOPE] * slope(c, sign * z),
     };
 }
 

@@ -112,7 +112,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_building = {
     .name = "building",
     .usage = "NAME -floors N -mass LIST [-stiffness LIST] [-height LIST]",
-    .summary = "a building of shear storeys; buildings stand from left to right in the order given",
+    .summary = "a building of shear storeys; buildings are from left to right in the order given",
     .example = "building A -floors 8 -mass 300t -stiffness 7*345MN/m 250MN/m -height 3.2m",
     .row = rows,
     .n_row = N_ROW,

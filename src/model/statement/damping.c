@@ -67,7 +67,9 @@ static bool coefficients(struct builder *b, const struct argument *a, const stru
     if (value) {
         value[0] = a[ALPHA].given ? a[ALPHA].number[0] : 0.0;
         value[1] = a[BETA].given ? a[BETA].number[0] : 0.0;
-        *out = (struct damping_draft){.kind = DAMPING_COEFFICIENTS, .n = 2, .value = value};
+        out->kind = DAMPING_COEFFICIENTS;
+        out->n = 2;
+        out->value = value;
     }
     return value != NULL;
 }

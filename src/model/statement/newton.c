@@ -12,7 +12,7 @@ static const struct row rows[N_ROW] = {
     [TOLERANCE] = {"tolerance", ROW_NUMBER, 0, OF_NONE, &tolerance_range, 1e-12,
                    "change of a link force in the last iteration, relative to the largest"},
     [ITERATIONS] = {"iterations", ROW_INTEGER, 0, OF_NONE, &iterations_range, 100,
-                    "iterations before the step is cut"},
+                    "iterations before the step is rejected"},
 };
 
 static void build(struct builder *b, const struct statement *s) {

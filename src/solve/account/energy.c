@@ -17,12 +17,11 @@
 
 #include "core/lanes.h"
 #include "model/parts.h"
-#include "solve/floors/chain.h"
 
 enum { CQUAD_INTERVALS = 100 };
 static const double CQUAD_TOLERANCE = 1e-12;
 
-static double kinetic(const struct model *m, const struct state *s) {
+static double energy_kinetic(const struct model *m, const struct state *s) {
     double sum = 0.0;
     for (int i = 0; i < m->n_dof; i++) {
         sum += m->mass[i] * s->v[i] * s->v[i];
@@ -34,18 +33,18 @@ static double kinetic(const struct model *m, const struct state *s) {
 // so that one that is not elastic makes others of all.
 enum storey_kind { STOREYS_ELASTIC, STOREYS_OTHER };
 
-static enum storey_kind kind_of(const struct model *m, const struct building *g, int i) {
+static enum storey_kind energy_kind_of(const struct model *m, const struct building *g, int i) {
     const bool shares = g->n_part > 0 && !g->elastic;
     return m->storey[i].law->n_history == 0 && !shares ? STOREYS_ELASTIC : STOREYS_OTHER;
 }
 
-static double stored(const struct model *m, const struct state *s, enum storey_kind kind) {
+static double energy_stored(const struct model *m, const struct state *s, enum storey_kind kind) {
     double sum = 0.0;
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             const struct storey *law = &m->storey[i];
-            if (kind_of(m, g, i) == kind) {
+            if (energy_kind_of(m, g, i) == kind) {
                 sum +=
                     law->law->stored(law->constant, s->storey_history + law->history, s->drift[i]);
             }
@@ -75,8 +74,11 @@ bool energy_alloc(struct energy_account *a, const struct model *m, struct arena 
 }
 
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
-    a->stored_start = stored(m, s, STOREYS_OTHER);
-    a->initial = kinetic(m, s) + stored(m, s, STOREYS_ELASTIC) + a->stored_start;
+    lanes_assert(s->v, m->n_dof);
+    lanes_assert(s->drift, m->n_dof);
+    lanes_assert(a->storey_2x, m->n_dof);
+    a->stored_start = energy_stored(m, s, STOREYS_OTHER);
+    a->initial = energy_kinetic(m, s) + energy_stored(m, s, STOREYS_ELASTIC) + a->stored_start;
 }
 
 // A link and its history, for the force that it would have at rest.
@@ -85,16 +87,16 @@ struct resting_link {
     const double *history;
 };
 
-static double resting_force(double d, void *context) {
+static double energy_resting_force(double d, void *context) {
     const struct resting_link *r = context;
     return r->link->law->force(r->link->constant, r->history, d, 0.0).force;
 }
 
 // The integral from 0 to delta of the force at rest; the method stands kinks and infinite slopes.
-static int link_energy(const struct model *m, const struct state *s, int k, double *energy,
-                       struct error *e) {
+static int energy_of_link(const struct model *m, const struct state *s, int k, double *energy,
+                          struct error *e) {
     struct resting_link link = {&m->link[k], s->link_history + m->link[k].history};
-    gsl_function force = {.function = resting_force, .params = &link};
+    gsl_function force = {.function = energy_resting_force, .params = &link};
     gsl_integration_cquad_workspace *w = gsl_integration_cquad_workspace_alloc(CQUAD_INTERVALS);
     if (!w) {
         return error_no_memory(e);
@@ -112,7 +114,7 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
         if (s->delta[k] == 0.0 || m->link[k].law->rebound) {
             continue;
         }
-        if (link_energy(m, s, k, &energy, e) != STATUS_OK) {
+        if (energy_of_link(m, s, k, &energy, e) != STATUS_OK) {
             return e->status;
         }
         a->initial += energy;
@@ -122,33 +124,7 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
     return STATUS_OK;
 }
 
-// Adds the work of the ground and the loads on the floors.
-static void add_input(struct energy_account *a, const struct model *m, const struct state *now,
-                      const struct state *next) {
-    if (state_is_uniform(m)) {
-        double ground_2x = now->ground_a[0] + next->ground_a[0];
-        chain_work_of_ground(&m->chain, ground_2x, now->u, next->u, a->input_2x);
-    } else {
-        chain_work(&m->chain, now->external, next->external, now->u, next->u, a->input_2x);
-    }
-}
-
-void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
-                 const struct state *next) {
-    add_input(a, m, now, next);
-    if (m->chain.full_damping) {
-        chain_work(&m->chain, now->damping_force, next->damping_force, now->u, next->u,
-                   a->damping_2x);
-    } else {
-        chain_work_of_damping(&m->chain, now->u, next->u, now->v, next->v, a->damping_2x);
-    }
-    if (!m->elastic) {
-        chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
-                           a->storey_2x);
-    }
-}
-
-static double sum_of(const double x[LANES_WIDTH]) {
+static double energy_sum_of(const double x[LANES_WIDTH]) {
     double sum = 0.0;
     for (int i = 0; i < LANES_WIDTH; i++) {
         sum += x[i];
@@ -157,12 +133,12 @@ static double sum_of(const double x[LANES_WIDTH]) {
 }
 
 // On storeys that are not elastic.
-static double storey_work(const struct energy_account *a, const struct model *m) {
+static double energy_storey_work(const struct energy_account *a, const struct model *m) {
     double sum = 0.0;
     for (int k = 0; !m->elastic && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; i < g->first + g->n_floor; i++) {
-            sum += kind_of(m, g, i) == STOREYS_OTHER ? a->storey_2x[i] : 0.0;
+            sum += energy_kind_of(m, g, i) == STOREYS_OTHER ? a->storey_2x[i] : 0.0;
         }
     }
     return a->storey + sum / 2.0;
@@ -197,12 +173,12 @@ void energy_close(const struct energy_account *a, const struct energy_sums *sums
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
                     double *energy) {
     const struct energy_sums sums = {
-        .kinetic = kinetic(m, s),
-        .elastic = stored(m, s, STOREYS_ELASTIC),
-        .other = !m->elastic ? stored(m, s, STOREYS_OTHER) : 0.0,
-        .storey = storey_work(a, m),
-        .input_2x = sum_of(a->input_2x),
-        .damping_2x = sum_of(a->damping_2x),
+        .kinetic = energy_kinetic(m, s),
+        .elastic = energy_stored(m, s, STOREYS_ELASTIC),
+        .other = !m->elastic ? energy_stored(m, s, STOREYS_OTHER) : 0.0,
+        .storey = energy_storey_work(a, m),
+        .input_2x = energy_sum_of(a->input_2x),
+        .damping_2x = energy_sum_of(a->damping_2x),
     };
     energy_close(a, &sums, energy);
 }

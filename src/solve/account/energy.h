@@ -31,10 +31,6 @@ void energy_start(struct energy_account *a, const struct model *m, const struct 
 int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
                        struct link_peak *link, struct error *e);
 
-// Adds the works on floors and storeys in the step from `now` to `next`.
-void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
-                 const struct state *next);
-
 // Adds the losses of rigid contacts that met at the instant of `s`. `meeting` is (n_contact).
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
                  const struct meeting *meeting);

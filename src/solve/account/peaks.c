@@ -6,11 +6,8 @@
 
 #include "core/lanes.h"
 #include "core/number.h"
-#include "solve/floors/chain.h"
 
-// Floors, in whole lanes, that are looked at together for a new peak.
-enum { FLOORS_TOGETHER = 8 * LANES_WIDTH };
-// Contacts likewise, of which few come nearer than ever.
+// Contacts that are looked at together, of which few come nearer than ever.
 enum { CONTACTS_TOGETHER = 4 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
@@ -43,6 +40,10 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     if (!fields_alloc(&results_fields, m, r, a)) {
         return false;
     }
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        lanes_assert(r->peak[q], m->n_dof);
+        lanes_assert(r->peak_time[q], m->n_dof);
+    }
     for (int i = m->n_dof; i < m->chain.n; i++) {
         r->peak[PEAK_ACCELERATION][i] = INFINITY;  // the ground shakes there too
     }
@@ -59,15 +60,15 @@ void peaks_finish(struct results *r, const struct model *m) {
     }
 }
 
-LANES static void raise(int first, int n, const double *restrict x, double time,
-                        double *restrict peak, double *restrict peak_time) {
+LANES static void peaks_raise(int first, int n, const double *restrict x, double time,
+                              double *restrict peak, double *restrict peak_time) {
     for (int i = first, end = first + lanes_whole(n); i < end; i++) {
         peak_raise(x[i], time, &peak[i], &peak_time[i]);
     }
 }
 
 // The largest of x and `other`.
-LANES static double largest(int first, int n, const double *restrict x, double other) {
+LANES static double peaks_largest(int first, int n, const double *restrict x, double other) {
     double most[LANES_WIDTH];
     for (int lane = 0; lane < LANES_WIDTH; lane++) {
         most[lane] = other;
@@ -84,32 +85,10 @@ LANES static double largest(int first, int n, const double *restrict x, double o
 }
 
 void peaks_speed(struct results *r, int first, int n) {
-    r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
+    r->totals.speed = peaks_largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
 }
 
-struct floor_values {
-    const double *of[PEAK_COUNT];
-};
-
-static struct floor_values values_of(const struct state *s) {
-    return (struct floor_values){{
-        [PEAK_DISPLACEMENT] = s->u,
-        [PEAK_VELOCITY] = s->v,
-        [PEAK_ACCELERATION] = s->total,
-        [PEAK_DRIFT] = s->drift,
-        [PEAK_SHEAR] = s->shear,
-    }};
-}
-
-static void raise_floors(struct results *r, int first, int n, const struct state *s) {
-    const struct floor_values value = values_of(s);
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(first, n, value.of[q], s->time, r->peak[q], r->peak_time[q]);
-    }
-    peaks_speed(r, first, n);
-}
-
-LANES static bool any_exceeds(int n, const double *restrict x, const double *restrict limit) {
+LANES static bool peaks_any_exceeds(int n, const double *restrict x, const double *restrict limit) {
     long above = 0;
     for (int i = 0, end = lanes_whole(n); i < end; i++) {
         above |= x[i] > limit[i];
@@ -117,24 +96,25 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
     return above != 0;
 }
 
-static void raise_penetrations(struct results *r, int n, const struct state *s) {
+static void peaks_raise_penetrations(struct results *r, int n, const struct state *s) {
     for (int first = 0; first < n; first += CONTACTS_TOGETHER) {
         int end = n - first < CONTACTS_TOGETHER ? n : first + CONTACTS_TOGETHER;
-        bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
+        bool any = peaks_any_exceeds(end - first, s->delta + first, r->deepest + first);
         for (int k = first; any && k < end; k++) {
             peaks_penetration(r, k, s->delta[k], s->time);
         }
     }
 }
 
-void peaks_floors(struct results *r, const struct model *m, const struct state *s) {
-    const struct floor_values value = values_of(s);
-    for (int first = 0; first < m->n_dof; first += FLOORS_TOGETHER) {
-        int n = m->n_dof - first < FLOORS_TOGETHER ? m->n_dof - first : FLOORS_TOGETHER;
-        if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
-            raise_floors(r, first, n, s);
-        }
+static void peaks_raise_floors(struct results *r, const struct model *m, const struct state *s) {
+    const double *const value[PEAK_COUNT] = {
+        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
+        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
+    };
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        peaks_raise(0, m->n_dof, value[q], s->time, r->peak[q], r->peak_time[q]);
     }
+    peaks_speed(r, 0, m->n_dof);
 }
 
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s) {
@@ -145,8 +125,11 @@ void peaks_drift_rates(struct results *r, const struct model *m, const struct st
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    peaks_floors(r, m, s);
-    raise_penetrations(r, m->n_contact, s);
+    lanes_assert(s->u, m->n_dof);
+    lanes_assert(s->v, m->n_dof);
+    lanes_assert(s->total, m->n_dof);
+    peaks_raise_floors(r, m, s);
+    peaks_raise_penetrations(r, m->n_contact, s);
     for (int i = 0; i < s->n_live; i++) {
         peaks_link(r, m, s, s->live[i]);
     }

@@ -19,9 +19,6 @@ void peaks_finish(struct results *r, const struct model *m);
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
 
-// The same of floors only.
-void peaks_floors(struct results *r, const struct model *m, const struct state *s);
-
 // Takes the drift rates of state `s`.
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s);
 

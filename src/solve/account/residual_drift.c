@@ -17,20 +17,20 @@ struct unloading {
     const double *history;
 };
 
-static double shear_at(double drift, void *context) {
+static double residual_drift_shear(double drift, void *context) {
     const struct unloading *u = context;
     return u->storey->law->respond(u->storey->constant, u->history, drift, NULL).shear;
 }
 
 // The way back is that at the initial stiffness, or longer where the law softens or yields back.
-static double unload(struct unloading u, double stiffness, double drift) {
-    const double shear = shear_at(drift, &u);
+static double residual_drift_unload(struct unloading u, double stiffness, double drift) {
+    const double shear = residual_drift_shear(drift, &u);
     double way = -shear / stiffness;
-    for (int i = 0; i < DOUBLINGS && shear_at(drift + way, &u) * shear > 0.0; i++) {
+    for (int i = 0; i < DOUBLINGS && residual_drift_shear(drift + way, &u) * shear > 0.0; i++) {
         way *= 2.0;
     }
     const double low = fmin(drift, drift + way), high = fmax(drift, drift + way);
-    return shear == 0.0 ? drift : root_find(shear_at, &u, low, high, DBL_EPSILON);
+    return shear == 0.0 ? drift : root_find(residual_drift_shear, &u, low, high, DBL_EPSILON);
 }
 
 void residual_drifts(const struct model *m, const struct state *s, double *out) {
@@ -45,7 +45,7 @@ void residual_drifts(const struct model *m, const struct state *s, double *out) 
             const struct unloading u = {storey, s->storey_history + storey->history};
             out[i] = storey->law->n_history == 0
                          ? 0.0
-                         : fabs(unload(u, b->stiffness[i - b->first], s->drift[i]));
+                         : fabs(residual_drift_unload(u, b->stiffness[i - b->first], s->drift[i]));
         }
     }
 }

@@ -3,6 +3,7 @@
 // end of the analysis and without velocities.
 #include "solve/account/settle.h"
 
+#include <assert.h>
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
@@ -29,7 +30,7 @@ struct rest {
     double *x, *trial, *still;  // (n) still: drift rates of 0
 };
 
-static double find_shears(struct rest *r, const double *x) {
+static double settle_find_shears(struct rest *r, const double *x) {
     const struct building *b = r->building;
     double *shear = r->shear->data, *tangent = r->tangent->data;
     gsl_vector_set_zero(r->shear);
@@ -47,7 +48,7 @@ static double find_shears(struct rest *r, const double *x) {
 }
 
 // One step of Newton's method, halved until the shears become smaller. False: none does so.
-static bool improve(struct rest *r, double *size) {
+static bool settle_improve(struct rest *r, double *size) {
     const int n = r->building->n_floor;
     int sign;
     if (gsl_linalg_LU_decomp(r->tangent, r->order, &sign) != 0 ||
@@ -59,7 +60,7 @@ static bool improve(struct rest *r, double *size) {
         for (int i = 0; i < n; i++) {
             r->trial[i] = r->x[i] - share * gsl_vector_get(r->change, (size_t)i);
         }
-        *size = find_shears(r, r->trial);
+        *size = settle_find_shears(r, r->trial);
         if (*size < before) {
             memcpy(r->x, r->trial, (size_t)n * sizeof *r->x);
             return true;
@@ -70,25 +71,26 @@ static bool improve(struct rest *r, double *size) {
 
 // Brings r->x from the drifts of the state to those without shears, or as near as rounding allows.
 // NAN where a law does not let them come there.
-static void settle(struct rest *r, const struct state *s, double *out) {
+static void settle_building(struct rest *r, const struct state *s, double *out) {
     const int n = r->building->n_floor;
     memcpy(r->x, s->drift + r->building->first, (size_t)n * sizeof *r->x);
-    const double start = find_shears(r, r->x);
+    const double start = settle_find_shears(r, r->x);
     double size = start;
-    for (int i = 0; i < SETTLE_MAX && size > 0.0 && improve(r, &size); i++) {
+    for (int i = 0; i < SETTLE_MAX && size > 0.0 && settle_improve(r, &size); i++) {
     }
     for (int i = 0; i < n; i++) {
         out[i] = size <= SETTLED * start ? fabs(r->x[i]) : (double)NAN;
     }
 }
 
-static bool is_allocated(const struct rest *r) {
+static bool settle_is_allocated(const struct rest *r) {
     return r->tangent && r->shear && r->change && r->order && r->x;
 }
 
 void settle_drifts(const struct model *m, const struct state *s, const struct building *b,
                    double *out) {
     const size_t n = (size_t)b->n_floor;
+    assert(b->n_part > 0 && b->first + b->n_floor <= m->n_dof);
     double *x = calloc(3 * n, sizeof *x);
     struct rest r = {
         .model = m,
@@ -100,12 +102,12 @@ void settle_drifts(const struct model *m, const struct state *s, const struct bu
         .order = gsl_permutation_alloc(n),
         .x = x,
     };
-    if (is_allocated(&r)) {
+    if (settle_is_allocated(&r)) {
         r.trial = x + n;
         r.still = x + 2 * n;
-        settle(&r, s, out);
+        settle_building(&r, s, out);
     }
-    for (size_t i = 0; !is_allocated(&r) && i < n; i++) {
+    for (size_t i = 0; !settle_is_allocated(&r) && i < n; i++) {
         out[i] = (double)NAN;
     }
     gsl_matrix_free(r.tangent);

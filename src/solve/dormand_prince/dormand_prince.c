@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dormand & Prince's method with error control, for adaptive analyses. The time loop within the
-// time loop: a step is made as long as the tolerance allows and taken (dp_step.c), ended at its
-// first event (dp_events.c), and accounted for (dp_account.c, dp_peaks.c); what happens at the
-// event (dp_happen.c) belongs to the next.
+// Dormand & Prince's method with error control, for adaptive analyses: its time loop. A step is
+// made as long as the tolerance allows (dp_step.c) and ended at its first event (dp_events.c). It
+// is accounted for (dp_account.c, dp_peaks.c), and the event happens at the start of the next one.
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/arena.h"
-#include "core/lanes.h"
 #include "solve/dormand_prince/dp.h"
+#include "solve/excitation.h"
 #include "solve/method.h"
 
 // Times that differ by less than this share of them are the same: of steps, corners and rows.
 static const double SAME_TIME = 8.0 * DBL_EPSILON;
+
+// Step over the one before it where a force begins with an infinite slope.
+static const double WHERE_STEEP = 1e-3;
+
+// More events than this in such a share of the duration do not come from bodies that bounce.
+enum { RATTLE = 4000, RATTLE_PER_LINK = 4 };
+static const double RATTLE_TIME = 1e-7;
+
+// Of the larger force on both sides: a jump.
+static const double JUMP = 1e-9;
 
 static const struct fields_row list[] = {
     FIELD_PART(struct dp, system, dp_system_fields),
@@ -45,6 +53,11 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, last_link),
     FIELD_VALUE(struct dp, events_before),
     FIELD_VALUE(struct dp, time_before),
+    // Scratch.
+    FIELD_ARRAY(struct dp, reach, FIELD_LINKS),
+    FIELD_ARRAY(struct dp, meeting, FIELD_LINKS),
+    FIELD_ARRAY(struct dp, fastest.spring, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp, fastest.dashpot, FIELD_FLOORS),
 };
 static const struct fields fields = FIELDS(list);
 static const struct fields_row of_run[] = {FIELD_PARTS(struct run, dp, FIELD_AT, fields)};
@@ -52,60 +65,194 @@ static const struct fields run_fields = FIELDS(of_run);
 
 static bool dp_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
-    size_t n_rate = (size_t)m->n_link + LANES_WIDTH;
     struct dp *p = arena_alloc(a, 1, sizeof *p);
     if (!p) {
         return false;
     }
     r->dp = p;
-    *p = (struct dp){.model = m, .results = r->results, .impacts = &r->impacts, .last_link = -1};
-    p->rate[0] = arena_alloc(a, n_rate, sizeof(double));
-    p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
-    p->reach = arena_alloc(a, n_rate, sizeof(double));
-    p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
+    *p = (struct dp){.model = m,
+                     .results = r->results,
+                     .impacts = &r->impacts,
+                     .floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow),
+                     .last_link = -1};
+    forcing_init(&p->system.forcing, m);
     for (int s = 0; s < DP_STAGES; s++) {
-        dp_rates_alloc(&p->rates[s], m, a);
+        fields_alloc(&dp_rates_fields, m, &p->rates[s], a);
+        p->stage[s] = &p->rates[s];
     }
-    return gaps_alloc(&p->gaps, m, r->results, a) && scale_alloc(&p->scales, m, a) &&
-           dp_step_alloc(p, a) && dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
-           state_alloc(&p->next, m, a);
+    return fields_alloc(&fields, m, p, a) && gaps_alloc(&p->gaps, m, r->results, a) &&
+           dp_step_alloc(p, a);
 }
 
 // The first and the last stage stand at the ends of the step.
-static void dp_bind(struct dp *p) {
-    const struct state *end[2] = {&p->now, &p->next};
-    for (int s = 0; s < DP_STAGES; s++) {
-        p->stage[s] = &p->rates[s];
-    }
-    for (int i = 0; i < 2; i++) {
-        struct dp_rates *r = p->stage[i == 0 ? 0 : DP_STAGES - 1];
-        r->u = end[i]->u;
-        r->v = end[i]->v;
-        r->a = end[i]->a;
-        r->ground = (struct forcing_values){end[i]->ground_a, end[i]->ground_v, end[i]->ground_u};
-    }
+static void dp_bind(struct dp_rates *r, const struct state *end) {
+    r->u = end->u;
+    r->v = end->v;
+    r->a = end->a;
+    r->ground = (struct forcing_values){end->ground_a, end->ground_v, end->ground_u};
 }
 
-// Makes the state of the run that of the integrator. Rigid contacts that are pressed together at
-// the start meet there at once, which is an error.
-static void dp_adopt(struct dp *p, const struct state *start) {
-    fields_copy(&state_fields, p->model, &p->now, start);
-    state_open_where(&p->now, p->model, state_rests);
-}
-
+// Begins at the state of the run. Rigid contacts that are pressed together there meet at once,
+// which is an error.
 static void dp_start(struct run *r) {
     struct dp *p = r->dp;
-    struct state *now = &p->now;
-    dp_adopt(p, r->now);
-    dp_bind(p);
-    dp_system_start(&p->system, now);
-    dp_step_first(p);
-    dp_step_gaps(p, now, p->rate[0]);
+    fields_copy(&state_fields, p->model, &p->now, r->now);
+    state_open_where(&p->now, p->model, state_rests);
+    dp_bind(p->stage[0], &p->now);
+    dp_bind(p->stage[DP_STAGES - 1], &p->next);
+    dp_system_start(p);
+    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
+    dp_step_gaps(p, &p->now, p->rate[0]);
     dp_step_start(p);
     scale_expect(&p->scales, p->model);
     p->grown = p->jumped = true;
     dp_peaks_jump(p);
     p->before = p->energy = r->energy;
+}
+
+static int dp_toggle(struct dp *p, int k, struct error *e) {
+    struct state *now = &p->now;
+    if (now->link[k].closed) {
+        state_open_link(now, k);
+    } else {
+        p->system.phase[k] = PHASE_APPROACH;
+        state_close_link(now, p->model, k);
+        now->link[k].force = 0.0;  // follows from the branch, and dp_peaks_jump takes it
+    }
+    return impacts_toggle(p->impacts, now, k, e);
+}
+
+// After rigid contacts have met: one that rests is an error, one that has rested and parted at this
+// instant is no longer live.
+static int dp_part(struct dp *p, struct error *e) {
+    const struct model *m = p->model;
+    struct state *now = &p->now;
+    for (int i = now->n_live - 1; i >= 0; i--) {
+        int k = now->live[i];
+        if (m->link[k].law->rebound && now->link[k].closed) {
+            return error_set(e, STATUS_FAILED,
+                             "at t = %.9g %s contact %s comes to rest, which dormand-prince does "
+                             "not follow; use integrator newmark or step fixed DT",
+                             now->time, m->deck->units.time_name, m->link[k].name);
+        }
+        if (m->link[k].law->rebound) {
+            state_open_link(now, k);
+        }
+    }
+    return STATUS_OK;
+}
+
+// Lets the bodies of rigid contact k meet.
+static int dp_meet(struct dp *p, int k, struct error *e) {
+    const struct model *m = p->model;
+    struct state *now = &p->now;
+    const struct least_bounce least = {.velocity = m->control.tolerance * p->scales.most_v};
+    excitation_at(now, m, now->time);
+    impulse_meet(now, m, k, REBOUND_BY_LAW, &least, p->meeting);
+    energy_meet(&p->energy, m, now, p->meeting);
+    if (dp_part(p, e) != STATUS_OK) {
+        return e->status;
+    }
+    return impacts_meet(p->impacts, now, p->meeting, e);
+}
+
+// Changes the branch or the contact of the event.
+static int dp_change(struct dp *p, const struct dp_event *event, struct error *e) {
+    const int i = event->index;
+    p->last_link = dp_events_is_of_storey(event) ? p->last_link : i;
+    switch (event->kind) {
+        case DP_MEET:
+            return dp_meet(p, i, e);
+        case DP_CLOSE:
+        case DP_OPEN:
+            return dp_toggle(p, i, e);
+        case DP_TURN:
+            p->system.phase[i] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
+            break;
+        case DP_BRANCH:
+            dp_system_branch(p, i, event->target, event->direction);
+            break;
+        case DP_UNLOAD:
+            dp_system_branch(p, i, p->now.drift[i], event->direction);
+            break;
+        default:
+            break;
+    }
+    return STATUS_OK;
+}
+
+static int dp_rattles(struct dp *p, struct error *e) {
+    const struct model *m = p->model;
+    const struct totals *t = &p->results->totals;
+    if (p->now.time - p->time_before > RATTLE_TIME * m->duration) {
+        p->time_before = p->now.time;
+        p->events_before = t->events;
+    }
+    if (t->events - p->events_before <= RATTLE + RATTLE_PER_LINK * (long)m->n_link) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s %s rattles: %ld events within %.2g %s; use a softer or a "
+                     "damped contact, integrator newmark or step fixed DT",
+                     p->now.time, m->deck->units.time_name,
+                     p->last_link < 0 ? "a storey" : m->link[p->last_link].name,
+                     t->events - p->events_before, p->now.time - p->time_before,
+                     m->deck->units.time_name);
+}
+
+// Has the velocity of closed contact k, now on the other branch, come to 0 where its force jumps,
+// so that either branch leads back there?
+static bool dp_sticks(struct dp *p, int k) {
+    const struct model *m = p->model;
+    enum phase *phase = &p->system.phase[k];
+    const int sign = *phase;
+    if (p->now.delta[k] <= dp_motion_noise(p, k)) {
+        return false;  // where d = 0 there is no force
+    }
+    double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
+    double after = dp_system_response(p, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    double before = dp_system_response(p, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    return sign * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
+}
+
+static int dp_stuck(const struct dp *p, int k, struct error *e) {
+    const struct model *m = p->model;
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s the bodies of contact %s stick together, where %s jumps at "
+                     "v = 0, which dormand-prince does not follow; use integrator newmark or step "
+                     "fixed DT",
+                     p->now.time, m->deck->units.time_name, m->link[k].name, m->link[k].law->name);
+}
+
+// Does a force begin with an infinite slope there? That of a contact may (d^(1/4)), and that of a
+// damper with an event at v = 0 does.
+static bool dp_is_steep(const struct dp *p, const struct dp_event *event) {
+    bool turns = event->kind == DP_TURN && p->model->link[event->index].bilateral;
+    return event->kind == DP_CLOSE || turns;
+}
+
+// Lets p->event happen at `now`, and begins again from there. STATUS_SYSTEM: no memory;
+// STATUS_FAILED: what dormand-prince does not follow, or events without end.
+static int dp_happen(struct dp *p, struct error *e) {
+    const struct dp_event *event = &p->event;
+    if (dp_change(p, event, e) != STATUS_OK) {
+        return e->status;
+    }
+    p->results->totals.events++;
+    if (dp_is_steep(p, event)) {
+        p->is_steep = true;
+        p->trial *= WHERE_STEEP;
+    }
+    p->trial = fmax(p->trial, p->model->control.shortest);
+    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
+    if (event->kind == DP_TURN && dp_sticks(p, event->index)) {
+        return dp_stuck(p, event->index, e);
+    }
+    dp_step_gaps(p, &p->now, p->rate[0]);
+    p->jumped = true;
+    return dp_rattles(p, e);
 }
 
 static void dp_swap(double **x, double **y) {
@@ -114,22 +261,22 @@ static void dp_swap(double **x, double **y) {
     *y = z;
 }
 
-// Makes the end of the step the start of the next.
+// Makes the end of the step the start of the next. Histories and links stay in `now`.
 static void dp_swap_ends(struct dp *p) {
-    struct state *now = &p->now;
-    struct state *next = &p->next;
-    double **of_now[] = {&now->u,     &now->v,        &now->a,        &now->drift,
-                         &now->delta, &now->ground_a, &now->ground_v, &now->ground_u};
-    double **of_next[] = {&next->u,     &next->v,        &next->a,        &next->drift,
-                          &next->delta, &next->ground_a, &next->ground_v, &next->ground_u};
-    for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
-        dp_swap(of_now[i], of_next[i]);
+    static const size_t swapped[] = {
+        offsetof(struct state, u),        offsetof(struct state, v),
+        offsetof(struct state, a),        offsetof(struct state, drift),
+        offsetof(struct state, delta),    offsetof(struct state, ground_a),
+        offsetof(struct state, ground_v), offsetof(struct state, ground_u)};
+    for (size_t i = 0; i < sizeof swapped / sizeof swapped[0]; i++) {
+        dp_swap((double **)((char *)&p->now + swapped[i]),
+                (double **)((char *)&p->next + swapped[i]));
     }
     dp_swap(&p->rate[0], &p->rate[1]);
     struct dp_rates *first = p->stage[0];
     p->stage[0] = p->stage[DP_STAGES - 1];
     p->stage[DP_STAGES - 1] = first;
-    now->time = next->time;
+    p->now.time = p->next.time;
 }
 
 // Does the last step end at a corner of the forcing?
@@ -146,37 +293,15 @@ static int dp_arrive(struct dp *p, struct error *e) {
     bool turns = dp_is_at_corner(p);
     dp_swap_ends(p);
     p->h = 0.0;
-    dp_system_commit(&p->system, &p->now);
+    dp_system_commit(p);
     if (turns) {
         p->now.time = dp_step_limit(p);
         if (forcing_turn(&p->system.forcing, p->now.time)) {
-            dp_step_first(p);
+            dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
             p->jumped = true;
         }
     }
     return p->event.kind == DP_NONE ? STATUS_OK : dp_happen(p, e);
-}
-
-// Does the event come before any time has passed?
-static bool dp_at_once(const struct dp *p) {
-    return p->event.kind != DP_NONE && p->now.time + p->event.place * p->h == p->now.time;
-}
-
-// Takes the step back, and lets its event happen where it would have begun.
-static int dp_happen_at_once(struct dp *p, struct error *e) {
-    p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
-    p->h = 0.0;
-    return dp_happen(p, e);
-}
-
-// Makes the step end at its event. It is part of one that met the tolerance, but beyond the event
-// the laws are not what they were, and may have made up for an error before it: then the step is
-// rejected. *taken: it is not.
-static int dp_stop_at_event(struct dp *p, bool *taken, struct error *e) {
-    dp_events_locate(p);
-    double error = dp_step_error(p);
-    *taken = error <= 1.0;
-    return *taken ? STATUS_OK : dp_step_reject(p, error, e);
 }
 
 // Tries a step up to its first event, if there is any. *taken: that is the step.
@@ -186,14 +311,21 @@ static int dp_try(struct dp *p, bool *taken, struct error *e) {
     }
     dp_step_gaps(p, &p->next, p->rate[1]);
     dp_events_first(p);
-    if (dp_at_once(p)) {
-        return dp_happen_at_once(p, e);
+    *taken = p->event.kind == DP_NONE;
+    if (*taken) {
+        return STATUS_OK;
     }
-    if (p->event.kind != DP_NONE) {
-        return dp_stop_at_event(p, taken, e);
+    if (p->now.time + p->event.place * p->h == p->now.time) {  // no time passes before it
+        p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
+        p->h = 0.0;
+        return dp_happen(p, e);
     }
-    *taken = true;
-    return STATUS_OK;
+    dp_events_locate(p);
+    // The step is part of one that met the tolerance. But beyond the event the laws are not what
+    // they were, and may have made up for an error before it.
+    const double error = dp_step_error(p);
+    *taken = error <= 1.0;
+    return *taken ? STATUS_OK : dp_step_reject(p, error, e);
 }
 
 static int dp_step(struct dp *p, struct error *e) {

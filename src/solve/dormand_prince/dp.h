@@ -1,18 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dormand & Prince's method: the step, and what its files do with it. dormand_prince.c puts them
-// together.
+// Dormand & Prince's method: what its files share. dormand_prince.c puts them together.
+//
+// In a step every law is held on the branch that it is on at the start of the step. x = t / h in
+// [0, 1] is the place in a step of length h.
 #ifndef JOSTLE_DP_H
 #define JOSTLE_DP_H
+
+#include <assert.h>
+#include <float.h>
 
 #include "model/stability.h"
 #include "solve/account/energy.h"
 #include "solve/account/impacts.h"
 #include "solve/contact/gaps.h"
-#include "solve/dormand_prince/dp_rates.h"
+#include "solve/forcing.h"
 #include "solve/pace.h"
 #include "solve/scale.h"
 
 enum { DP_STAGES = 7 };
+
+// The branch of a link in a step: its velocity has this sign. That is what the law of a contact
+// sees; that of a bilateral link sees the velocity itself.
+enum phase {
+    PHASE_RELEASE = -1,
+    PHASE_ANY = 0,  // bilateral links whose force is smooth at v = 0
+    PHASE_APPROACH = 1,
+};
+
+// What a floor's acceleration is made of, besides loads and links, each an array of core/lanes.h:
+// M^-1 K and M^-1 C, each with the floor below, the floor itself and the one above; M^-1 times the
+// forces that do not depend on the motion; and the share of the ground's acceleration, 1. For their
+// works: the mass that the ground carries, and C, with twice what joins a floor to the one above.
+enum dp_row {
+    DP_K_BELOW,
+    DP_K_OWN,
+    DP_K_ABOVE,
+    DP_C_BELOW,
+    DP_C_OWN,
+    DP_C_ABOVE,
+    DP_CONSTANT,
+    DP_GROUND,
+    DP_CARRIED,
+    DP_DAMPER,
+    DP_DAMPER_ABOVE,
+    DP_ROWS
+};
+
+// The equations of motion on the present branches.
+struct dp_system {
+    struct forcing forcing;
+    bool special;            // is there more than linear floors on one ground, and links?
+    double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
+    double *mobility;        // [1/M] (n_dof) 1 / m
+    double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
+    double *most_drift;      // [L] (n_dof) largest committed drift of the inelastic storeys
+    double *damping;         // [F] (n_dof) scratch
+    double *part_drift, *part_rate, *part_shear;  // (n_dof) scratch: see dp_rates_parts
+    double *part_history;                         // (model.n_storey_history) scratch
+    enum phase *phase;                            // (n_link)
+    int n_inelastic;                              // storeys with a history
+    int *inelastic;                               // (n_dof) their indices
+    int *below;     // (n_dof) index of the floor below; -1: the ground, the zero before the arrays
+    int *building;  // (n_dof) index of the floor's building
+    bool *calls;    // (n_dof) the storey's law is called, as it is not made of lines
+};
+
+// The system at one instant. Links are those live in the state at the start of the step.
+struct dp_link_rates {
+    struct contact_response response;
+    double power;  // [F L/T] of its force
+};
+struct dp_rates {
+    double *u, *v;                 // [L] [L/T] (n_dof)
+    double *a;                     // [L/T^2] (n_dof)
+    struct forcing_values ground;  // (n_ground)
+    struct dp_link_rates *link;    // (n_live)
+    // [F L/T] of loads, of full dampings and on storeys that are not elastic; not where nothing is
+    // special
+    double input, damping, storey;
+};
 
 enum dp_event_kind {
     DP_NONE,
@@ -29,8 +95,8 @@ enum dp_event_kind {
 struct dp_event {
     enum dp_event_kind kind;
     int index;         // of the link, or the floor above the storey
-    double place;      // in the step, 0 to 1
-    double direction;  // sign of what passes through zero, after it: d, its velocity, the drift's
+    double place;      // in the step
+    double direction;  // its sign is that of what passes through zero, after the event
     double target;     // [L] drift at which the branch ends
 };
 
@@ -39,37 +105,38 @@ struct dp_fastest {
     struct stability *building;  // (n_building) without links
     double alone;                // [T] longest step without links
     double longest;              // [T] and with those that are live
-    bool linked;                 // some were, when `longest` was found
+    bool linked;                 // there were live links when `longest` was found
     double *spring, *dashpot;    // [1/T^2] [1/T] (n_dof) scratch, zeros between calls
     double *most;                // [1/T^2] (n_building) scratch, as well
 };
 
 struct dp;
 
-// The n floors from `first` on, in whole lanes, that are looked at for peaks: negative are those
-// that could have one in the step, and whose acceleration could.
-enum { DP_LOOK = 8 * LANES_WIDTH };
-struct dp_look {
+// The n floors from `first` on, in whole lanes. `hit` is negative where a floor may have a peak in
+// the step, `bends` where its acceleration may.
+enum { DP_CANDIDATES = 8 * LANES_WIDTH };
+struct dp_candidates {
     int first, n;
-    int64_t hit[DP_LOOK], bends[DP_LOOK];
+    int64_t hit[DP_CANDIDATES], bends[DP_CANDIDATES];
 };
 
 // What a step does with all floors, in vectors (dp_floors.h).
 struct dp_floors {
     void (*take)(struct dp *p);  // dp_step_take, once length and end are set
     // Accelerations of the linear floors from `first` up to `end`, of whole lanes.
-    void (*rates)(const struct dp_system *s, double ground, ptrdiff_t first, ptrdiff_t end,
+    void (*rates)(const struct dp *p, double ground, ptrdiff_t first, ptrdiff_t end,
                   struct dp_rates *r);
-    double (*error)(const struct dp *p);            // largest of u and v over their sizes
-    bool (*look)(struct dp *p, struct dp_look *l);  // and drifts; true: any could
+    double (*error)(const struct dp *p);  // largest of u and v over their sizes
+    bool (*candidates)(struct dp *p, struct dp_candidates *c);  // and drifts; true: any could
     void (*work)(const struct dp *p, const double *time, struct energy_account *energy);
 };
 extern const struct dp_floors dp_narrow, dp_wide;
 
 struct dp {
-    const struct model *model;   // borrowed
-    struct results *results;     // borrowed
-    struct impact_log *impacts;  // borrowed
+    const struct model *model;       // borrowed
+    struct results *results;         // borrowed
+    struct impact_log *impacts;      // borrowed
+    const struct dp_floors *floors;  // for the vectors of the processor at hand
     struct dp_system system;
     struct energy_account before, energy;  // up to the start and to the end of the step
 
@@ -83,16 +150,16 @@ struct dp {
     struct gaps gaps;         // only the runs of links
     double *rate[2];          // [L/T] (n_link) of penetrations at both ends
     double *reach;            // [L] (n_contact) upper bounds of penetrations
-    bool closes, deepens;     // can any be above 0, or above its peak?
+    bool closes, deepens;     // may a penetration be above 0, or above its peak?
     struct meeting *meeting;  // (n_contact) scratch of rigid impacts
 
     // Its length.
     struct dp_fastest fastest;
     double trial;          // [T] what the error control would take next
     struct scales scales;  // of errors
-    int noisy;             // steps since `scales` says so
-    bool grown;            // motions have, since the scales were made
-    bool jumped;           // something has at `now`, of which no peaks have been taken since
+    int noisy;             // steps since `scales` first says that rounding is too large
+    bool grown;            // motions have grown since the scales were made
+    bool jumped;           // something has jumped at `now`, and no peaks have been taken since
     bool is_steep;         // a force may begin with an infinite slope at `now`
     struct pace pace;      // of all steps
 
@@ -103,16 +170,102 @@ struct dp {
     double time_before;     // [T] then
 };
 
+// dp_system.c: the branches of laws.
+
+extern const struct fields dp_system_fields;
+
+// The branches at `now`: forcing, storeys and links.
+void dp_system_start(struct dp *p);
+
+// The branch of the inelastic storey below floor i at its committed state when its drift goes on in
+// `direction` (its sign) beyond `from`: its drift, or the end of its line, from which it may be
+// farther than is noise.
+void dp_system_branch(struct dp *p, int i, double from, double direction);
+
+// The storey below floor i: its law at `drift` with the committed history, the smallest change of
+// its drift that counts, and its shear at `drift` on its branch [F].
+struct storey_response dp_system_storey(const struct dp *p, int i, double drift);
+double dp_system_noise(const struct dp *p, int i);
+double dp_system_shear(const struct dp *p, int i, double drift);
+
+// How far its branch has led from its law at `now`, as a drift [L]: the sum of events that were too
+// small to count.
+double dp_system_lag(const struct dp *p, int i);
+
+// Brings the histories of `now` to its present drifts, penetrations and velocities.
+void dp_system_commit(struct dp *p);
+
+// state_gap of an array of core/lanes.h: a wall stands at the zero in front of it.
+static inline double dp_system_across(const struct link *l, const struct model *m, const double *x,
+                                      const double *ground) {
+    static_assert(WALL == -1, "a wall is the zero in front of an array");
+    const double own = link_is_plain(l) ? x[l->dof[0]] - x[l->dof[1]] : link_across(l, x);
+    return own + state_ground_gap(l, m, ground);
+}
+
+// The response of link k at (d, v) on its branch; d and v may lie beyond it.
+static inline struct contact_response dp_system_response(const struct dp *p, int k, double d,
+                                                         double v) {
+    const struct link *l = &p->model->link[k];
+    const double *history = p->now.link_history + l->history;
+    if (l->bilateral) {
+        return l->law->force(l->constant, history, d, v);
+    }
+    int phase = p->system.phase[k];
+    double inside = d > 0.0 ? d : 0.0;
+    double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
+    struct contact_response r = l->law->force(l->constant, history, inside, seen);
+    if (seen != v) {
+        r.force += r.dfdv * v;
+    }
+    if (inside != d) {
+        r.force += r.dfdd * d;
+    }
+    return r;
+}
+
+// dp_rates.c: the right-hand side of the equations of motion.
+
+extern const struct fields dp_rates_fields;
+
+// Whose rates are asked for: those of one building, by its index, or of all.
+enum { DP_ALL = -1 };
+
+// Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`: those
+// of linear floors (dp_floors.h), and what dp_rates_add adds to them. Of one building the motions
+// are needed of all that its links join it to.
+void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r);
+void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r);
+
+// The motion of a building, or of all (DP_ALL), at place x of the step, and its rates there.
+// Between steps only: they are made in the second stage, whose weight in the works is 0.
+void dp_rates_move(const struct dp *p, double x, int building);
+void dp_rates_within(struct dp *p, double x, int building);
+
+// The storey shears of the parts of building `g` at displacements u and velocities v (n_dof), an
+// array (n_floor): p->system.part_shear, at the drifts part_drift. The history is one of states,
+// `after` becomes that at the end, or is NULL.
+const double *dp_rates_parts(const struct dp *p, const struct building *g, const double *history,
+                             const double *u, const double *v, double *after);
+
+// The ground's motion at time t into r->ground. Returns its acceleration where there is one ground
+// only, else 0.
+static inline double dp_rates_ground(const struct dp *p, double t, struct dp_rates *r) {
+    const struct forcing *f = &p->system.forcing;
+    if (p->model->n_ground == 1 && !f->sines) {
+        return r->ground.a[0] = forcing_lines(f, 0, t);
+    }
+    forcing_ground(f, t, &r->ground);
+    return p->model->n_ground == 1 ? r->ground.a[0] : 0.0;
+}
+
 // dp_step.c: a step by the stages of the method, as long as the tolerance allows.
 
-// Room for the bounds of p->fastest and the scales of errors; false: no memory.
+// Room for what p->fastest and p->scales have of buildings; false: no memory.
 bool dp_step_alloc(struct dp *p, struct arena *a);
 
 // The first step, before there is any error.
 void dp_step_start(struct dp *p);
-
-// Makes the first stage, at `now`, where it is not the last of the step before.
-void dp_step_first(struct dp *p);
 
 // Takes the step from `now` of length h to time `end` into `next`.
 void dp_step_take(struct dp *p, double h, double end);
@@ -132,6 +285,78 @@ int dp_step_attempt(struct dp *p, struct error *e);
 double dp_step_error(const struct dp *p);
 int dp_step_reject(struct dp *p, double error, struct error *e);
 
+// dp_rates.c, too: the dense output of a step, from position, velocity and acceleration at both its
+// ends. Hermite interpolation: Hairer, Norsett & Wanner (1993), Solving Ordinary Differential
+// Equations I, section II.6.
+
+struct motion {
+    double d[2], v[2], a[2];  // at the start and at the end
+    double h;                 // [T] length of the step
+};
+
+// Polynomial in x, lowest power first.
+enum { POLYNOMIAL_SIZE = 6 };
+struct polynomial {
+    double c[POLYNOMIAL_SIZE];
+};
+
+// Its value, its slope and its second derivative at x.
+static inline double dp_motion_value(const struct polynomial *p, double x) {
+    const double *c = p->c;
+    return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
+}
+
+static inline double dp_motion_slope(const struct polynomial *p, double x) {
+    const double *c = p->c;
+    return c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
+}
+
+static inline double dp_motion_bend(const struct polynomial *p, double x) {
+    const double *c = p->c;
+    return 2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]));
+}
+
+// The position, a polynomial of degree 5, right to order 6.
+static inline struct polynomial dp_motion_path(const struct motion *m) {
+    double c1 = m->h * m->v[0];
+    double c2 = m->h * m->h * m->a[0] / 2.0;
+    double rise = m->d[1] - m->d[0] - c1 - c2;
+    double slope = m->h * m->v[1] - c1 - 2.0 * c2;
+    double bend = m->h * m->h * m->a[1] - 2.0 * c2;
+    return (struct polynomial){{m->d[0], c1, c2, 10.0 * rise - 4.0 * slope + bend / 2.0,
+                                -15.0 * rise + 7.0 * slope - bend,
+                                6.0 * rise - 3.0 * slope + bend / 2.0}};
+}
+
+// A zero between low and high, where the values differ in sign (or are zero).
+double dp_motion_root(struct polynomial p, double low, double high);
+
+// The zeros in (0, 1) of the slope of a cubic, ascending; returns how many, at most 2.
+int dp_motion_extrema(const struct polynomial *p, double *at);
+
+// The velocity from velocities and accelerations alone, of degree 3 and order 4: of lower order
+// than the slope of the position, but free of its rounding in short steps.
+struct polynomial dp_motion_velocity(const struct motion *m);
+
+// A motion cut at the instants at which its velocity changes its sign: monotone pieces.
+enum { TURNS_MAX = 3 };
+struct motion_pieces {
+    struct polynomial path;
+    int n;
+    double x[TURNS_MAX + 2], d[TURNS_MAX + 2];  // (n + 1) ends of the pieces
+};
+struct motion_pieces dp_motion_cut(const struct motion *m);
+
+// The motions of floor i relative to floor `below` (-1: to the ground), and of link k.
+struct motion dp_motion_floor(const struct dp *p, int i, int below);
+struct motion dp_motion_link(const struct dp *p, int k);
+
+// Ways of link k that mean nothing [L].
+double dp_motion_noise(const struct dp *p, int k);
+
+// Upper bounds of the penetrations of contacts, into p->reach, and what follows from them.
+void dp_motion_reach(struct dp *p);
+
 // dp_events.c: what ends a step before its time.
 
 // Puts the first event in the step into p->event.
@@ -143,14 +368,6 @@ void dp_events_locate(struct dp *p);
 // Is it one of a storey? Else it is one of a link.
 bool dp_events_is_of_storey(const struct dp_event *e);
 
-// Has the velocity of closed contact k, now on the other branch, come to 0 where its force jumps,
-// so that either branch leads back there?
-bool dp_events_sticks(struct dp *p, int k);
-
-// Lets p->event happen at `now`, and begins again from there (dp_happen.c). STATUS_SYSTEM: no
-// memory; STATUS_FAILED: what dormand-prince does not follow, or events without end.
-int dp_happen(struct dp *p, struct error *e);
-
 // dp_peaks.c: largest values.
 
 // Those of the step, within it and at its end.
@@ -160,7 +377,7 @@ void dp_peaks_step(struct dp *p);
 // are velocities and accelerations that nobody has for any time.
 void dp_peaks_jump(struct dp *p);
 
-// Force and penetration in the step of link number i of the active ones, into its peaks and into
+// Force and penetration in the step of link number i of the live ones, into its peaks and into
 // `share`.
 void dp_peaks_link(struct dp *p, int i, struct impact_share *share);
 

@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_motion.h"
 
 // Gauss's rule with five points (Abramowitz & Stegun 1964, table 25.4), on 0 to 1.
 enum { POINTS = 5 };
@@ -45,7 +44,7 @@ static void dp_times(const struct dp *p, double x, double *time) {
 
 // Adds the works of these times to the account, but those on links.
 static void dp_integrate(const struct dp *p, const double *time, struct energy_account *energy) {
-    p->system.floors->work(p, time, energy);
+    p->floors->work(p, time, energy);
     for (int s = 0; p->system.special && s < DP_STAGES; s += s == 0 ? 2 : 1) {
         const struct dp_rates *r = p->stage[s];
         energy->input += time[s] * r->input;
@@ -54,20 +53,19 @@ static void dp_integrate(const struct dp *p, const double *time, struct energy_a
     }
 }
 
-// The work done on link number n of the active ones up to the penetration d, where its force does
+// The work done on link number n of the live ones up to the penetration d, where its force does
 // not depend on its velocity: so much the better than the integral of the power, as a closed cycle
 // of such a law gives 0 but for the rule. NAN: it does depend.
 static double dp_elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
-    if (p->stage[DP_STAGES - 1]->dfdv[n] != 0.0) {
+    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0) {
         return NAN;
     }
     double start = p->now.delta[k];
     double v = (p->rate[0][k] + p->rate[1][k]) / 2.0;
     double work = 0.0;
     for (int i = 0; i < POINTS; i++) {
-        struct contact_response r =
-            dp_system_response(&p->system, &p->now, k, start + point[i] * (d - start), v);
+        struct contact_response r = dp_system_response(p, k, start + point[i] * (d - start), v);
         if (r.dfdv != 0.0) {
             return NAN;
         }
@@ -76,7 +74,7 @@ static double dp_elastic_work(const struct dp *p, int n, double d) {
     return work;
 }
 
-// Work done on link number i of the active ones in these times, at the end of which its penetration
+// Work done on link number i of the live ones in these times, at the end of which its penetration
 // is d, and its impulse.
 static double dp_link_work(const struct dp *p, const double *time, int i, double d,
                            double *impulse) {
@@ -84,8 +82,8 @@ static double dp_link_work(const struct dp *p, const double *time, int i, double
     double work = 0.0;
     *impulse = 0.0;
     for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
-        work += time[s] * p->stage[s]->power[i];
-        *impulse += time[s] * p->stage[s]->force[i];
+        work += time[s] * p->stage[s]->link[i].power;
+        *impulse += time[s] * p->stage[s]->link[i].response.force;
     }
     return isnan(elastic) ? work : elastic;
 }
@@ -114,7 +112,7 @@ static void dp_row_links(const struct dp *p, const struct dp_rates *rates, struc
         row->link[k].force = 0.0;
     }
     for (int i = 0; i < p->now.n_live; i++) {
-        row->link[p->now.live[i]].force = rates->force[i];
+        row->link[p->now.live[i]].force = rates->link[i].response.force;
     }
 }
 
@@ -141,7 +139,7 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
         dp_account_up_to(p, x, energy);
         rates = p->stage[DP_STAGES - 1];
         if (x < 1.0) {
-            dp_motion_rates(p, x, DP_ALL);
+            dp_rates_within(p, x, DP_ALL);
             rates = p->stage[1];
         }
     }

@@ -17,52 +17,41 @@
 
 #include "core/root.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_motion.h"
 
 enum { ITERATIONS_MAX = 60 };
 
-static const double STILL = 1.0;  // of the error allowed: drifts and dampers that have not moved
-static const double SAME = 1e-9;  // of the stiffness of a storey: tangents of one line
+// A drift or a damper that moves by less than this share of the allowed error stands still.
+static const double STILL = 1.0;
 
-// The rate of what is left to a kink is taken over this share of the step.
+// Tangents belong to one line if they differ by less than this share of the storey's stiffness.
+static const double SAME = 1e-9;
+
+// The rate at which a kink comes nearer is a difference quotient over this share of the step.
 static const double PROBE = 1e-4;
 
-// Of the larger force on both sides: a jump.
-static const double JUMP = 1e-9;
-
-// A correction of the instant of an event, as a share of the step, after which the step is taken a
-// last time; one of its square would be too small to matter. Where a law is only changed the
-// instant may be wrong by the tolerance, but not where that would be before a turn, which would
-// come again; where a history is committed, or velocities jump, it may not.
-static const double located[] = {
-    [DP_CLOSE] = 3e-3, [DP_OPEN] = 3e-3,   [DP_KINK] = 3e-3,   [DP_TURN] = 1e-4,
-    [DP_MEET] = 1e-7,  [DP_BRANCH] = 1e-7, [DP_UNLOAD] = 1e-7,
+// The kinds of events. What passes through zero is the velocity of the link or storey (`turns`), or
+// else its penetration or drift. After a correction of the instant below `located`, a share of the
+// step, the step is taken a last time: the next correction would be about its square. The instant
+// may be wrong by the tolerance where only a law is changed. It must be more accurate at a turn,
+// which would come again if the step ended before it, and most accurate where a history is
+// committed or velocities jump.
+static const struct dp_kind {
+    double located;
+    bool of_storey, turns;
+} kinds[] = {
+    [DP_CLOSE] = {.located = 3e-3},
+    [DP_OPEN] = {.located = 3e-3},
+    [DP_KINK] = {.located = 3e-3},
+    [DP_TURN] = {.located = 1e-4, .turns = true},
+    [DP_MEET] = {.located = 1e-7},
+    [DP_BRANCH] = {.located = 1e-7, .of_storey = true},
+    [DP_UNLOAD] = {.located = 1e-7, .of_storey = true, .turns = true},
 };
 
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
-// A motion cut at its turning points.
-struct pieces {
-    struct polynomial path;
-    int n;
-    double x[TURNS_MAX + 2], d[TURNS_MAX + 2];  // (n + 1) ends of the pieces
-};
-
-static struct pieces dp_cut(const struct motion *m) {
-    struct pieces s = {.path = dp_motion_path(m), .n = 1};
-    s.n += dp_motion_turns(m, s.x + 1);
-    s.x[0] = 0.0;
-    s.x[s.n] = 1.0;
-    s.d[0] = m->d[0];
-    s.d[s.n] = m->d[1];
-    for (int i = 1; i < s.n; i++) {
-        s.d[i] = dp_motion_value(&s.path, s.x[i]);
-    }
-    return s;
-}
-
 // Where piece i of the path reaches `target`, which lies between its ends or before it.
-static double dp_where(const struct pieces *s, int i, double target) {
+static double dp_where(const struct motion_pieces *s, int i, double target) {
     double rise = s->d[i + 1] - s->d[i];
     if ((s->d[i] - target) * rise >= 0.0) {
         return s->x[i];
@@ -77,23 +66,6 @@ static double dp_still(const struct dp *p) {
     return STILL * p->model->control.tolerance * p->scales.most_u;
 }
 
-static struct dp_event dp_event(enum dp_event_kind kind, int index, double place,
-                                double direction) {
-    return (struct dp_event){kind, index, place, direction, 0.0};
-}
-
-static struct dp_event dp_closing(const struct dp *p, int k, const struct motion *m) {
-    struct pieces s = dp_cut(m);
-    double least = dp_motion_noise(p, k);
-    for (int i = 0; i < s.n; i++) {
-        if (s.d[i + 1] > least && s.d[i + 1] > s.d[i]) {
-            bool rigid = p->model->link[k].law->rebound;
-            return dp_event(rigid ? DP_MEET : DP_CLOSE, k, dp_where(&s, i, 0.0), 1.0);
-        }
-    }
-    return nothing;
-}
-
 // Does a closed contact or a damper go on in its phase through the whole step, for certain? In the
 // cubic of its velocity, between those at the ends, the accelerations have no larger share than
 // 4/27 of the step each.
@@ -104,21 +76,21 @@ static bool dp_stays(const struct dp *p, int k, const struct motion *m) {
     return goes_on && (phase == PHASE_APPROACH || m->d[1] > 0.0);
 }
 
-static struct dp_event dp_leaving(const struct dp *p, int k, const struct motion *m) {
-    if (dp_stays(p, k, m)) {
-        return nothing;
-    }
-    struct pieces s = dp_cut(m);
-    bool opens = !p->model->link[k].bilateral;
-    double least = opens ? dp_motion_noise(p, k) : dp_still(p);
-    int phase = p->system.phase[k];
+// Where link k passes d = 0 to the other side, or a closed one leaves its phase.
+static struct dp_event dp_passing(const struct dp *p, int k, const struct motion *m) {
+    const struct link *l = &p->model->link[k];
+    const struct motion_pieces s = dp_motion_cut(m);
+    const bool closed = p->now.link[k].closed;
+    const double least = l->bilateral ? dp_still(p) : dp_motion_noise(p, k);
+    const int phase = closed ? p->system.phase[k] : PHASE_ANY, after = closed ? -1 : 1;
     for (int i = 0; i < s.n; i++) {
-        double rise = s.d[i + 1] - s.d[i];
+        const double rise = s.d[i + 1] - s.d[i];
         if (phase * rise < -least) {
-            return dp_event(DP_TURN, k, s.x[i], -phase);
+            return (struct dp_event){DP_TURN, k, s.x[i], -phase, 0.0};
         }
-        if (opens && s.d[i + 1] < -least && rise < 0.0) {
-            return dp_event(DP_OPEN, k, dp_where(&s, i, 0.0), -1.0);
+        if (!l->bilateral && after * s.d[i + 1] > least && after * rise > 0.0) {
+            const enum dp_event_kind kind = closed ? DP_OPEN : l->law->rebound ? DP_MEET : DP_CLOSE;
+            return (struct dp_event){kind, k, dp_where(&s, i, 0.0), after, 0.0};
         }
     }
     return nothing;
@@ -141,11 +113,11 @@ static bool dp_is_before_kink(const struct dp *p, int k, const struct polynomial
     return dp_before_kink(p, k, dp_motion_value(path, x), dp_motion_slope(path, x) / p->h) > 0.0;
 }
 
-// The first kink in the step of the force of closed contact k, or `other` if that is earlier. It is
-// looked for on the first piece of the path on which d does not turn, but for noise.
+// The first kink in the step of the force of closed contact k, or `other` if that is earlier. The
+// search is on the first piece of the path that is longer than noise: there d does not turn.
 static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m,
                                struct dp_event other) {
-    struct pieces s = dp_cut(m);
+    struct motion_pieces s = dp_motion_cut(m);
     double noise = dp_motion_noise(p, k);
     int i = 1;
     while (i < s.n && fabs(s.d[i] - s.d[0]) <= noise) {
@@ -160,21 +132,20 @@ static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m
     }
     double way = fabs(dp_motion_value(&s.path, at.high) - s.d[0]);
     bool moves = way > noise && p->now.time + at.high * p->h > p->now.time;
-    return moves && at.high < other.place ? dp_event(DP_KINK, k, at.high, -1.0) : other;
+    const struct dp_event kink = {DP_KINK, k, at.high, -1.0, 0.0};
+    return moves && at.high < other.place ? kink : other;
 }
 
 static struct dp_event dp_link_event(const struct dp *p, int k) {
-    struct motion m = dp_motion_link(p, k);
-    if (!p->now.link[k].closed) {
-        return dp_closing(p, k, &m);
-    }
-    struct dp_event event = dp_leaving(p, k, &m);
-    return p->model->link[k].law->kink ? dp_kink(p, k, &m, event) : event;
+    const struct motion m = dp_motion_link(p, k);
+    const bool closed = p->now.link[k].closed;
+    const struct dp_event event = closed && dp_stays(p, k, &m) ? nothing : dp_passing(p, k, &m);
+    return closed && p->model->link[k].law->kink ? dp_kink(p, k, &m, event) : event;
 }
 
 // A line that is told from the last committed point on has a slope as wrong as that by rounding.
 static bool dp_is_on_branch(const struct dp *p, int i, double drift) {
-    double change = dp_system_tangent(&p->system, &p->now, i, drift) - p->system.tangent[i];
+    double change = dp_system_storey(p, i, drift).tangent - p->system.tangent[i];
     return fabs(change) <= SAME * p->model->chain.stiffness[i];
 }
 
@@ -212,13 +183,13 @@ static bool dp_leaves(const struct dp *p, int i, double start, double least, dou
 
 // The rise of a drift that counts. Smaller ones add up, over steps however short, until they do.
 static double dp_least_rise(const struct dp *p, int i) {
-    double left = dp_still(p) - dp_system_storey_lag(&p->system, &p->now, i);
-    return fmax(dp_system_storey_noise(&p->system, &p->now, i), left);
+    double left = dp_still(p) - dp_system_lag(p, i);
+    return fmax(dp_system_noise(p, i), left);
 }
 
 static struct dp_event dp_storey_event(const struct dp *p, int i) {
     struct motion m = dp_motion_floor(p, i, p->system.below[i]);
-    struct pieces s = dp_cut(&m);
+    struct motion_pieces s = dp_motion_cut(&m);
     double least = dp_least_rise(p, i);
     bool straight = p->model->storey[i].law->traits & STOREY_STRAIGHT;
     bool moved = false;
@@ -228,15 +199,13 @@ static struct dp_event dp_storey_event(const struct dp *p, int i) {
             continue;
         }
         if (moved && dp_flows(p, i, s.d[n])) {
-            return dp_event(DP_UNLOAD, i, s.x[n], rise);
+            return (struct dp_event){DP_UNLOAD, i, s.x[n], rise, 0.0};
         }
         moved = true;
         double beyond = s.d[n + 1];
         if (straight && dp_leaves(p, i, s.d[n], least, &beyond)) {
-            double end = dp_branch_end(p, i, s.d[n], beyond);
-            struct dp_event event = dp_event(DP_BRANCH, i, dp_where(&s, n, end), rise);
-            event.target = end;
-            return event;
+            const double end = dp_branch_end(p, i, s.d[n], beyond);
+            return (struct dp_event){DP_BRANCH, i, dp_where(&s, n, end), rise, end};
         }
     }
     return nothing;
@@ -268,7 +237,7 @@ void dp_events_first(struct dp *p) {
 }
 
 bool dp_events_is_of_storey(const struct dp_event *e) {
-    return e->kind == DP_BRANCH || e->kind == DP_UNLOAD;
+    return kinds[e->kind].of_storey;
 }
 
 // What passes through zero at the event, at the end of the step, and its rate.
@@ -284,7 +253,7 @@ static double dp_value_at_end(const struct dp *p, double *rate) {
         *rate = (later - value) / time;
         return value;
     }
-    bool turns = e->kind == DP_TURN || e->kind == DP_UNLOAD;
+    const bool turns = kinds[e->kind].turns;
     *rate = turns ? m.a[1] : m.v[1];
     return turns ? m.v[1] : m.d[1] - e->target;
 }
@@ -299,7 +268,7 @@ void dp_events_locate(struct dp *p) {
     const double whole = p->h;
     struct root r = {0.0, whole, p->event.direction > 0.0 ? 1.0 : -1.0};
     double h = p->event.place * whole;
-    double near = fmin(located[p->event.kind], sqrt(p->model->control.tolerance));
+    double near = fmin(kinds[p->event.kind].located, sqrt(p->model->control.tolerance));
     bool is_kink = p->event.kind == DP_KINK;  // which has to be passed, or it would come again
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         dp_retake(p, h);
@@ -323,19 +292,4 @@ void dp_events_locate(struct dp *p) {
     }
     p->event.place = 1.0;
     dp_motion_reach(p);
-}
-
-bool dp_events_sticks(struct dp *p, int k) {
-    const struct model *m = p->model;
-    enum phase *phase = &p->system.phase[k];
-    const int sign = *phase;
-    if (p->now.delta[k] <= dp_motion_noise(p, k)) {
-        return false;  // where d = 0 there is no force
-    }
-    double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
-    double after = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
-    *phase = -*phase;
-    double before = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
-    *phase = -*phase;
-    return sign * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
 }

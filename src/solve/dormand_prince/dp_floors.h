@@ -140,10 +140,10 @@ LANES_INLINE void dp_take_floors(int n, const struct stage *s, double *const *ro
 }
 
 // The same where the motion is known.
-FLOORS_CLONES static void dp_rates(const struct dp_system *s, double ground, ptrdiff_t first,
+FLOORS_CLONES static void dp_rates(const struct dp *p, double ground, ptrdiff_t first,
                                    ptrdiff_t end, struct dp_rates *r) {
     const struct stage known = {.u0 = r->u, .v0 = r->v};
-    dp_take_floors(0, &known, s->row, ground, first, end, r);
+    dp_take_floors(0, &known, p->system.row, ground, first, end, r);
 }
 
 // Stage number s of the step, at time t.
@@ -154,10 +154,10 @@ LANES_INLINE void dp_take_stage(struct dp *p, int s, double t, ptrdiff_t count) 
     dp_gather(p, sums, a);
     const struct stage stage = {
         .sums = sums, .a = a, .u0 = p->now.u, .v0 = p->now.v, .to = node[s] * p->h, .h = p->h};
-    double ground = dp_rates_ground(&p->system, t, r);
+    double ground = dp_rates_ground(p, t, r);
     dp_take_floors(sums->n, &stage, p->system.row, ground, 0, count, r);
     if (p->system.special || p->now.n_live > 0) {
-        dp_rates_add(&p->system, &p->now, t, DP_ALL, r);
+        dp_rates_add(p, t, DP_ALL, r);
     }
 }
 
@@ -215,9 +215,6 @@ FLOORS_CLONES static double dp_largest_error(const struct dp *p) {
 #define ABSOLUTE(x) ((floor_lanes)((floor_bits)(x)&INT64_MAX))
 #define LARGER_SIZE(x, y) ((floor_lanes)LARGER((floor_bits)ABSOLUTE(x), (floor_bits)ABSOLUTE(y)))
 
-// Negative where |x| > limit >= 0, as number_beyond, and where x and y differ in sign.
-#define TURNS(x, y) ((floor_bits)(x) ^ (floor_bits)(y))
-
 // Negative where an acceleration may go beyond its peak. Its upper bound is the largest one at the
 // start, at the stages at 0.3 and 0.8 and at the end, and what a parabola through three of them
 // rises above those that are farthest apart, by Newton's divided differences, and half as much
@@ -237,39 +234,30 @@ LANES_INLINE void dp_bend_part(const struct dp *p, ptrdiff_t i, floor_bits *bend
     *bends = BEYOND(most, FLOORS_AT(p->results->peak[PEAK_ACCELERATION], i));
 }
 
-// Drifts at the end of the step, and which floors could have a new peak in it.
-FLOORS_CLONES static bool dp_look(struct dp *p, struct dp_look *l) {
-    const double *v0 = p->now.v, *a0 = p->now.a, *joint = p->model->chain.joint;
-    const double *u1 = p->next.u, *v1 = p->next.v, *a1 = p->next.a;
-    const double *peak_u = p->results->peak[PEAK_DISPLACEMENT];
-    const double *peak_v = p->results->peak[PEAK_VELOCITY];
-    const double *peak_d = p->results->peak[PEAK_DRIFT];
+// Drifts at the end of the step, and which floors could have a new peak in it: a value has at most
+// been its last rate times the step beyond that at the end.
+FLOORS_CLONES static bool dp_find_candidates(struct dp *p, struct dp_candidates *c) {
+    double *const *peak = p->results->peak;
+    const double *joint = p->model->chain.joint;
+    const double *u = p->next.u, *v = p->next.v, *a = p->next.a;
     const double h = p->h;
     floor_bits any = {0};
-    for (ptrdiff_t i = l->first, end = i + lanes_whole(l->n); i < end; i += FLOORS_VECTOR) {
-        floor_lanes joined = FLOORS_AT(joint, i);
-        floor_lanes drift =
-            FLOORS_AT(u1, i) - joined * BELOW(FLOORS_AT(u1, i - FLOORS_VECTOR), FLOORS_AT(u1, i));
-        floor_lanes slip0 =
-            FLOORS_AT(v0, i) - joined * BELOW(FLOORS_AT(v0, i - FLOORS_VECTOR), FLOORS_AT(v0, i));
-        floor_lanes slip1 =
-            FLOORS_AT(v1, i) - joined * BELOW(FLOORS_AT(v1, i - FLOORS_VECTOR), FLOORS_AT(v1, i));
-        floor_lanes to_u = ABSOLUTE(FLOORS_AT(u1, i)) + h * ABSOLUTE(FLOORS_AT(v1, i));
-        floor_lanes to_v = ABSOLUTE(FLOORS_AT(v1, i)) + h * ABSOLUTE(FLOORS_AT(a1, i));
-        floor_lanes to_d = ABSOLUTE(drift) + h * ABSOLUTE(slip1);
-        floor_bits turn =
-            (TURNS(FLOORS_AT(v0, i), FLOORS_AT(v1, i)) & BEYOND(to_u, FLOORS_AT(peak_u, i))) |
-            (TURNS(FLOORS_AT(a0, i), FLOORS_AT(a1, i)) & BEYOND(to_v, FLOORS_AT(peak_v, i))) |
-            (TURNS(slip0, slip1) & BEYOND(to_d, FLOORS_AT(peak_d, i)));
-        floor_bits grown = BEYOND(FLOORS_AT(u1, i), FLOORS_AT(peak_u, i)) |
-                           BEYOND(FLOORS_AT(v1, i), FLOORS_AT(peak_v, i)) |
-                           BEYOND(drift, FLOORS_AT(peak_d, i));
+    for (ptrdiff_t i = c->first, end = i + lanes_whole(c->n); i < end; i += FLOORS_VECTOR) {
+        const floor_lanes own_u = FLOORS_AT(u, i), own_v = FLOORS_AT(v, i);
+        const floor_lanes joined = FLOORS_AT(joint, i);
+        const floor_lanes drift = own_u - joined * BELOW(FLOORS_AT(u, i - FLOORS_VECTOR), own_u);
+        const floor_lanes slip = own_v - joined * BELOW(FLOORS_AT(v, i - FLOORS_VECTOR), own_v);
+        const floor_lanes to_u = ABSOLUTE(own_u) + h * ABSOLUTE(own_v);
+        const floor_lanes to_v = ABSOLUTE(own_v) + h * ABSOLUTE(FLOORS_AT(a, i));
+        const floor_lanes to_drift = ABSOLUTE(drift) + h * ABSOLUTE(slip);
         floor_bits bends;
         dp_bend_part(p, i, &bends);
-        floor_bits hit = turn | grown | bends;
+        const floor_bits hit = bends | BEYOND(to_u, FLOORS_AT(peak[PEAK_DISPLACEMENT], i)) |
+                               BEYOND(to_v, FLOORS_AT(peak[PEAK_VELOCITY], i)) |
+                               BEYOND(to_drift, FLOORS_AT(peak[PEAK_DRIFT], i));
         *(floor_lanes *)(p->next.drift + i) = drift;
-        memcpy(l->bends + (i - l->first), &bends, sizeof bends);
-        memcpy(l->hit + (i - l->first), &hit, sizeof hit);
+        memcpy(c->bends + (i - c->first), &bends, sizeof bends);
+        memcpy(c->hit + (i - c->first), &hit, sizeof hit);
         any |= hit;
     }
     return floors_any(&any);
@@ -308,6 +296,7 @@ FLOORS_CLONES static void dp_add_works(const struct dp *p, const double *time,
     }
 }
 
-const struct dp_floors DP_FLOORS = {dp_take, dp_rates, dp_largest_error, dp_look, dp_add_works};
+const struct dp_floors DP_FLOORS = {dp_take, dp_rates, dp_largest_error, dp_find_candidates,
+                                    dp_add_works};
 
 #endif

@@ -11,67 +11,72 @@
 #include "core/root.h"
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_motion.h"
-#include "solve/dormand_prince/dp_parts.h"
 
-// Distance in the step of the three accelerations; how far their interpolation may be too low, and
-// how far so beside the ends, where the step ends at no peak. Tries to come to the top.
-static const double BESIDE = 0.02, BEYOND = 1.1, NEARLY = 0.999;
+// A peak of an acceleration is the top of a parabola through three that are this far apart in the
+// step. It is found after so many tries, or left as it is.
+static const double BESIDE = 0.02;
 enum { TRIES = 3 };
+
+// The interpolated acceleration may be too low by these factors: in general, and against the ends
+// of the step.
+static const double BEYOND = 1.1, NEARLY = 0.999;
 
 // Place of the third stage.
 static const double INNER = 0.3;
 
-// Of the largest displacement over the largest velocity: in a shorter step, as between two events,
-// rounding of displacements makes more of the interpolated velocities than any peak inside could.
+// No peak is looked for in a step that is shorter than this share of the largest displacement over
+// the largest velocity, as between two events: rounding of displacements changes the interpolated
+// velocities by more than a peak could.
 static const double INSTANT = 1e-8;
-static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
+
+// Place of the largest force of a link, in the step: the force errs by the square.
+static const double PLACED = 1e-4;
 
 static bool dp_is_instant(const struct dp *p) {
     return p->h * p->scales.most_v < INSTANT * p->scales.most_u;
 }
 
-static void dp_note(struct dp *p, enum peak q, int i, double value, double time) {
-    double size = fabs(value);
-    if (size > p->results->peak[q][i]) {
-        p->results->peak[q][i] = size;
+static void dp_raise(struct dp *p, enum peak q, int i, double value, double time) {
+    if (fabs(value) > p->results->peak[q][i]) {
+        p->results->peak[q][i] = fabs(value);
         p->results->peak_time[q][i] = time;
         p->grown |= q == PEAK_DISPLACEMENT || q == PEAK_VELOCITY;
     }
 }
 
-// A new largest drift of a storey, and its shear.
-static void dp_note_drift(struct dp *p, int i, double drift, double time) {
-    dp_note(p, PEAK_DRIFT, i, drift, time);
-    if (p->model->building[p->system.building[i]].n_part == 0) {
-        dp_note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, drift), time);
+// A value of floor i. With a drift goes the shear of its storey, if that is all there is.
+static void dp_note(struct dp *p, enum peak q, int i, double value, double time) {
+    dp_raise(p, q, i, value, time);
+    if (q == PEAK_DRIFT && p->model->building[p->system.building[i]].n_part == 0) {
+        dp_raise(p, PEAK_SHEAR, i, dp_system_shear(p, i, value), time);
     }
 }
 
-// The displacement or the drift of floor i where it turns.
-static void dp_note_turns(struct dp *p, enum peak q, int i) {
-    struct motion m = dp_motion_floor(p, i, q == PEAK_DRIFT ? p->system.below[i] : -1);
-    struct polynomial path = dp_motion_path(&m);
-    double x[TURNS_MAX];
-    int n = dp_motion_turns(&m, x);
-    for (int j = 0; j < n; j++) {
-        double d = dp_motion_value(&path, x[j]), time = p->now.time + x[j] * p->h;
-        if (q == PEAK_DRIFT) {
-            dp_note_drift(p, i, d, time);
-        } else {
-            dp_note(p, q, i, d, time);
+// Could a quantity that has these rates at both ends and this value at the second go beyond the
+// peak between them?
+static bool dp_may_exceed(const struct dp *p, double peak, double rate0, double value,
+                          double rate1) {
+    return rate0 * rate1 < 0.0 && fabs(value) + p->h * fabs(rate1) > peak;
+}
+
+// The displacement, drift or shear of floor i where it turns.
+static void dp_note_turns(struct dp *p, enum peak q, int i, const struct motion *m) {
+    if (dp_may_exceed(p, p->results->peak[q][i], m->v[0], m->d[1], m->v[1])) {
+        const struct motion_pieces s = dp_motion_cut(m);
+        for (int j = 1; j < s.n; j++) {
+            dp_note(p, q, i, s.d[j], p->now.time + s.x[j] * p->h);
         }
     }
 }
 
 // The velocity turns where the relative acceleration is zero.
-static void dp_note_velocity(struct dp *p, int i) {
-    struct motion m = dp_motion_floor(p, i, -1);
-    struct polynomial v = dp_motion_velocity(&m);
-    struct polynomial u = dp_motion_path(&m);
-    struct polynomial slope = {{v.c[1], 2.0 * v.c[2], 3.0 * v.c[3]}};
-    double x = dp_motion_root(slope, 0.0, 1.0);
-    dp_note(p, PEAK_VELOCITY, i, dp_motion_slope(&u, x) / p->h, p->now.time + x * p->h);
+static void dp_note_velocity(struct dp *p, int i, const struct motion *m) {
+    if (dp_may_exceed(p, p->results->peak[PEAK_VELOCITY][i], m->a[0], m->v[1], m->a[1])) {
+        const struct polynomial v = dp_motion_velocity(m), u = dp_motion_path(m);
+        const struct polynomial slope = {{v.c[1], 2.0 * v.c[2], 3.0 * v.c[3]}};
+        const double x = dp_motion_root(slope, 0.0, 1.0);
+        dp_note(p, PEAK_VELOCITY, i, dp_motion_slope(&u, x) / p->h, p->now.time + x * p->h);
+    }
 }
 
 static double dp_total(const struct dp_rates *r, const struct building *g, int i) {
@@ -109,7 +114,7 @@ static double dp_acceleration_place(const struct dp *p, const struct building *g
 // The total acceleration of floor i at place x of the step.
 static double dp_acceleration(struct dp *p, double x, int i) {
     int building = p->system.building[i];
-    dp_motion_rates(p, x, building);
+    dp_rates_within(p, x, building);
     return dp_total(p->stage[1], &p->model->building[building], i);
 }
 
@@ -135,38 +140,23 @@ static void dp_note_acceleration(struct dp *p, const struct building *g, int i) 
     }
 }
 
-// Could a quantity that has these rates at both ends and this value at the second go beyond the
-// peak between them?
-static bool dp_may_exceed(const struct dp *p, double peak, double rate0, double value,
-                          double rate1) {
-    return rate0 * rate1 < 0.0 && fabs(value) + p->h * fabs(rate1) > peak;
-}
-
 // Could the acceleration of a floor have a peak within the step, by those at the stages?
-static bool dp_may_bend(const struct dp *p, const struct dp_look *l, int i) {
+static bool dp_may_bend(const struct dp *p, const struct dp_candidates *c, int i) {
     if (p->model->n_ground == 1) {
-        return l->bends[i - l->first] < 0;
+        return c->bends[i - c->first] < 0;
     }
     const struct building *g = &p->model->building[p->system.building[i]];
     double most = number_max(fabs(dp_total(p->stage[2], g, i)), fabs(dp_total(p->stage[3], g, i)));
     return BEYOND * most > p->results->peak[PEAK_ACCELERATION][i];
 }
 
-static void dp_floor_within(struct dp *p, const struct dp_look *l, int i) {
-    const struct state *now = &p->now, *next = &p->next;
-    double *const *peak = p->results->peak;
-    int below = p->system.below[i];
-    double slip0 = now->v[i] - now->v[below], slip1 = next->v[i] - next->v[below];
-    if (dp_may_exceed(p, peak[PEAK_DISPLACEMENT][i], now->v[i], next->u[i], next->v[i])) {
-        dp_note_turns(p, PEAK_DISPLACEMENT, i);
-    }
-    if (dp_may_exceed(p, peak[PEAK_VELOCITY][i], now->a[i], next->v[i], next->a[i])) {
-        dp_note_velocity(p, i);
-    }
-    if (dp_may_exceed(p, peak[PEAK_DRIFT][i], slip0, next->drift[i], slip1)) {
-        dp_note_turns(p, PEAK_DRIFT, i);
-    }
-    if (dp_may_bend(p, l, i)) {
+static void dp_floor_within(struct dp *p, const struct dp_candidates *c, int i) {
+    const struct motion own = dp_motion_floor(p, i, -1);
+    const struct motion drift = dp_motion_floor(p, i, p->system.below[i]);
+    dp_note_turns(p, PEAK_DISPLACEMENT, i, &own);
+    dp_note_velocity(p, i, &own);
+    dp_note_turns(p, PEAK_DRIFT, i, &drift);
+    if (dp_may_bend(p, c, i)) {
         dp_note_acceleration(p, &p->model->building[p->system.building[i]], i);
     }
 }
@@ -178,7 +168,43 @@ static void dp_floor_at(struct dp *p, const struct state *s, int i) {
     dp_note(p, PEAK_VELOCITY, i, s->v[i], s->time);
     dp_note(p, PEAK_ACCELERATION, i, s->a[i] + s->ground_a[g->ground], s->time);
     if (!g->elastic || fabs(s->drift[i]) > p->results->peak[PEAK_DRIFT][i]) {
-        dp_note_drift(p, i, s->drift[i], s->time);
+        dp_note(p, PEAK_DRIFT, i, s->drift[i], s->time);
+    }
+}
+
+// The sum of row i of the stiffness on drifts of building `g`, with x displacements: the shear of
+// the storey below floor i where all is linear, or its rate where x are velocities.
+static double dp_linear_shear(const struct dp *p, const struct building *g, const double *x,
+                              int i) {
+    const int n = g->n_floor, row = i - g->first;
+    double sum = 0.0;
+    for (int j = 0; j < n; j++) {
+        const double drift = x[g->first + j] - x[p->system.below[g->first + j]];
+        sum += (g->part_stiffness[row * n + j] + (j == row ? g->spring[row] : 0.0)) * drift;
+    }
+    return sum;
+}
+
+// The storey shears of a building with parts: within the step where all is linear, and at its end.
+static void dp_part_shears(struct dp *p, const struct building *g) {
+    const struct state *now = &p->now, *next = &p->next;
+    if (!g->elastic) {
+        dp_rates_parts(p, g, now->storey_history, next->u, next->v, NULL);
+    }
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        if (!g->elastic) {
+            const double storey = dp_system_shear(p, i, next->drift[i]);
+            dp_note(p, PEAK_SHEAR, i, storey + p->system.part_shear[i], next->time);
+            continue;
+        }
+        const struct motion m = {
+            .d = {dp_linear_shear(p, g, now->u, i), dp_linear_shear(p, g, next->u, i)},
+            .v = {dp_linear_shear(p, g, now->v, i), dp_linear_shear(p, g, next->v, i)},
+            .a = {dp_linear_shear(p, g, now->a, i), dp_linear_shear(p, g, next->a, i)},
+            .h = p->h,
+        };
+        dp_note_turns(p, PEAK_SHEAR, i, &m);
+        dp_note(p, PEAK_SHEAR, i, m.d[1], next->time);
     }
 }
 
@@ -194,20 +220,24 @@ static void dp_rescale(struct dp *p) {
 static void dp_floors_step(struct dp *p) {
     const struct model *m = p->model;
     bool always = m->n_ground != 1 || !m->elastic;
-    struct dp_look l;
-    for (l.first = 0; l.first < m->n_dof; l.first += DP_LOOK) {
-        l.n = m->n_dof - l.first < DP_LOOK ? m->n_dof - l.first : DP_LOOK;
-        bool found = p->system.floors->look(p, &l);
-        for (int i = 0; (found || always) && i < l.n; i++) {
-            if ((always || l.hit[i] < 0) && !dp_is_instant(p)) {
-                dp_floor_within(p, &l, l.first + i);
+    struct dp_candidates c;
+    for (c.first = 0; c.first < m->n_dof; c.first += DP_CANDIDATES) {
+        c.n = m->n_dof - c.first < DP_CANDIDATES ? m->n_dof - c.first : DP_CANDIDATES;
+        bool found = p->floors->candidates(p, &c);
+        for (int i = 0; (found || always) && i < c.n; i++) {
+            if ((always || c.hit[i] < 0) && !dp_is_instant(p)) {
+                dp_floor_within(p, &c, c.first + i);
             }
-            if (always || l.hit[i] < 0) {
-                dp_floor_at(p, &p->next, l.first + i);
+            if (always || c.hit[i] < 0) {
+                dp_floor_at(p, &p->next, c.first + i);
             }
         }
     }
-    dp_parts_peaks(p);
+    for (int k = 0; m->chain.full_damping && k < m->n_building; k++) {
+        if (m->building[k].n_part > 0) {  // which has a full damping matrix
+            dp_part_shears(p, &m->building[k]);
+        }
+    }
     dp_rescale(p);
 }
 
@@ -216,81 +246,60 @@ static double dp_penetration(struct dp *p, int k, const struct motion *m) {
     double largest = peaks_size(p->model, k, m->d[1]);
     peaks_penetration(p->results, k, largest, p->next.time);
     if (m->v[0] * m->v[1] < 0.0) {
-        struct polynomial path = dp_motion_path(m);
-        double x[TURNS_MAX];
-        int n = dp_motion_turns(m, x);
-        for (int j = 0; j < n; j++) {
-            double d = peaks_size(p->model, k, dp_motion_value(&path, x[j]));
+        const struct motion_pieces s = dp_motion_cut(m);
+        for (int j = 1; j < s.n; j++) {
+            const double d = peaks_size(p->model, k, s.d[j]);
             largest = fmax(largest, d);
-            peaks_penetration(p->results, k, d, p->now.time + x[j] * p->h);
+            peaks_penetration(p->results, k, d, p->now.time + s.x[j] * p->h);
         }
     }
     return largest;
 }
 
-static void dp_open_step(struct dp *p, int k) {
-    double most = p->results->deepest[k];
-    double d = fmax(p->now.delta[k], p->next.delta[k]);
-    bool turns = p->rate[0][k] > 0.0 && p->rate[1][k] < 0.0;
-    if (d > most || (turns && d + p->h * p->rate[0][k] > most)) {
-        struct motion m = dp_motion_link(p, k);
-        dp_penetration(p, k, &m);
-    }
-}
-
-// The force of link k and its rate at place x of its motion.
-static double dp_force_at(const struct dp *p, int k, const struct polynomial *path, double x,
-                          double *rate) {
-    const double *c = path->c;
-    double h = p->h;
-    double d = dp_motion_value(path, x);
-    double v = dp_motion_slope(path, x) / h;
-    double a = (2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]))) / (h * h);
-    struct contact_response r = dp_system_response(&p->system, &p->now, k, d, v);
-    *rate = r.dfdd * v + r.dfdv * a;
-    return r.force;
-}
-
-// The force of link k, number i of the active ones, where its rate changes its sign inside the
-// step, and when; the one at the end where it does not.
+// The force of link number i of the live ones where its rate changes its sign inside the step, and
+// when; the one at the end where it does not.
 static double dp_inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
-    const struct dp_rates *first = p->stage[0];
-    const struct dp_rates *last = p->stage[DP_STAGES - 1];
-    double start = first->dfdd[i] * m->v[0] + first->dfdv[i] * m->a[0];
-    double rate = last->dfdd[i] * m->v[1] + last->dfdv[i] * m->a[1];
-    double force = last->force[i];
+    const struct dp_rates *first = p->stage[0], *last = p->stage[DP_STAGES - 1];
+    const double start =
+        first->link[i].response.dfdd * m->v[0] + first->link[i].response.dfdv * m->a[0];
+    double rate = last->link[i].response.dfdd * m->v[1] + last->link[i].response.dfdv * m->a[1];
+    double force = last->link[i].response.force;
     *time = p->next.time;
     if (start * rate >= 0.0 || dp_is_instant(p)) {
         return force;
     }
-    struct polynomial path = dp_motion_path(m);
+    const struct polynomial path = dp_motion_path(m);
     struct root at = {.high = 1.0};
     while (at.high - at.low > PLACED) {
-        double x = root_middle(&at);
-        force = dp_force_at(p, p->now.live[i], &path, x, &rate);
-        *time = p->now.time + x * p->h;
+        const double x = root_middle(&at), v = dp_motion_slope(&path, x) / m->h;
+        const struct contact_response r =
+            dp_system_response(p, p->now.live[i], dp_motion_value(&path, x), v);
+        rate = r.dfdd * v + r.dfdv * (dp_motion_bend(&path, x) / (m->h * m->h));
+        force = r.force;
+        *time = p->now.time + x * m->h;
         root_halve(&at, start * rate > 0.0);
     }
     return force;
 }
 
 void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
-    int k = p->now.live[i];
-    struct motion m = dp_motion_link(p, k);
+    const int k = p->now.live[i];
+    const struct motion m = dp_motion_link(p, k);
     double time;
-    double force = dp_inner_force(p, i, &m, &time);
+    const double inner = dp_inner_force(p, i, &m, &time);
+    const double end = p->stage[DP_STAGES - 1]->link[i].response.force;
+    peaks_force(p->results, k, peaks_size(p->model, k, end), p->next.time);
+    peaks_force(p->results, k, peaks_size(p->model, k, inner), time);
+    share->force = number_max(end, inner);
     share->penetration = dp_penetration(p, k, &m);
-    share->force = p->stage[DP_STAGES - 1]->force[i];
-    peaks_force(p->results, k, peaks_size(p->model, k, share->force), p->next.time);
-    peaks_force(p->results, k, peaks_size(p->model, k, force), time);
-    share->force = number_max(share->force, force);
 }
 
 void dp_peaks_step(struct dp *p) {
     dp_floors_step(p);
     for (int k = 0, n = p->deepens ? p->model->n_contact : 0; k < n; k++) {
         if (p->reach[k] > p->results->deepest[k] && !p->now.link[k].closed) {
-            dp_open_step(p, k);
+            const struct motion m = dp_motion_link(p, k);
+            dp_penetration(p, k, &m);
         }
     }
 }
@@ -306,7 +315,7 @@ void dp_peaks_jump(struct dp *p) {
     dp_rescale(p);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
-        struct impact_share share = {.force = p->stage[0]->force[i]};
+        struct impact_share share = {.force = p->stage[0]->link[i].response.force};
         peaks_force(p->results, k, peaks_size(p->model, k, share.force), p->now.time);
         impacts_add(p->impacts, k, &share);
     }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // M a = -M a_g + p - C v - storey shears - link forces, building by building, without a matrix of
-// the whole.
-#include "solve/dormand_prince/dp_rates.h"
+// the whole: what the linear floors (dp_floors.h) leave out. And the dense output: the motion
+// within a step.
+#include <math.h>
+#include <string.h>
 
-#include "core/arena.h"
-#include "core/lanes.h"
+#include "core/root.h"
+#include "model/parts.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_parts.h"
+
+static const double PRECISION = 1e-9;  // of x; the next correction would be about its square
 
 static const struct fields_row list[] = {
     FIELD_ARRAY(struct dp_rates, u, FIELD_FLOORS),
@@ -15,45 +18,47 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct dp_rates, ground.a, FIELD_GROUNDS),
     FIELD_ARRAY(struct dp_rates, ground.v, FIELD_GROUNDS),
     FIELD_ARRAY(struct dp_rates, ground.u, FIELD_GROUNDS),
-    FIELD_ARRAY(struct dp_rates, force, FIELD_LINKS),
-    FIELD_ARRAY(struct dp_rates, power, FIELD_LINKS),
-    FIELD_ARRAY(struct dp_rates, dfdd, FIELD_LINKS),
-    FIELD_ARRAY(struct dp_rates, dfdv, FIELD_LINKS),
+    FIELD_ARRAY(struct dp_rates, link, FIELD_LINKS),
     FIELD_VALUE(struct dp_rates, input),
     FIELD_VALUE(struct dp_rates, damping),
     FIELD_VALUE(struct dp_rates, storey),
 };
 const struct fields dp_rates_fields = FIELDS(list);
 
-bool dp_rates_alloc(struct dp_rates *r, const struct model *m, struct arena *a) {
-    return fields_alloc(&dp_rates_fields, m, r, a);
+const double *dp_rates_parts(const struct dp *p, const struct building *g, const double *history,
+                             const double *u, const double *v, double *after) {
+    const struct dp_system *s = &p->system;
+    double *shear = s->part_shear + g->first;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        s->part_drift[i] = u[i] - u[s->below[i]];
+        s->part_rate[i] = v[i] - v[s->below[i]];
+    }
+    memset(shear, 0, (size_t)g->n_floor * sizeof *shear);
+    parts_respond(g, history, s->part_drift + g->first, s->part_rate + g->first,
+                  &(struct part_sums){.shear = shear}, after);
+    return shear;
 }
 
-// Ground accelerations where there are several.
-static void dp_ground_rates(const struct dp_system *s, const struct building *g,
-                            struct dp_rates *r) {
-    double ground = r->ground.a[g->ground];
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        r->a[i] -= ground;
-        r->input -= ground * s->model->mass[i] * r->v[i];
+// The power of parts and of elastic storeys beside them; that of other storeys is taken with them.
+static void dp_part_rates(const struct dp *p, const struct building *g, struct dp_rates *r) {
+    const struct dp_system *s = &p->system;
+    const double *shear = dp_rates_parts(p, g, p->now.storey_history, r->u, r->v, NULL);
+    double power = 0.0;
+    for (int floor = 0; floor < g->n_floor; floor++) {
+        const int i = g->first + floor;
+        const double above = floor + 1 < g->n_floor ? shear[floor + 1] : 0.0;
+        const double spring = p->model->storey[i].law->n_history == 0 ? g->spring[floor] : 0.0;
+        r->a[i] += (above - shear[floor]) * s->mobility[i];
+        power += (shear[floor] + spring * s->part_drift[i]) * s->part_rate[i];
     }
-}
-
-// A building with a full damping matrix.
-static void dp_full_damping(const struct dp_system *s, const struct building *g,
-                            struct dp_rates *r) {
-    building_damping_force(g, r->v + g->first, s->damping + g->first);
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        r->a[i] -= s->damping[i] * s->mobility[i];
-        r->damping += s->damping[i] * r->v[i];
-    }
+    r->storey += g->elastic ? 0.0 : power;
 }
 
 // A storey with a history: its power, and its shear if the law is called.
-static void dp_storey_rates(const struct dp_system *s, const struct state *now, int i,
-                            struct dp_rates *r) {
-    int below = s->below[i];  // at the ground the zero in front of the arrays
-    double shear = dp_system_shear(s, now, i, r->u[i] - r->u[below]);
+static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
+    const struct dp_system *s = &p->system;
+    const int below = s->below[i];
+    const double shear = dp_system_shear(p, i, r->u[i] - r->u[below]);
     r->storey += shear * (r->v[i] - r->v[below]);
     if (s->calls[i]) {
         r->a[i] -= shear * s->mobility[i];
@@ -63,35 +68,42 @@ static void dp_storey_rates(const struct dp_system *s, const struct state *now, 
     }
 }
 
-static void dp_building_rates(const struct dp_system *s, const struct state *now,
-                              const struct building *g, struct dp_rates *r) {
-    if (s->model->n_ground > 1) {
-        dp_ground_rates(s, g, r);
+// What the vectors do not know of a building: one of several grounds, a full damping matrix, parts,
+// storeys with a history.
+static void dp_building_rates(const struct dp *p, const struct building *g, struct dp_rates *r) {
+    const struct dp_system *s = &p->system;
+    const int end = g->first + g->n_floor;
+    const double ground = r->ground.a[g->ground];
+    for (int i = g->first; p->model->n_ground > 1 && i < end; i++) {
+        r->a[i] -= ground;
+        r->input -= ground * p->model->mass[i] * r->v[i];
     }
     if (g->damping_full) {
-        dp_full_damping(s, g, r);
+        building_damping_force(g, r->v + g->first, s->damping + g->first);
+    }
+    for (int i = g->first; g->damping_full && i < end; i++) {
+        r->a[i] -= s->damping[i] * s->mobility[i];
+        r->damping += s->damping[i] * r->v[i];
     }
     if (g->n_part > 0) {
-        dp_parts_add(s, now, g, r);
+        dp_part_rates(p, g, r);
     }
-    for (int i = g->first; s->n_inelastic > 0 && i < g->first + g->n_floor; i++) {
-        if (s->model->storey[i].law->n_history > 0) {
-            dp_storey_rates(s, now, i, r);
+    for (int i = g->first; s->n_inelastic > 0 && i < end; i++) {
+        if (p->model->storey[i].law->n_history > 0) {
+            dp_storey_rates(p, i, r);
         }
     }
 }
 
-static void dp_load_rates(const struct dp_system *s, double t, int k, struct dp_rates *r) {
-    int i = s->model->load[k].dof;
-    double p = forcing_load(&s->forcing, k, t);
-    r->a[i] += p * s->mobility[i];
-    r->input += p * r->v[i];
+static void dp_load_rates(const struct dp *p, double t, int k, struct dp_rates *r) {
+    const int i = p->model->load[k].dof;
+    const double load = forcing_load(&p->system.forcing, k, t);
+    r->a[i] += load * p->system.mobility[i];
+    r->input += load * r->v[i];
 }
 
-// Adds what the force of a link, an end of which is a row, does to the accelerations. Not in line,
-// as link_end_row.
-static __attribute__((noinline)) void dp_push_rows(const struct dp_system *s, const struct link *l,
-                                                   double force, double *a) {
+// Adds what the force of a link does to the accelerations.
+static void dp_push_link(const struct dp_system *s, const struct link *l, double force, double *a) {
     for (int side = 0; side < 2; side++) {
         const double push = side == 0 ? -force : force;
         for (int j = 0, n = link_entries(l, side); j < n; j++) {
@@ -101,60 +113,231 @@ static __attribute__((noinline)) void dp_push_rows(const struct dp_system *s, co
     }
 }
 
-// Link number i of the active ones.
-static void dp_link_rates(const struct dp_system *s, const struct state *now, int i,
-                          struct dp_rates *r) {
-    const struct model *m = s->model;
-    int k = now->live[i];
+// Link number i of the live ones.
+static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
+    const struct model *m = p->model;
+    const int k = p->now.live[i];
     const struct link *l = &m->link[k];
-    double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
-    double rate = dp_system_across(l, m, r->v, r->ground.v);
-    struct contact_response response = dp_system_response(s, now, k, d, rate);
-    double force = response.force;
-    if (!link_is_plain(l)) {
-        dp_push_rows(s, l, force, r->a);
-    } else {
-        if (l->dof[0] != WALL) {
-            r->a[l->dof[0]] -= force * s->mobility[l->dof[0]];
-        }
-        if (l->dof[1] != WALL) {
-            r->a[l->dof[1]] += force * s->mobility[l->dof[1]];
-        }
-    }
-    r->input += force * state_ground_gap(l, m, r->ground.v);
-    r->force[i] = force;
-    r->power[i] = force * rate;
-    r->dfdd[i] = response.dfdd;
-    r->dfdv[i] = response.dfdv;
+    const double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
+    const double rate = dp_system_across(l, m, r->v, r->ground.v);
+    const struct contact_response response = dp_system_response(p, k, d, rate);
+    dp_push_link(&p->system, l, response.force, r->a);
+    r->input += response.force * state_ground_gap(l, m, r->ground.v);
+    r->link[i] = (struct dp_link_rates){response, response.force * rate};
 }
 
-void dp_rates_add(const struct dp_system *s, const struct state *now, double t, int building,
-                  struct dp_rates *r) {
-    const struct model *m = s->model;
+void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r) {
+    const struct model *m = p->model;
+    const bool all = building == DP_ALL;
+    const int first = all ? 0 : building, end = all ? m->n_building : building + 1;
     r->input = r->damping = r->storey = 0.0;
-    bool all = building == DP_ALL;
-    int first = all ? 0 : building, end = all ? m->n_building : building + 1;
-    for (int k = first; s->special && k < end; k++) {
-        dp_building_rates(s, now, &m->building[k], r);
+    for (int k = first; p->system.special && k < end; k++) {
+        dp_building_rates(p, &m->building[k], r);
     }
     for (int k = 0; k < m->n_load; k++) {
-        if (all || s->building[m->load[k].dof] == building) {
-            dp_load_rates(s, t, k, r);
+        if (all || p->system.building[m->load[k].dof] == building) {
+            dp_load_rates(p, t, k, r);
         }
     }
-    for (int i = 0; i < now->n_live; i++) {
-        const int *of = m->link[now->live[i]].building;
+    for (int i = 0; i < p->now.n_live; i++) {
+        const int *of = m->link[p->now.live[i]].building;
         if (all || of[0] == building || of[1] == building) {
-            dp_link_rates(s, now, i, r);
+            dp_link_rates(p, i, r);
         }
     }
 }
 
-void dp_rates_at(const struct dp_system *s, const struct state *now, double t, int building,
-                 struct dp_rates *r) {
-    const struct dp_range range = dp_rates_range(s->model, building);
-    s->floors->rates(s, dp_rates_ground(s, t, r), range.first, range.end, r);
-    if (s->special || now->n_live > 0) {
-        dp_rates_add(s, now, t, building, r);
+// The floors of a building, or of all, in whole lanes: from the first up to the second.
+struct dp_range {
+    int first, end;
+};
+static struct dp_range dp_range(const struct model *m, int building) {
+    if (building == DP_ALL) {
+        return (struct dp_range){0, lanes_whole(m->n_dof)};
     }
+    const struct building *g = &m->building[building];
+    return (struct dp_range){lanes_whole(g->first + 1) - LANES_WIDTH,
+                             lanes_whole(g->first + g->n_floor)};
+}
+
+void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r) {
+    const struct dp_range range = dp_range(p->model, building);
+    p->floors->rates(p, dp_rates_ground(p, t, r), range.first, range.end, r);
+    if (p->system.special || p->now.n_live > 0) {
+        dp_rates_add(p, t, building, r);
+    }
+}
+
+// The floors from `first` up to `end` at place x of a step of h.
+LANES static void dp_interpolate(const struct state *now, const struct state *next, double h,
+                                 double x, const struct dp_range *range, double *restrict u,
+                                 double *restrict v) {
+    for (int i = range->first; i < range->end; i++) {
+        const struct motion m = {.d = {now->u[i], next->u[i]},
+                                 .v = {now->v[i], next->v[i]},
+                                 .a = {now->a[i], next->a[i]},
+                                 .h = h};
+        const struct polynomial path = dp_motion_path(&m);
+        u[i] = dp_motion_value(&path, x);
+        v[i] = dp_motion_slope(&path, x) / h;
+    }
+}
+
+void dp_rates_move(const struct dp *p, double x, int building) {
+    const struct dp_range range = dp_range(p->model, building);
+    dp_interpolate(&p->now, &p->next, p->h, x, &range, p->stage[1]->u, p->stage[1]->v);
+}
+
+void dp_rates_within(struct dp *p, double x, int building) {
+    dp_rates_move(p, x, building);
+    for (int n = 0; n < p->now.n_live && building != DP_ALL; n++) {
+        const int *of = p->model->link[p->now.live[n]].building;
+        const int other = of[0] == building ? of[1] : of[0];
+        if ((of[0] == building || of[1] == building) && other != WALL) {
+            dp_rates_move(p, x, other);
+        }
+    }
+    dp_rates_at(p, p->now.time + x * p->h, building, p->stage[1]);
+}
+
+static double dp_motion_at(double x, void *context, double *slope) {
+    *slope = dp_motion_slope(context, x);
+    return dp_motion_value(context, x);
+}
+
+double dp_motion_root(struct polynomial p, double low, double high) {
+    double start = dp_motion_value(&p, low);
+    double end = dp_motion_value(&p, high);
+    if (start == 0.0 || start == end) {
+        return low;
+    }
+    const struct root r = {low, high, end > start ? 1.0 : -1.0};
+    return root_newton(dp_motion_at, &p, r, root_between(&r, start, end), PRECISION);
+}
+
+struct polynomial dp_motion_velocity(const struct motion *m) {
+    double c1 = m->h * m->a[0];
+    double end = m->h * m->a[1];
+    double rise = m->v[1] - m->v[0];
+    return (struct polynomial){
+        {m->v[0], c1, 3.0 * rise - 2.0 * c1 - end, c1 + end - 2.0 * rise, 0.0, 0.0}};
+}
+int dp_motion_extrema(const struct polynomial *p, double *at) {
+    double a = 3.0 * p->c[3];
+    double b = p->c[2];  // a x^2 + 2 b x + c
+    double c = p->c[1];
+    bool same_sign = c * (a + 2.0 * b + c) > 0.0;
+    if (same_sign && b * (a + b) >= 0.0) {
+        return 0;  // it is monotone between ends of one sign
+    }
+    double square = b * b - a * c;
+    if (!(square > 0.0)) {
+        return 0;
+    }
+    double q = -(b + copysign(sqrt(square), b));
+    double root[2] = {q / a, c / q};
+    if (!(root[0] <= root[1])) {
+        double first = root[1];
+        root[1] = root[0];
+        root[0] = first;
+    }
+    int n = 0;
+    for (int i = 0; i < 2; i++) {
+        if (root[i] > 0.0 && root[i] < 1.0) {
+            at[n++] = root[i];
+        }
+    }
+    return n;
+}
+
+// Instants 0 < x < 1 at which the velocity changes its sign, ascending; returns how many.
+static int dp_motion_turns(const struct motion *m, double *at) {
+    bool same_sign = m->v[0] * m->v[1] > 0.0;
+    if (same_sign && m->v[0] * m->a[0] >= 0.0 && m->v[1] * m->a[1] <= 0.0) {
+        return 0;  // no cubic with these ends comes back to zero
+    }
+    struct polynomial v = dp_motion_velocity(m);
+    double end[TURNS_MAX + 1];
+    int n_end = dp_motion_extrema(&v, end);
+    end[n_end++] = 1.0;
+    int n = 0;
+    double low = 0.0;
+    for (int i = 0; i < n_end; i++) {
+        if (dp_motion_value(&v, low) * dp_motion_value(&v, end[i]) < 0.0) {
+            double x = dp_motion_root(v, low, end[i]);
+            if (x > 0.0 && x < 1.0) {
+                at[n++] = x;
+            }
+        }
+        low = end[i];
+    }
+    return n;
+}
+
+struct motion_pieces dp_motion_cut(const struct motion *m) {
+    struct motion_pieces s = {.path = dp_motion_path(m), .n = 1};
+    s.n += dp_motion_turns(m, s.x + 1);
+    s.x[0] = 0.0;
+    s.x[s.n] = 1.0;
+    s.d[0] = m->d[0];
+    s.d[s.n] = m->d[1];
+    for (int i = 1; i < s.n; i++) {
+        s.d[i] = dp_motion_value(&s.path, s.x[i]);
+    }
+    return s;
+}
+
+struct motion dp_motion_link(const struct dp *p, int k) {
+    const struct link *l = &p->model->link[k];
+    return (struct motion){
+        .d = {p->now.delta[k], p->next.delta[k]},
+        .v = {p->rate[0][k], p->rate[1][k]},
+        .a = {dp_system_across(l, p->model, p->now.a, p->now.ground_a),
+              dp_system_across(l, p->model, p->next.a, p->next.ground_a)},
+        .h = p->h,
+    };
+}
+
+// The ground is the zero in front of the arrays.
+struct motion dp_motion_floor(const struct dp *p, int i, int below) {
+    const struct state *now = &p->now, *next = &p->next;
+    return (struct motion){
+        .d = {now->u[i] - now->u[below], next->u[i] - next->u[below]},
+        .v = {now->v[i] - now->v[below], next->v[i] - next->v[below]},
+        .a = {now->a[i] - now->a[below], next->a[i] - next->a[below]},
+        .h = p->h,
+    };
+}
+
+double dp_motion_noise(const struct dp *p, int k) {
+    const struct link *l = &p->model->link[k];
+    double size = fabs(l->gap) + p->scales.most_u;  // bodies at rest move by rounding
+    for (int i = 0; i < 2; i++) {
+        size += fmax(link_size_at(l, i, p->now.u), link_size_at(l, i, p->next.u));
+        if (l->moving_ground) {
+            size += fabs(p->now.ground_u[p->model->building[l->building[i]].ground]);
+        }
+    }
+    return SCALE_ROUNDING * size;
+}
+
+// A motion that goes beyond both its ends does so by a fraction of its way at the larger rate.
+LANES void dp_motion_reach(struct dp *p) {
+    const double *restrict d0 = p->now.delta, *restrict d1 = p->next.delta;
+    const double *restrict v0 = p->rate[0], *restrict v1 = p->rate[1];
+    const double *restrict deepest = p->results->deepest;
+    double *restrict reach = p->reach;
+    double h = p->h;
+    int64_t closes = 0;
+    int64_t deepens = 0;
+    for (int i = 0, n = p->model->n_contact; i < n; i++) {
+        double d = d0[i] > d1[i] ? d0[i] : d1[i];
+        double v = fabs(v0[i]) > fabs(v1[i]) ? fabs(v0[i]) : fabs(v1[i]);
+        double most = d + h * v;
+        reach[i] = most;
+        closes |= most > 0.0;
+        deepens |= most > deepest[i];
+    }
+    p->closes = closes != 0;
+    p->deepens = deepens != 0;
 }

@@ -15,16 +15,14 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "core/lanes.h"
 #include "core/number.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_parts.h"
 
 static const double SAFETY = 0.9;
 static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
 static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
 
-// What makes the bits of a number, taken as its logarithm, err as much to both sides.
+// The bits of a number are nearly its logarithm. With this offset they err as much to both sides.
 static const int64_t NEAREST = -60 * (INT64_C(1) << 52) / 1000;
 
 // The error of the first step over its estimate, where the force grows like t^(1/4). For sum b_i
@@ -41,14 +39,10 @@ enum { NOISY = 1000 };
 // Squares of frequencies that differ by less than this factor make the same scales.
 static const double SAME_SCALE = 1.25;
 
-void dp_step_first(struct dp *p) {
-    dp_rates_at(&p->system, &p->now, p->now.time, DP_ALL, p->stage[0]);
-}
-
 void dp_step_take(struct dp *p, double h, double end) {
     p->h = h;
     p->next.time = end;
-    p->system.floors->take(p);
+    p->floors->take(p);
 }
 
 // The differences of u and v over the links, a run of links at a time.
@@ -82,78 +76,48 @@ bool dp_step_alloc(struct dp *p, struct arena *a) {
     const struct model *m = p->model;
     struct dp_fastest *f = &p->fastest;
     f->building = arena_alloc(a, (size_t)m->n_building, sizeof *f->building);
-    f->spring = arena_alloc(a, (size_t)m->n_dof, sizeof *f->spring);
-    f->dashpot = arena_alloc(a, (size_t)m->n_dof, sizeof *f->dashpot);
     f->most = arena_alloc(a, (size_t)m->n_building, sizeof *f->most);
     p->scales.square = arena_alloc(a, (size_t)m->n_building, sizeof *p->scales.square);
     p->scales.memory = arena_alloc(a, (size_t)m->n_building, sizeof *p->scales.memory);
     return !arena_failed(a);
 }
 
-static void dp_start_fastest(struct dp *p) {
-    const struct model *m = p->model;
+// Adds the stiffness and the dashpot of live link n to the sums at its floors. A contact's
+// stiffness is that of its law at v = 0: at closure the slope in d of a force that depends on d and
+// v may be infinite.
+static void dp_add_link(struct dp *p, int n) {
     struct dp_fastest *f = &p->fastest;
-    f->alone = m->control.longest;
-    for (int k = 0; k < m->n_building; k++) {
-        f->building[k] = stability_of(&m->building[k]);
-        f->alone = fmin(f->alone, stability_step(&f->building[k], 0.0, 0.0));
-        p->scales.square[k] = f->building[k].square;
-        p->scales.memory[k] = fmin(f->building[k].memory, m->duration);
-    }
-    f->longest = f->alone;
-}
-
-// Stiffness and dashpot of live link n. A contact's stiffness is that of its law at v = 0: at
-// closure the slope in d of a force that depends on d and v may be infinite.
-static void dp_slopes(const struct dp *p, int n, double *spring, double *dashpot) {
-    int k = p->now.live[n];
+    const int k = p->now.live[n];
     const struct link *l = &p->model->link[k];
     const struct dp_rates *r = p->stage[0];
-    double dfdd = l->bilateral
-                      ? r->dfdd[n]
-                      : dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).dfdd;
-    bool unbounded = l->bilateral && p->system.phase[k] != PHASE_ANY;
-    *spring = fabs(dfdd) / l->mass;
-    *dashpot = unbounded ? 0.0 : fabs(r->dfdv[n]) / l->mass;
-}
-
-// Adds the live links to the sums at their floors.
-static void dp_add_links(struct dp *p) {
-    struct dp_fastest *f = &p->fastest;
-    for (int n = 0; n < p->now.n_live; n++) {
-        const struct link *l = &p->model->link[p->now.live[n]];
-        double spring, dashpot;
-        dp_slopes(p, n, &spring, &dashpot);
-        for (int end = 0; end < 2; end++) {
-            for (int i = 0; i < link_entries(l, end); i++) {
-                f->spring[link_entry(l, end, i).dof] += spring;
-                f->dashpot[link_entry(l, end, i).dof] += dashpot;
-            }
+    const bool unbounded = l->bilateral && p->system.phase[k] != PHASE_ANY;
+    const double dfdd = l->bilateral ? r->link[n].response.dfdd
+                                     : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
+    for (int end = 0; end < 2; end++) {
+        for (int i = 0; i < link_entries(l, end); i++) {
+            const int dof = link_entry(l, end, i).dof;
+            f->spring[dof] += fabs(dfdd) / l->mass;
+            f->dashpot[dof] += unbounded ? 0.0 : fabs(r->link[n].response.dfdv) / l->mass;
         }
     }
 }
 
-// Takes floor i into the bounds, and clears its sums.
-static void dp_take_floor(struct dp *p, int building, int i) {
+// Takes the sums at the floors of live link n into the bounds, and clears them.
+static void dp_take_link(struct dp *p, int n) {
     struct dp_fastest *f = &p->fastest;
-    const struct stability *s = &f->building[building];
-    f->longest = number_min(f->longest, stability_step(s, f->spring[i], f->dashpot[i]));
-    f->most[building] = number_max(f->most[building], f->spring[i]);
-    f->spring[i] = f->dashpot[i] = 0.0;
+    const struct link *l = &p->model->link[p->now.live[n]];
+    for (int end = 0; end < 2; end++) {
+        for (int i = 0; i < link_entries(l, end); i++) {
+            const int dof = link_entry(l, end, i).dof, k = l->building[end];
+            const double step = stability_step(&f->building[k], f->spring[dof], f->dashpot[dof]);
+            f->longest = number_min(f->longest, step);
+            f->most[k] = number_max(f->most[k], f->spring[dof]);
+            f->spring[dof] = f->dashpot[dof] = 0.0;
+        }
+    }
 }
 
 // The scales follow larger changes.
-static void dp_follow(struct dp *p, int building) {
-    struct dp_fastest *f = &p->fastest;
-    double square = f->building[building].square + f->most[building];
-    double *scale = &p->scales.square[building];
-    if (square > SAME_SCALE * *scale || SAME_SCALE * square < *scale) {
-        *scale = square;
-        p->grown = true;
-    }
-    f->most[building] = 0.0;
-}
-
 static void dp_update_fastest(struct dp *p) {
     struct dp_fastest *f = &p->fastest;
     if (p->now.n_live == 0 && !f->linked) {
@@ -161,84 +125,62 @@ static void dp_update_fastest(struct dp *p) {
     }
     f->linked = p->now.n_live > 0;
     f->longest = f->alone;
-    dp_add_links(p);
     for (int n = 0; n < p->now.n_live; n++) {
-        const struct link *l = &p->model->link[p->now.live[n]];
-        for (int end = 0; end < 2; end++) {
-            for (int i = 0; i < link_entries(l, end); i++) {
-                dp_take_floor(p, l->building[end], link_entry(l, end, i).dof);
-            }
-        }
+        dp_add_link(p, n);
+    }
+    for (int n = 0; n < p->now.n_live; n++) {
+        dp_take_link(p, n);
     }
     for (int k = 0; k < p->model->n_building; k++) {
-        dp_follow(p, k);
+        const double square = f->building[k].square + f->most[k];
+        double *scale = &p->scales.square[k];
+        if (square > SAME_SCALE * *scale || SAME_SCALE * square < *scale) {
+            *scale = square;
+            p->grown = true;
+        }
+        f->most[k] = 0.0;
     }
 }
 
 void dp_step_start(struct dp *p) {
     const struct model *m = p->model;
+    struct dp_fastest *f = &p->fastest;
     double omega = 0.0;
+    f->alone = m->control.longest;
     for (int k = 0; k < m->n_building; k++) {
-        omega = fmax(omega, m->building[k].omega[m->building[k].n_floor - 1]);
+        const struct building *g = &m->building[k];
+        omega = fmax(omega, g->omega[g->n_floor - 1]);
+        f->building[k] = stability_of(g);
+        f->alone = fmin(f->alone, stability_step(&f->building[k], 0.0, 0.0));
+        p->scales.square[k] = f->building[k].square;
+        p->scales.memory[k] = fmin(f->building[k].memory, m->duration);
     }
-    double first = omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
+    f->longest = f->alone;
+    const double first = omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
     p->trial = fmax(first, m->control.shortest);
-    dp_start_fastest(p);
 }
 
 double dp_step_limit(const struct dp *p) {
     return number_min(p->system.forcing.corner, p->model->duration);
 }
 
-// The next step: a part of the way to the limit.
-static void dp_take(struct dp *p) {
-    double end = dp_step_limit(p);
-    double rest = end - p->now.time;
-    double parts = pace_parts(rest, p->trial, p->fastest.longest);
-    if (parts > 1.0) {
-        dp_step_take(p, rest / parts, p->now.time + rest / parts);
-    } else {
-        dp_step_take(p, rest, end);
-    }
-}
-
-// What makes steps of h short, as text: the link that is stiffest at its state, the last contact
-// that had an event, or the tolerance.
-static const char *cause(const struct dp *p, double h) {
+// What makes steps of h short: the link that is stiffest at its state, the last contact that had an
+// event, or the tolerance.
+static struct pace_cause dp_cause(const struct dp *p, double h, const char *remedy) {
     const struct model *m = p->model;
     const char *name = p->last_link < 0 ? "the tolerance" : m->link[p->last_link].name;
     double fastest = 0.5 / h;  // slower ones do not matter
     for (int i = 0; i < p->now.n_live; i++) {
-        int k = p->now.live[i];
-        struct contact_response r =
-            dp_system_response(&p->system, &p->now, k, p->now.delta[k], p->rate[0][k]);
-        double rate = fmax(fabs(r.dfdv) / m->link[k].mass, sqrt(fabs(r.dfdd) / m->link[k].mass));
+        const int k = p->now.live[i];
+        const struct contact_response r = dp_system_response(p, k, p->now.delta[k], p->rate[0][k]);
+        const double mass = m->link[k].mass;
+        const double rate = fmax(fabs(r.dfdv) / mass, sqrt(fabs(r.dfdd) / mass));
         if (rate > fastest) {
             fastest = rate;
             name = m->link[k].name;
         }
     }
-    return name;
-}
-
-static int dp_too_short(const struct dp *p, double h, double error, struct error *e) {
-    const char *unit = p->model->deck->units.time_name;
-    if (!isfinite(error)) {
-        return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g %s", p->now.time,
-                         unit);
-    }
-    return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
-                     "-tolerance, a smaller -min, integrator newmark or step fixed DT",
-                     p->now.time, unit, h, unit, cause(p, h));
-}
-
-static int dp_too_slow(const struct dp *p, double step, struct error *e) {
-    const char *unit = p->model->deck->units.time_name;
-    return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
-                     "%.0e of them; use a larger -tolerance, integrator newmark or step fixed DT",
-                     p->now.time, unit, step, unit, cause(p, step), (double)ADAPTIVE_STEPS_MAX);
+    return (struct pace_cause){name, remedy};
 }
 
 // x^(-1/5) of a normal number, right to 0.4 %: the number whose bits are such a multiple of those
@@ -260,23 +202,68 @@ static double dp_change_for(double error) {
     return error < DBL_MAX ? SAFETY * dp_fifth_root_of_inverse(error) : SHRINK_MOST;
 }
 
+// The error of the drifts of building `g` over that allowed by turns of its parts within the step,
+// which the stages do not see: the history at the end depends on the way there. It is the
+// difference of the shears at the end with the histories that the way commits and with those of its
+// start.
+static double dp_way_error(const struct dp *p, int k) {
+    enum { POINTS = 4 };
+    const struct building *g = &p->model->building[k];
+    double *after = p->system.part_history;
+    struct dp_rates *r = p->stage[1];  // its weight in the step is 0
+    double *kept = r->a + g->first;
+    const double allowed = p->model->control.tolerance * p->scales.most_u;
+    double largest = 0.0;
+    for (int i = 1; i < POINTS; i++) {
+        dp_rates_move(p, (double)i / POINTS, k);
+        dp_rates_parts(p, g, i == 1 ? p->now.storey_history : after, r->u, r->v, after);
+    }
+    const double *shear = dp_rates_parts(p, g, p->now.storey_history, p->next.u, p->next.v, NULL);
+    memcpy(kept, shear, (size_t)g->n_floor * sizeof *kept);
+    dp_rates_parts(p, g, after, p->next.u, p->next.v, NULL);
+    for (int i = 0; i < g->n_floor; i++) {
+        const double change = fabs(shear[i] - kept[i]);
+        largest = change > 0.0 ? fmax(largest, change / (g->stiffness[i] * allowed)) : largest;
+    }
+    return largest;
+}
+
+static double dp_part_error(const struct dp *p) {
+    double largest = 0.0;
+    for (int k = 0; k < p->model->n_building && !p->model->elastic; k++) {
+        const struct building *g = &p->model->building[k];
+        int n_history = 0;
+        for (int i = 0; i < g->n_part; i++) {
+            n_history += g->part[i].n_history;
+        }
+        largest = n_history > 0 ? fmax(largest, dp_way_error(p, k)) : largest;
+    }
+    return largest;
+}
+
 double dp_step_error(const struct dp *p) {
-    double largest = p->system.floors->error(p) / p->model->control.tolerance;
+    const double largest = p->floors->error(p) / p->model->control.tolerance;
     if (!isfinite(largest)) {
         return INFINITY;
     }
-    const double parts = p->model->elastic ? 0.0 : dp_parts_error(p);
-    return number_max(parts, largest * (p->is_steep ? UNSEEN : 1.0));
+    return number_max(dp_part_error(p), largest * (p->is_steep ? UNSEEN : 1.0));
 }
 
 int dp_step_reject(struct dp *p, double error, struct error *e) {
+    const struct model *m = p->model;
+    const double time = p->now.time;
     p->results->totals.rejected++;
-    if (p->h <= p->model->control.shortest || p->now.time + p->h / 2.0 == p->now.time) {
-        return dp_too_short(p, p->h, error, e);
+    if (pace_can_shorten(m, time, p->h)) {
+        p->trial = p->h * fmin(number_max(dp_change_for(error), SHRINK_MOST), SAFETY);
+        p->trial = fmax(p->trial, m->control.shortest);
+        return STATUS_OK;
     }
-    p->trial = p->h * fmin(number_max(dp_change_for(error), SHRINK_MOST), SAFETY);
-    p->trial = fmax(p->trial, p->model->control.shortest);
-    return STATUS_OK;
+    if (!isfinite(error)) {
+        return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g %s", time,
+                         m->deck->units.time_name);
+    }
+    const struct pace_cause cause = dp_cause(p, p->h, ", integrator newmark");
+    return pace_too_long(m, time, p->h, &cause, e);
 }
 
 static int dp_too_noisy(const struct dp *p, struct error *e) {
@@ -291,17 +278,22 @@ static int dp_too_noisy(const struct dp *p, struct error *e) {
 }
 
 int dp_step_attempt(struct dp *p, struct error *e) {
+    const struct model *m = p->model;
+    const double goal = dp_step_limit(p);
     dp_update_fastest(p);
     p->noisy = p->scales.noisy < 0 ? 0 : p->noisy + 1;
     if (p->noisy > NOISY) {
         return dp_too_noisy(p, e);
     }
     for (;;) {
-        dp_take(p);
-        double error = dp_step_error(p);
-        double step;
-        if (pace_is_slow(&p->pace, p->model, p->now.time, &step)) {
-            return dp_too_slow(p, step, e);
+        double h, end, mean;
+        pace_next(p->now.time, goal, p->trial, p->fastest.longest, &h, &end);
+        dp_step_take(p, h, end);
+        const double error = dp_step_error(p);
+        if (pace_is_slow(&p->pace, m, p->now.time, &mean)) {
+            const struct pace_cause cause =
+                dp_cause(p, mean, "integrator newmark or step fixed DT");
+            return pace_too_slow(m, p->now.time, mean, &cause, e);
         }
         if (error <= 1.0) {
             p->trial = p->h * number_min(dp_change_for(error), GROW_MOST);

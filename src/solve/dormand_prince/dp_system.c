@@ -3,17 +3,11 @@
 // branch, and continued along it where a stage lies beyond: a contact by the tangents at its end
 // (d = 0, or v = 0 from the side of its phase), which is exact for laws that are linear there, a
 // storey made of straight lines by its line. Where the branch really ends the step does; see
-// dp_event.c. Other storey laws are called as they are.
-#include "solve/dormand_prince/dp_system.h"
-
-#include <float.h>
+// dp_events.c. Other storey laws are called as they are, and so are parts: their kinks and turns
+// are left to the error control.
 #include <math.h>
-#include <string.h>
 
-#include "core/arena.h"
-#include "core/lanes.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_parts.h"
 
 // How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
 // which its shear would take elastically: far above rounding, far below any tolerance.
@@ -31,58 +25,57 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct dp_system, tangent, FIELD_FLOORS),
     FIELD_ARRAY(struct dp_system, most_drift, FIELD_FLOORS),
     FIELD_ARRAY(struct dp_system, phase, FIELD_LINKS),
+    // The rest stays as it is at the start, or is scratch.
+    FIELD_ARRAY(struct dp_system, row[DP_C_BELOW], FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, row[DP_C_OWN], FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, row[DP_C_ABOVE], FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, row[DP_GROUND], FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, row[DP_CARRIED], FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, row[DP_DAMPER], FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, row[DP_DAMPER_ABOVE], FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, mobility, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, inelastic, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, below, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, building, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, calls, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, damping, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, part_drift, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, part_rate, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, part_shear, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, part_history, FIELD_STOREY_HISTORIES),
 };
 const struct fields dp_system_fields = FIELDS(list);
 
-bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a) {
-    size_t n = (size_t)m->n_dof;
-    *s = (struct dp_system){.model = m, .floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow)};
-    s->mobility = lanes_array(a, m->n_dof);
-    s->base = lanes_array(a, m->n_dof);
-    s->tangent = lanes_array(a, m->n_dof);
-    s->most_drift = lanes_array(a, m->n_dof);
-    s->damping = lanes_array(a, m->n_dof);
-    s->part_drift = lanes_array(a, m->n_dof);
-    s->part_rate = lanes_array(a, m->n_dof);
-    s->part_shear = lanes_array(a, m->n_dof);
-    s->part_history = arena_alloc(a, (size_t)m->n_storey_history, sizeof(double));
-    for (int q = 0; q < DP_ROWS; q++) {
-        s->row[q] = lanes_array(a, m->n_dof);
-    }
-    s->phase = arena_alloc(a, (size_t)m->n_link, sizeof *s->phase);
-    s->inelastic = arena_alloc(a, n, sizeof *s->inelastic);
-    s->below = arena_alloc(a, n, sizeof *s->below);
-    s->calls = arena_alloc(a, n, sizeof *s->calls);
-    s->building = arena_alloc(a, n, sizeof *s->building);
-    return forcing_alloc(&s->forcing, m, a);
+struct storey_response dp_system_storey(const struct dp *p, int i, double drift) {
+    const struct storey *law = &p->model->storey[i];
+    return law->law->respond(law->constant, p->now.storey_history + law->history, drift, NULL);
 }
 
-static bool dp_is_straight(const struct storey *law) {
-    return law->law->n_history == 0 || (law->law->traits & STOREY_STRAIGHT);
+double dp_system_shear(const struct dp *p, int i, double drift) {
+    const struct dp_system *s = &p->system;
+    return s->calls[i] ? dp_system_storey(p, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
-static struct storey_response dp_storey_at(const struct dp_system *s, const struct state *now,
-                                           int i, double drift) {
-    const struct storey *law = &s->model->storey[i];
-    return law->law->respond(law->constant, now->storey_history + law->history, drift, NULL);
+double dp_system_noise(const struct dp *p, int i) {
+    const double drift = p->now.drift[i];
+    const double elastic = dp_system_storey(p, i, drift).shear / p->model->chain.stiffness[i];
+    const double probe = PROBE * (fabs(drift) + fabs(elastic));
+    return fmax(probe, ROUNDING * p->system.most_drift[i]);
 }
 
-double dp_system_tangent(const struct dp_system *s, const struct state *now, int i, double drift) {
-    return dp_storey_at(s, now, i, drift).tangent;
-}
-
-double dp_system_storey_noise(const struct dp_system *s, const struct state *now, int i) {
-    double elastic = dp_storey_at(s, now, i, now->drift[i]).shear / s->model->chain.stiffness[i];
-    double probe = PROBE * (fabs(now->drift[i]) + fabs(elastic));
-    return fmax(probe, ROUNDING * s->most_drift[i]);
+double dp_system_lag(const struct dp *p, int i) {
+    const double drift = p->now.drift[i];
+    const double missed = dp_system_shear(p, i, drift) - dp_system_storey(p, i, drift).shear;
+    return fabs(missed) / p->model->chain.stiffness[i];
 }
 
 // The rows of the matrices that have to do with storey i: those of the floors above and below it.
-static void dp_fill_rows(struct dp_system *s, int i) {
-    const struct building *g = &s->model->building[s->building[i]];
+static void dp_fill_rows(struct dp *p, int i) {
+    struct dp_system *s = &p->system;
+    const struct building *g = &p->model->building[s->building[i]];
     for (int j = i > g->first ? i - 1 : i; j <= i; j++) {
-        bool roof = j + 1 == g->first + g->n_floor;
-        double above = roof ? 0.0 : s->tangent[j + 1];
+        const bool roof = j + 1 == g->first + g->n_floor;
+        const double above = roof ? 0.0 : s->tangent[j + 1];
         s->row[DP_K_BELOW][j] = j > g->first ? -s->tangent[j] * s->mobility[j] : 0.0;
         s->row[DP_K_OWN][j] = (s->tangent[j] + above) * s->mobility[j];
         s->row[DP_K_ABOVE][j] = -above * s->mobility[j];
@@ -90,27 +83,28 @@ static void dp_fill_rows(struct dp_system *s, int i) {
     }
 }
 
-void dp_system_branch(struct dp_system *s, const struct state *now, int i, double from,
-                      double direction) {
+void dp_system_branch(struct dp *p, int i, double from, double direction) {
+    struct dp_system *s = &p->system;
     if (!s->calls[i]) {
-        double drift = now->drift[i];
-        double beyond = from + copysign(dp_system_storey_noise(s, now, i), direction);
-        s->tangent[i] = dp_storey_at(s, now, i, beyond).tangent;
-        s->base[i] = dp_storey_at(s, now, i, drift).shear - s->tangent[i] * drift;
+        const double drift = p->now.drift[i];
+        const double beyond = from + copysign(dp_system_noise(p, i), direction);
+        s->tangent[i] = dp_system_storey(p, i, beyond).tangent;
+        s->base[i] = dp_system_storey(p, i, drift).shear - s->tangent[i] * drift;
     }
-    dp_fill_rows(s, i);
+    dp_fill_rows(p, i);
 }
 
-static void dp_start_floor(struct dp_system *s, const struct state *now, int k, int floor) {
-    const struct building *g = &s->model->building[k];
-    int i = g->first + floor;
-    const struct storey *law = &s->model->storey[i];
-    s->row[DP_GROUND][i] = s->model->n_ground == 1 ? 1.0 : 0.0;
+static void dp_start_floor(struct dp *p, int k, int floor) {
+    struct dp_system *s = &p->system;
+    const struct building *g = &p->model->building[k];
+    const int i = g->first + floor;
+    const struct storey_law *law = p->model->storey[i].law;
+    s->row[DP_GROUND][i] = p->model->n_ground == 1 ? 1.0 : 0.0;
     s->row[DP_CARRIED][i] = s->row[DP_GROUND][i] * g->mass[floor];
     s->mobility[i] = 1.0 / g->mass[floor];
     s->building[i] = k;
     s->below[i] = floor > 0 ? i - 1 : -1;
-    s->calls[i] = !dp_is_straight(law);
+    s->calls[i] = law->n_history > 0 && !(law->traits & STOREY_STRAIGHT);
     s->tangent[i] = s->calls[i] ? 0.0 : g->spring[floor];
     if (!g->damping_full) {
         s->row[DP_C_BELOW][i] = floor > 0 ? g->damping_off[floor - 1] * s->mobility[i] : 0.0;
@@ -119,54 +113,52 @@ static void dp_start_floor(struct dp_system *s, const struct state *now, int k, 
         s->row[DP_DAMPER][i] = g->damping_diagonal[floor];
         s->row[DP_DAMPER_ABOVE][i] = 2.0 * g->damping_off[floor];
     }
-    if (law->law->n_history > 0) {
+    if (law->n_history > 0) {
         s->inelastic[s->n_inelastic++] = i;
-        dp_system_branch(s, now, i, now->drift[i], now->v[i] - (floor > 0 ? now->v[i - 1] : 0.0));
+        dp_system_branch(p, i, p->now.drift[i], p->now.v[i] - p->now.v[s->below[i]]);
     }
-    dp_fill_rows(s, i);
+    dp_fill_rows(p, i);
 }
 
-static enum phase dp_start_phase(const struct model *m, const struct state *now, int k) {
-    const struct link *l = &m->link[k];
+static enum phase dp_start_phase(const struct dp *p, int k) {
+    const struct link *l = &p->model->link[k];
     if (l->bilateral && isfinite(l->law->force(l->constant, NULL, 0.0, 0.0).dfdv)) {
         return PHASE_ANY;
     }
-    return state_rate(now, m, k) < 0.0 ? PHASE_RELEASE : PHASE_APPROACH;
+    return state_rate(&p->now, p->model, k) < 0.0 ? PHASE_RELEASE : PHASE_APPROACH;
 }
 
-void dp_system_start(struct dp_system *s, const struct state *now) {
-    const struct model *m = s->model;
-    (void)forcing_turn(&s->forcing, now->time);
+void dp_system_start(struct dp *p) {
+    const struct model *m = p->model;
+    struct dp_system *s = &p->system;
+    (void)forcing_turn(&s->forcing, p->now.time);
     for (int k = 0; k < m->n_building; k++) {
         for (int i = 0; i < m->building[k].n_floor; i++) {
-            dp_start_floor(s, now, k, i);
+            dp_start_floor(p, k, i);
         }
     }
     s->special = m->n_ground > 1 || m->chain.full_damping || s->n_inelastic > 0 || m->n_load > 0;
     for (int k = 0; k < m->n_link; k++) {
-        s->phase[k] = dp_start_phase(m, now, k);
+        s->phase[k] = dp_start_phase(p, k);
     }
 }
 
-double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift) {
-    return s->calls[i] ? dp_storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
-}
-
-double dp_system_storey_lag(const struct dp_system *s, const struct state *now, int i) {
-    double drift = now->drift[i];
-    double missed = dp_system_shear(s, now, i, drift) - dp_storey_at(s, now, i, drift).shear;
-    return fabs(missed) / s->model->chain.stiffness[i];
-}
-
-void dp_system_commit(const struct dp_system *s, struct state *now) {
-    const struct model *m = s->model;
-    for (int i = 0; i < s->n_inelastic; i++) {
-        const struct storey *law = &m->storey[s->inelastic[i]];
-        double drift = now->drift[s->inelastic[i]];
+void dp_system_commit(struct dp *p) {
+    const struct model *m = p->model;
+    struct dp_system *s = &p->system;
+    struct state *now = &p->now;
+    for (int n = 0; n < s->n_inelastic; n++) {
+        const int i = s->inelastic[n];
+        const struct storey *law = &m->storey[i];
         double *history = now->storey_history + law->history;
-        law->law->respond(law->constant, history, drift, history);
-        s->most_drift[s->inelastic[i]] = fmax(s->most_drift[s->inelastic[i]], fabs(drift));
+        law->law->respond(law->constant, history, now->drift[i], history);
+        s->most_drift[i] = fmax(s->most_drift[i], fabs(now->drift[i]));
     }
-    dp_parts_commit(s, now);
+    for (int k = 0; k < m->n_building && !m->elastic; k++) {
+        const struct building *g = &m->building[k];
+        if (!g->elastic && g->n_part > 0) {
+            dp_rates_parts(p, g, now->storey_history, now->u, now->v, now->storey_history);
+        }
+    }
     state_commit_links(now, m);
 }

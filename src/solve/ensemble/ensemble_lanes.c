@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "core/number.h"
@@ -48,7 +49,7 @@ static void fill_factors(struct ensemble_factors *f, const struct model *m) {
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
                           const struct ensemble_steps *steps, struct arena *a) {
-    const int n = m->n_dof, room = lanes_whole(n);
+    const int n = m->n_dof;
     *e = (struct ensemble_lanes){
         .steps = steps,
         .n_building = m->n_building,
@@ -56,23 +57,17 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .n_contact = m->n_contact,
         .h = m->dt,
         .factors = lanes_wide_array(a, 1, sizeof *e->factors),
-        .now = lanes_wide_array(a, room, sizeof *e->now),
-        .next = lanes_wide_array(a, room, sizeof *e->next),
+        .now = lanes_wide_array(a, n, sizeof *e->now),
+        .next = lanes_wide_array(a, n, sizeof *e->next),
         .trial = lanes_wide_array(a, n, sizeof *e->trial),
-        .correction = lanes_wide_array(a, room + LANES_WIDTH, sizeof *e->correction),
+        .correction = lanes_wide_array(a, n, sizeof *e->correction),
         .kept = lanes_wide_array(a, n, sizeof *e->kept),
-        .hidden = lanes_array(a, n),
-        .shown = arena_alloc(a, (size_t)(n / WIDE_RUNS) + 1, sizeof *e->shown),
-        .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
-        .works = lanes_wide_array(a, 1, sizeof *e->works),
         .peak = lanes_wide_array(a, n, sizeof *e->peak),
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
+        .works = lanes_wide_array(a, 1, sizeof *e->works),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
         .building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building),
     };
-    for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        ensemble_lanes_clear(e, lane);
-    }
     alloc_contacts(e, m, a);
     for (int k = 0; e->building && k < m->n_building; k++) {
         alloc_building(&e->building[k], &m->building[k], a);
@@ -125,7 +120,7 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
         const int j = b->shape->first + i;
         const ptrdiff_t at = (ptrdiff_t)i * home->pitch;
         const double number[NUMBER_COUNT] = {
-            [NUMBER_INERTIA] = -c->mass[j],       [NUMBER_STIFFNESS] = c->stiffness[j],
+            [NUMBER_MASS] = c->mass[j],           [NUMBER_STIFFNESS] = c->stiffness[j],
             [NUMBER_BELOW] = c->damping_below[j], [NUMBER_OWN] = c->damping[j],
             [NUMBER_ABOVE] = c->damping_above[j],
         };
@@ -177,43 +172,51 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
     for (int k = 0; k < e->n_building; k++) {
         struct ensemble_building *b = &e->building[k];
         const int n_floor = b->shape->n_floor;
-        struct {
-            double *x;
-            int n;
-        } part[] = {
-            {b->number, n_floor * NUMBER_COUNT},
-            {b->factor, n_floor * FACTOR_COUNT},
-            {b->inverse, b->inverse ? n_floor * n_floor : 0},
-        };
-        enum { PARTS = sizeof part / sizeof part[0] };
+        double *array[] = {b->number, b->factor, b->inverse};
+        const int size[] = {n_floor * NUMBER_COUNT, n_floor * FACTOR_COUNT,
+                            b->inverse ? n_floor * n_floor : 0};
         bool same = true;
-        for (int i = 0; i < PARTS; i++) {
-            same = same && are_same(part[i].x, part[i].n, n);
+        for (int i = 0; i < 3; i++) {
+            same = same && are_same(array[i], size[i], n);
         }
         b->held = same ? HELD_ONCE : HELD_BY_EACH;
-        for (int i = 0; same && i < PARTS; i++) {
-            hold_once(part[i].x, part[i].n);
+        for (int i = 0; same && i < 3; i++) {
+            hold_once(array[i], size[i]);
         }
     }
 }
 
-bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
-    const struct state *s = r->now;
+// What is copied between a run and its lane.
+struct lane_array {
+    wide *lanes;  // (n), `pitch` apart
+    double *run;  // (n)
+    int n, pitch;
+};
+enum { LANE_ARRAYS = 6 };
+
+static void lane_arrays(const struct ensemble_lanes *e, struct state *s, struct energy_account *a,
+                        struct lane_array array[LANE_ARRAYS]) {
+    const struct lane_array all[LANE_ARRAYS] = {
+        {&e->now->u, s->u, e->n_floor, sizeof *e->now / sizeof(wide)},
+        {&e->now->v, s->v, e->n_floor, sizeof *e->now / sizeof(wide)},
+        {&e->now->a, s->a, e->n_floor, sizeof *e->now / sizeof(wide)},
+        {e->works->input_2x, a->input_2x, LANES_WIDTH, 1},
+        {e->works->damping_2x, a->damping_2x, LANES_WIDTH, 1},
+        {&e->works->ground, s->ground_a, 1, 1},
+    };
+    memcpy(array, all, sizeof all);
+}
+
+bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r) {
+    struct lane_array array[LANE_ARRAYS];
     bool small = true;
     e->steps->catch_up(e);
-    for (int i = 0; i < e->n_floor; i++) {
-        struct ensemble_state *f = &e->now[i];
-        small &= put(&f->u, lane, s->u[i]);
-        small &= put(&f->v, lane, s->v[i]);
-        small &= put(&f->a, lane, s->a[i]);
-        e->next[i] = *f;
+    lane_arrays(e, r->now, &r->energy, array);
+    for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
+        for (int i = 0; i < x->n; i++) {
+            small &= put(&x->lanes[i * x->pitch], lane, x->run[i]);
+        }
     }
-    for (int i = 0; i < LANES_WIDTH; i++) {
-        e->works->input_2x[i][lane] = r->energy.input_2x[i];
-        e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
-    }
-    e->works->ground[lane] = s->ground_a[0];
-    e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_nearest *p = &e->nearest[k];
         const double depth = fmin(r->work.gaps.nearest[k], 0.0);
@@ -223,12 +226,8 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *
         }
         e->gap[k].limit[lane] = p->depth[lane];
     }
-    if (small) {
-        e->active[lane] = -1;
-        e->show.u_trial[lane] = r->work.u_trial;
-        e->show.v_trial[lane] = r->work.v_trial;
-        e->show.correction[lane] = r->work.correction;
-    }
+    e->works->beyond[lane] = 0;
+    e->active[lane] = small ? -1 : 0;
     return small;
 }
 
@@ -236,19 +235,17 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
                           long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
+    struct lane_array array[LANE_ARRAYS];
     e->steps->catch_up(e);
+    lane_arrays(e, s, &r->energy, array);
+    for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
+        for (int i = 0; i < x->n; i++) {
+            x->run[i] = x->lanes[i * x->pitch][lane];
+        }
+    }
     for (int i = 0; i < e->n_floor; i++) {
-        const struct ensemble_state *f = &e->now[i];
-        s->u[i] = f->u[lane];
-        s->v[i] = f->v[lane];
-        s->a[i] = f->a[lane];
+        t->speed = number_max(t->speed, e->peak[i].of[PEAK_VELOCITY][lane]);
     }
-    for (int i = 0; i < LANES_WIDTH; i++) {
-        r->energy.input_2x[i] = e->works->input_2x[i][lane];
-        r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
-    }
-    s->ground_a[0] = e->works->ground[lane];
-    t->speed = e->works->speed[lane];
     for (int k = 0; k < e->n_contact; k++) {
         s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->gap[k].width[lane];
     }
@@ -260,7 +257,6 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
 
 void ensemble_lanes_clear(struct ensemble_lanes *e, int lane) {
     e->active[lane] = 0;
-    e->show.u_trial[lane] = e->show.v_trial[lane] = e->show.correction[lane] = e->hidden;
 }
 
 // The larger of two peaks, and of equal ones the earlier.

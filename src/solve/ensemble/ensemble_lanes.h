@@ -34,14 +34,9 @@ struct ensemble_factors {
     wide per_b, per_g;
 };
 
-// What the contact iteration of a run reads of its floors, and changes: arrays of its struct work.
-struct ensemble_shown {
-    double *u_trial[WIDE_RUNS], *v_trial[WIDE_RUNS], *correction[WIDE_RUNS];
-};
-
 // What a step needs of a floor besides, with the storey below it.
 enum ensemble_number {
-    NUMBER_INERTIA,    // [M] minus the mass
+    NUMBER_MASS,       // [M]
     NUMBER_STIFFNESS,  // [F/L]
     NUMBER_BELOW,
     NUMBER_OWN,
@@ -70,19 +65,12 @@ struct ensemble_building {
     double *factor;   // (n_floor, FACTOR_COUNT)
     double *inverse;  // (n_floor, n_floor) A^-1 of a low building, else NULL
     bool multiplies;  // solves multiply by it; else they go through the factors
-    bool exceeds;     // an active run exceeds a peak of it in the step under way
-    // Links have changed its corrections since it was moved:
-    bool pushed;  // those that have been shown,
-    bool swept;   // or else those in the lanes
+    bool pushed;      // links have changed its corrections since it was moved
 };
 
-// Largest values since the runs entered, or before: never above those of the runs.
+// Largest values while the runs were here.
 struct ensemble_peaks {
     wide of[PEAK_COUNT];
-};
-
-struct ensemble_peak_times {
-    wide of[PEAK_COUNT];  // [T]
 };
 
 struct ensemble_gap {
@@ -104,22 +92,23 @@ struct ensemble_pressed {
     unsigned nearer;  // and those in which it is open
 };
 
-// As of struct energy_account, and of the runs besides.
+// As of struct energy_account, and what an account of the last step needs.
 struct ensemble_works {
     wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
-    wide ground;     // [L/T^2] acceleration of `now`
-    wide ground_2x;  // and of the step before, together
-    wide speed;      // [L/T] largest velocity of any floor so far
+    double time;       // [T] of `now`,
+    wide ground;       // [L/T^2] and the acceleration of the ground then,
+    wide ground_2x;    // together with that before
+    wide_bits beyond;  // negative in lanes whose numbers have grown too large
 };
 
 struct ensemble_lanes;
 
 // Steps of the floors of all runs at once; `base` is the ground acceleration at its end.
 struct ensemble_steps {
-    // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them
-    // asks for a closer look: that one is computed, but not committed. Returns the number
-    // committed. *presses: that one presses contacts beyond their limits.
-    int (*march)(struct ensemble_lanes *e, const wide *base, int n, bool *presses);
+    // Takes up to `n` steps, the first of them number `first`, but stops before one in which a
+    // contact closes or a number grows too large. Their ground accelerations are in `base`. Returns
+    // the number of steps taken.
+    int (*march)(struct ensemble_lanes *e, const wide *base, int n, long first);
 
     // Computes one step with the forces that live links begin it with.
     void (*move)(struct ensemble_lanes *e, const wide *base);
@@ -127,17 +116,10 @@ struct ensemble_steps {
     // Solves for the forces of contacts in lanes: see ensemble_contacts.h. NULL: none ever are.
     void (*solve)(struct ensemble_lanes *e);
 
-    // Shows the active runs the trial and the corrections of that step, or of the one that the
-    // march has stopped at: of floors WIDE_RUNS * eight to WIDE_RUNS * eight + WIDE_RUNS - 1.
-    void (*show)(struct ensemble_lanes *e, int eight);
-
-    // Computes it again for buildings that links have pushed, from what they have made of that.
+    // Computes it again for buildings that links have pushed, by their corrections.
     void (*move_pushed)(struct ensemble_lanes *e, const wide *base);
 
-    // Commits the step that has been computed, and owes its works.
-    void (*commit)(struct ensemble_lanes *e, const wide *base);
-
-    // Takes the works of the last step into account, where that is still owing.
+    // Takes the last step into works and peaks, where that is still owing.
     void (*catch_up)(struct ensemble_lanes *e);
 };
 extern const struct ensemble_steps ensemble_whole;  // for registers that hold all lanes
@@ -153,19 +135,14 @@ struct ensemble_lanes {
     struct ensemble_building *building;  // (n_building)
     struct ensemble_state *now, *next;   // (n_floor) of all buildings, with zeros beyond
     struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
-    wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it, before
-                                         // links that are solved for run by run have changed them
-    wide *kept;                          // (n_floor) scratch: what they were before all links
-    struct ensemble_shown show;          // by lanes, of active runs
-    double *hidden;                      // (n_floor) stands there for the others
-    bool *shown;                         // (n_floor / WIDE_RUNS) floors that runs know in this step
-    wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
-    struct ensemble_peaks *peak;         // (n_floor)
-    struct ensemble_peak_times *peak_time;  // (n_floor)
-    struct ensemble_works *works;           // up to `now`, or the step before where that is owing,
-    bool owing;                             // which is in `next` then
-    struct ensemble_gap *gap;               // (n_contact)
-    struct ensemble_nearest *nearest;       // (n_contact)
+    wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it
+    wide *kept;                        // (n_floor) scratch: what they were before contacts in lanes
+    struct ensemble_peaks *peak;       // (n_floor)
+    struct ensemble_peaks *peak_time;  // [T] (n_floor)
+    struct ensemble_works *works;      // up to `now`, or the step before where that is owing,
+    bool owing;                        // which is in `next` then
+    struct ensemble_gap *gap;          // (n_contact)
+    struct ensemble_nearest *nearest;  // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
     wide *force;    // [F] (n_contact) that a step begins with, else 0,
     bool *acts;     // (n_contact) of contacts that are live in some lane
@@ -216,7 +193,7 @@ bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r);
 void ensemble_lanes_share(struct ensemble_lanes *e, int n);
 
 // Takes the floors of the committed state of a run into its lane. False: a number is too large.
-bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *r);
+bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r);
 
 // Gives a run the state of its lane, at time `time`, after `n_step` steps there.
 void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, double time,
@@ -228,19 +205,25 @@ void ensemble_lanes_clear(struct ensemble_lanes *e, int lane);
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
 
-// Whether an active run exceeds a peak in the step that has been computed and pressed.
-bool ensemble_exceeds(struct ensemble_lanes *e);
-
-// The active lanes whose numbers have grown too large in the step that has been computed, one bit
-// each. `base` is its ground acceleration here and below.
-unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
+// The active lanes whose numbers have grown too large, one bit each.
+unsigned ensemble_overflows(const struct ensemble_lanes *e);
 
 // Finds the contacts that it has pressed beyond their limits in active lanes.
 void ensemble_press(struct ensemble_lanes *e);
 
-// Takes the step that has been computed, to `time`, into the peaks of active runs that
-// ensemble_exceeds has found to be exceeded.
-void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
+// Records those of them that are open, and so nearer than ever at `time`.
+void ensemble_approach(struct ensemble_lanes *e, double time);
+
+// Commits it, and owes its account.
+LANES_INLINE void ensemble_commit(struct ensemble_lanes *e, const wide *base, double time) {
+    struct ensemble_state *old = e->now;
+    e->works->time = time;
+    e->works->ground_2x = e->works->ground + *base;
+    e->works->ground = *base;
+    e->now = e->next;
+    e->next = old;
+    e->owing = true;
+}
 
 // The energies of all lanes (WIDE_RUNS).
 void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums);

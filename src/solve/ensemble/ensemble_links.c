@@ -7,22 +7,31 @@
 #include "solve/contact/contact.h"
 #include "solve/newmark/event.h"
 
-// Copies the floors of building k from the lanes to the runs, if that has not been done.
-static void show_building(struct ensemble_lanes *e, int k) {
+// Copies the trial and the corrections of building k from the lane to the run.
+static void show_building(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct building *g = e->building[k].shape;
-    for (int i = g->first / WIDE_RUNS; i <= (g->first + g->n_floor - 1) / WIDE_RUNS; i++) {
-        if (!e->shown[i]) {
-            e->steps->show(e, i);
-        }
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        r->work.u_trial[i] = e->trial[i].u[lane];
+        r->work.v_trial[i] = e->trial[i].v[lane];
+        r->work.correction[i] = e->correction[i][lane];
     }
 }
 
+// Takes the corrections of building k from the run.
+static void push_building(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
+    const struct building *g = e->building[k].shape;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        e->correction[i][lane] = r->work.correction[i];
+    }
+    e->building[k].pushed = true;
+}
+
 // The same for both buildings of contact k.
-static void show_ends(struct ensemble_lanes *e, const struct run *r, int k) {
+static void show_ends(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     for (int side = 0; side < 2; side++) {
         const int b = r->model->link[k].building[side];
         if (b != WALL) {
-            show_building(e, b);
+            show_building(e, lane, r, b);
         }
     }
 }
@@ -81,7 +90,7 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
         if (!ensemble_has(e->pressed[i].closed, lane)) {
             continue;
         }
-        show_ends(e, r, k);
+        show_ends(e, lane, r, k);
         gather_velocities(e, k, e->now, lane, r->now->v);
         r->now->delta[k] = penetration(e, k, e->now, lane);
         r->next->delta[k] = penetration(e, k, e->next, lane);
@@ -93,16 +102,16 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
     return n;
 }
 
-int ensemble_links_solve(struct ensemble_lanes *e, struct run *r) {
+int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
     const struct gaps *g = &r->work.gaps;
     for (int i = 0; i < g->n_touched; i++) {
-        show_building(e, g->touched[i]);
+        show_building(e, lane, r, g->touched[i]);
     }
     if (contact_solve(&r->work, r->now, r->next) != STATUS_OK) {
         return STATUS_RETRY;
     }
     for (int i = 0; i < g->n_touched; i++) {
-        e->building[g->touched[i]].pushed = true;
+        push_building(e, lane, r, g->touched[i]);
     }
     return STATUS_OK;
 }

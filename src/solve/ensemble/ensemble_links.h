@@ -24,7 +24,7 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r);
 
 // Solves for the forces of live links, which push their buildings in the lane.
 // STATUS_RETRY: the run has to take this step alone.
-int ensemble_links_solve(struct ensemble_lanes *e, struct run *r);
+int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r);
 
 // Ends a step that is solved, when the lane has taken over what links have done. STATUS_RETRY: a
 // force has jumped in it, as above.

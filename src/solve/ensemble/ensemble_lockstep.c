@@ -119,7 +119,7 @@ static bool solve_links(struct lockstep *l, int k, long n, bool pressed) {
         return false;
     }
     set_run(&l->wanted, k, false);
-    if (ensemble_links_solve(&l->lanes, r) != STATUS_OK) {
+    if (ensemble_links_solve(&l->lanes, k, r) != STATUS_OK) {
         give_up(l, k, n);
     }
     return true;
@@ -163,15 +163,6 @@ static void solve_all_links(struct lockstep *l, long n, const wide *base) {
     }
 }
 
-// Takes a closer look at the step n that has been computed, in which a peak is exceeded.
-static void raise_peaks(struct lockstep *l, long n, const wide *base) {
-    const unsigned leaving = ensemble_overflows(&l->lanes, base);
-    EACH_RUN(k, leaving) {
-        give_up(l, k, n);
-    }
-    ensemble_raise(&l->lanes, base, (double)n * l->lanes.h);
-}
-
 static void commit_step(struct lockstep *l, long n, const wide *base) {
     const double start = (double)(n - 1) * l->lanes.h, end = (double)n * l->lanes.h;
     if (l->lanes.contacts->active) {
@@ -188,7 +179,7 @@ static void commit_step(struct lockstep *l, long n, const wide *base) {
             ensemble_lockstep_end(l, k, status);
         }
     }
-    l->lanes.steps->commit(&l->lanes, base);
+    ensemble_commit(&l->lanes, base, end);
 }
 
 long ensemble_lockstep_advance(struct lockstep *l, long n) {
@@ -201,24 +192,20 @@ long ensemble_lockstep_advance(struct lockstep *l, long n) {
         return last;
     }
     const wide *base = e->base + (n + ENSEMBLE_STRETCH - 1 - l->known);
-    bool presses = live;
-    const int taken = live ? 0 : e->steps->march(e, base, (int)(last - n + 1), &presses);
+    const int taken = live ? 0 : e->steps->march(e, base, (int)(last - n + 1), n);
     n += taken;
     base += taken;
     if (n > last) {
         return last;
     }
     e->contacts->solved = 0;
-    if (live) {
-        begin_links(l, n, base);
+    begin_links(l, n, base);
+    solve_all_links(l, n, base);
+    const unsigned leaving = ensemble_overflows(e);
+    EACH_RUN(k, leaving) {
+        give_up(l, k, n);
     }
-    e->n_pressed = 0;
-    if (presses) {
-        solve_all_links(l, n, base);
-    }
-    if (ensemble_exceeds(e)) {
-        raise_peaks(l, n, base);
-    }
+    ensemble_approach(e, (double)n * e->h);
     commit_step(l, n, base);
     return n;
 }

@@ -25,25 +25,8 @@ LANES_INLINE unsigned active_runs(const struct ensemble_lanes *e, const wide_bit
     return (unsigned)(set[0] | set[1] | set[2] | set[3]);
 }
 
-// Negative in lanes where floor i has a number that is too large.
-LANES_INLINE void overflow(const struct ensemble_lanes *e, int i, const wide *base,
-                           wide_bits *flags) {
-    const struct ensemble_state *s = &e->next[i];
-    const wide most = ENSEMBLE_LARGEST - (wide){0.0};
-    const wide total = s->a + *base;
-    *flags |= LESS(most, WIDE_ABSOLUTE(s->u)) | LESS(most, WIDE_ABSOLUTE(s->v)) |
-              LESS(most, WIDE_ABSOLUTE(total));
-}
-
-LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
-    wide_bits flags = {0};
-    for (int k = 0; k < e->n_building; k++) {
-        const struct ensemble_building *b = &e->building[k];
-        for (int i = 0; b->exceeds && i < b->shape->n_floor; i++) {
-            overflow(e, b->shape->first + i, base, &flags);
-        }
-    }
-    return active_runs(e, &flags);
+LANES unsigned ensemble_overflows(const struct ensemble_lanes *e) {
+    return active_runs(e, &e->works->beyond);
 }
 
 // Lists a contact that may be beyond its limit in some lanes.
@@ -73,83 +56,20 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
     }
 }
 
-LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
-    bool any = false;
-    for (int k = 0; k < e->n_building; k++) {
-        e->building[k].exceeds = ensemble_any(e->active, &e->beyond[k]);
-        any |= e->building[k].exceeds;
-    }
-    for (int i = 0; !any && i < e->n_pressed; i++) {
-        any = e->pressed[i].nearer != 0;
-    }
-    return any;
-}
-
-// Where `size` is greater than the peak of an active run, the peak and its time.
-LANES_INLINE void raise(const wide_bits *active, const wide *size, const wide *time, wide *peak,
-                        wide *peak_time) {
-    wide_bits above = (LESS(*peak, *size) >> SIGN) & *active;
-    *peak = WIDE_CHOOSE(above, *size, *peak);
-    *peak_time = WIDE_CHOOSE(above, *time, *peak_time);
-}
-
-LANES_INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *active,
-                              const wide *base, const wide *time, const wide *drift,
-                              const wide *shear) {
-    const wide total = e->next[i].a + *base;
-    const wide value[PEAK_COUNT] = {
-        [PEAK_DISPLACEMENT] = WIDE_ABSOLUTE(e->next[i].u),
-        [PEAK_VELOCITY] = WIDE_ABSOLUTE(e->next[i].v),
-        [PEAK_ACCELERATION] = WIDE_ABSOLUTE(total),
-        [PEAK_DRIFT] = WIDE_ABSOLUTE(*drift),
-        [PEAK_SHEAR] = WIDE_ABSOLUTE(*shear),
-    };
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(active, &value[q], time, &e->peak[i].of[q], &e->peak_time[i].of[q]);
-    }
-    const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *active;
-    e->works->speed = WIDE_CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
-}
-
-LANES_INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_building *b,
-                                 const wide_bits *active, const wide *base, const wide *time) {
-    const enum ensemble_held held = b->held;
-    const struct ensemble_state *s = e->next + b->shape->first;
-    wide u_below = {0.0};
-    for (int i = 0; i < b->shape->n_floor; i++) {
-        const wide drift = s[i].u - u_below;
-        const wide shear = ENSEMBLE_AT(b->number, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift;
-        raise_floor(e, b->shape->first + i, active, base, time, &drift, &shear);
-        u_below = s[i].u;
-    }
-}
-
-// The same of a contact, where it is open.
-LANES_INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *active,
-                            const wide *time) {
-    struct ensemble_gap *c = &e->gap[k];
-    struct ensemble_nearest *p = &e->nearest[k];
-    const wide delta = ENSEMBLE_PENETRATION(e, k, e->next);
-    const wide_bits nearer =
-        (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & *active;
-    c->limit = WIDE_CHOOSE(nearer, delta, c->limit);
-    p->depth = WIDE_CHOOSE(nearer, delta, p->depth);
-    p->time = WIDE_CHOOSE(nearer, *time, p->time);
-}
-
-LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
+LANES void ensemble_approach(struct ensemble_lanes *e, double time) {
     wide_bits active;
     memcpy(&active, e->active, sizeof active);
     const wide now = time - (wide){0.0};
-    for (int k = 0; k < e->n_building; k++) {
-        if (e->building[k].exceeds) {
-            raise_building(e, &e->building[k], &active, base, &now);
-        }
-    }
     for (int i = 0; i < e->n_pressed; i++) {
-        if (e->pressed[i].nearer) {
-            draw_near(e, e->pressed[i].contact, &active, &now);
-        }
+        const int k = e->pressed[i].contact;
+        struct ensemble_gap *c = &e->gap[k];
+        struct ensemble_nearest *p = &e->nearest[k];
+        const wide delta = ENSEMBLE_PENETRATION(e, k, e->next);
+        const wide_bits nearer =
+            (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & active;
+        c->limit = WIDE_CHOOSE(nearer, delta, c->limit);
+        p->depth = WIDE_CHOOSE(nearer, delta, p->depth);
+        p->time = WIDE_CHOOSE(nearer, now, p->time);
     }
 }
 
@@ -161,7 +81,7 @@ LANES_INLINE void add_building(const struct ensemble_lanes *e, const struct ense
     for (int i = 0; i < b->shape->n_floor; i++) {
         const double *x = b->number;
         const wide drift = s[i].u - u_below;
-        *kinetic -= ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_INERTIA) * s[i].v * s[i].v;
+        *kinetic += ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_MASS) * s[i].v * s[i].v;
         *elastic += ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift * drift / 2.0;
         u_below = s[i].u;
     }

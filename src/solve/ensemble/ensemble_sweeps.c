@@ -210,7 +210,7 @@ LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
     ensemble_restore(e, &s.going);
     e->contacts->solved = ensemble_runs_of(&s.going);
     for (int i = 0; e->contacts->solved && i < e->contacts->n_touched; i++) {
-        e->building[e->contacts->touched[i]].swept = true;
+        e->building[e->contacts->touched[i]].pushed = true;
     }
 }
 

@@ -10,42 +10,31 @@
 
 // Of x: a few units of the last place.
 static const double PRECISION = 1e-15;
-enum { ITERATIONS_MAX = 60 };
 
 struct cubic {
     double c0, c1, c2, c3;
 };
 
-static double value(const struct cubic *c, double x) {
+static double crossing_value(const struct cubic *c, double x) {
     return c->c0 + x * (c->c1 + x * (c->c2 + x * c->c3));
 }
 
-static double slope(const struct cubic *c, double x) {
+static double crossing_slope(const struct cubic *c, double x) {
     return c->c1 + x * (2.0 * c->c2 + x * 3.0 * c->c3);
 }
 
-static double crossing_root(const struct cubic *c, double rise) {
-    struct root r = {0.0, 1.0, rise};
-    double x = c->c0 / (c->c0 - value(c, 1.0));
-    if (!(x > 0.0 && x < 1.0)) {
-        x = root_middle(&r);
-    }
-    for (int i = 0; i < ITERATIONS_MAX && r.high - r.low > PRECISION; i++) {
-        double y = value(c, x);
-        if (y == 0.0) {
-            break;
-        }
-        root_narrow(&r, x, y);
-        double next = root_step(&r, x, y, slope(c, x));
-        if (fabs(next - x) < PRECISION) {
-            return next;
-        }
-        x = next;
-    }
-    return x;
+static double crossing_at(double x, void *context, double *rate) {
+    *rate = crossing_slope(context, x);
+    return crossing_value(context, x);
 }
 
-static struct cubic cubic_through(const struct path *p) {
+static double crossing_root(struct cubic *c, double rise) {
+    const struct root r = {0.0, 1.0, rise};
+    const double x = c->c0 / (c->c0 - crossing_value(c, 1.0));
+    return root_newton(crossing_at, c, r, x > 0.0 && x < 1.0 ? x : root_middle(&r), PRECISION);
+}
+
+static struct cubic crossing_cubic(const struct path *p) {
     double m0 = p->h * p->v0;
     double m1 = p->h * p->v1;
     double rise = p->d1 - p->d0;
@@ -53,7 +42,7 @@ static struct cubic cubic_through(const struct path *p) {
 }
 
 double crossing_find(const struct path *p, double *velocity) {
-    struct cubic c = cubic_through(p);
+    struct cubic c = crossing_cubic(p);
     double x = 1.0;
     if (p->d0 == 0.0 && p->d1 * c.c1 < 0.0) {
         struct cubic other = {c.c1, c.c2, c.c3, 0.0};  // the cubic without its root at x = 0
@@ -63,13 +52,13 @@ double crossing_find(const struct path *p, double *velocity) {
     } else if (p->d1 != 0.0) {
         x = crossing_root(&c, p->d0 < 0.0 ? 1.0 : -1.0);
     }
-    *velocity = slope(&c, x) / p->h;
+    *velocity = crossing_slope(&c, x) / p->h;
     return x * p->h;
 }
 
 double crossing_summit(const struct path *p, double *largest) {
-    struct cubic c = cubic_through(p);
+    struct cubic c = crossing_cubic(p);
     double x = c.c1 / (sqrt(c.c2 * c.c2 - 3.0 * c.c3 * c.c1) - c.c2);
-    *largest = value(&c, x);
+    *largest = crossing_value(&c, x);
     return x * p->h;
 }

@@ -6,7 +6,7 @@
 // wherever the bodies now approach, until none do: so an impulse travels through a row that
 // touches, as through the balls of Newton's cradle. (Contacts that close at the same instant from
 // apart come as events of their own, no time later.) Where that takes too long, as between a light
-// body and two heavy ones, the rest is settled at once without rebound (together.c).
+// body and two heavy ones, the rest is settled at once without rebound (rest_pool).
 //
 // A body that bounces under a constant pressing acceleration comes to rest after infinitely many
 // bounces in a finite time. A bounce with rebound w under the acceleration a lasts 2 w / a; one
@@ -19,33 +19,32 @@
 
 #include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
-#include "solve/event/together.h"
 
 enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
 
 // Bodies that meet within this share of the shortest bounce meet at once.
 static const double AT_ONCE = 1e-6;
 
-static double rounding(const struct state *s, const struct model *m, int k) {
+static double impulse_rounding(const struct state *s, const struct model *m, int k) {
     return rest_rounding(&m->link[k], s->v);
 }
 
 // The rebound below which contact k rests. Its bodies are pressed together by what accelerates
 // them, and by what its force at rest held up.
-static double slowest_rebound(const struct state *s, const struct model *m, int k,
-                              const struct least_bounce *least) {
+static double impulse_slowest_rebound(const struct state *s, const struct model *m, int k,
+                                      const struct least_bounce *least) {
     const struct link *l = &m->link[k];
     double pressing = state_pressing(s, m, k) + s->link[k].force / l->mass;
-    return fmax(fmax(least->time * pressing / 2.0, least->velocity), rounding(s, m, k));
+    return fmax(fmax(least->time * pressing / 2.0, least->velocity), impulse_rounding(s, m, k));
 }
 
 // One impact; returns the velocity of the rebound.
-static double strike(struct state *s, const struct model *m, int k, enum rebound rebound,
-                     const struct least_bounce *least, struct meeting *meeting) {
+static double impulse_strike(struct state *s, const struct model *m, int k, enum rebound rebound,
+                             const struct least_bounce *least, struct meeting *meeting) {
     const struct link *l = &m->link[k];
     double r = state_rate(s, m, k);
     double w = rebound == REBOUND_BY_LAW ? l->law->rebound(l->constant, r) : 0.0;
-    if (w <= slowest_rebound(s, m, k, least)) {
+    if (w <= impulse_slowest_rebound(s, m, k, least)) {
         w = 0.0;
     }
     double impulse = l->mass * (r + w);
@@ -59,19 +58,19 @@ static double strike(struct state *s, const struct model *m, int k, enum rebound
 }
 
 // Strikes the contacts at rest whose bodies approach; false: none do.
-static bool sweep(struct state *s, const struct model *m, enum rebound rebound,
-                  const struct least_bounce *least, struct meeting *meeting) {
+static bool impulse_sweep(struct state *s, const struct model *m, enum rebound rebound,
+                          const struct least_bounce *least, struct meeting *meeting) {
     bool struck = false;
     for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k) && state_rate(s, m, k) > rounding(s, m, k)) {
-            strike(s, m, k, rebound, least, &meeting[k]);
+        if (state_rests(s, m, k) && state_rate(s, m, k) > impulse_rounding(s, m, k)) {
+            impulse_strike(s, m, k, rebound, least, &meeting[k]);
             struck = true;
         }
     }
     return struck;
 }
 
-static void note(void *context, int k, const struct passage *p) {
+static void impulse_note(void *context, int k, const struct passage *p) {
     struct meeting *meeting = (struct meeting *)context + k;
     if (!meeting->struck) {
         *meeting = (struct meeting){.struck = true, .approach = fmax(p->approach, 0.0)};
@@ -81,29 +80,31 @@ static void note(void *context, int k, const struct passage *p) {
 }
 
 // Strikes contacts at rest until the bodies of none approach.
-static void strike_those_at_rest(struct state *s, const struct model *m,
-                                 const struct least_bounce *least, struct meeting *meeting) {
-    struct together t;
+static void impulse_strike_those_at_rest(struct state *s, const struct model *m,
+                                         const struct least_bounce *least,
+                                         struct meeting *meeting) {
+    struct rest_contacts t;
     for (int i = 0; i < SWEEPS_BY_LAW; i++) {
-        if (!sweep(s, m, REBOUND_BY_LAW, least, meeting)) {
+        if (!impulse_sweep(s, m, REBOUND_BY_LAW, least, meeting)) {
             return;
         }
     }
-    if (together_find(s, m, &t)) {
-        together_move(&t, m, s->v, s->ground_v, note, meeting);
+    if (rest_find(s, m, &t)) {
+        rest_pool(&t, m, s->v, s->ground_v, impulse_note, meeting);
         return;
     }
     for (int i = SWEEPS_BY_LAW; i < SWEEPS_MAX; i++) {
-        if (!sweep(s, m, REBOUND_NONE, least, meeting)) {
+        if (!impulse_sweep(s, m, REBOUND_NONE, least, meeting)) {
             return;
         }
     }
 }
 
 // Opens contacts at rest whose bodies leave each other for longer than the shortest bounce.
-static void part(struct state *s, const struct model *m, const struct least_bounce *least) {
+static void impulse_part(struct state *s, const struct model *m, const struct least_bounce *least) {
     for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k) && state_rate(s, m, k) < -slowest_rebound(s, m, k, least)) {
+        if (state_rests(s, m, k) &&
+            state_rate(s, m, k) < -impulse_slowest_rebound(s, m, k, least)) {
             s->link[k].closed = false;
             s->link[k].force = 0.0;
         }
@@ -111,7 +112,7 @@ static void part(struct state *s, const struct model *m, const struct least_boun
 }
 
 // Everything that follows from the velocities.
-static void follow(struct state *s, const struct model *m) {
+static void impulse_follow(struct state *s, const struct model *m) {
     state_complete(s, m);
     state_internal_forces(s, m, s->u, s->v);
     for (int k = 0; k < m->n_link; k++) {
@@ -122,7 +123,7 @@ static void follow(struct state *s, const struct model *m) {
     equilibrium_find(s, m);
 }
 
-static void come_to_rest(struct state *s, int k, double approached) {
+static void impulse_come_to_rest(struct state *s, int k, double approached) {
     state_enliven(s, k);
     s->link[k].closed = true;
     s->link[k].t_close = s->time;
@@ -131,20 +132,20 @@ static void come_to_rest(struct state *s, int k, double approached) {
 
 void impulse_hold(struct state *s, const struct model *m, int k, struct meeting *meeting) {
     memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
-    come_to_rest(s, k, 0.0);
+    impulse_come_to_rest(s, k, 0.0);
     state_complete(s, m);
 }
 
 // A light body between two heavy ones that approach each other meets them in turn at one instant,
 // as often as it is lighter, where the accelerations part it from both, so that neither contact
 // comes to rest. Takes the contacts that are about to meet among those at rest.
-static void hold_touching(struct state *s, const struct model *m,
-                          const struct least_bounce *least) {
+static void impulse_hold_touching(struct state *s, const struct model *m,
+                                  const struct least_bounce *least) {
     for (int k = 0; k < m->n_contact; k++) {
         double r = state_rate(s, m, k);
         bool open = !s->link[k].closed && m->link[k].law->rebound;
-        if (open && r > rounding(s, m, k) && -s->delta[k] <= AT_ONCE * least->time * r) {
-            come_to_rest(s, k, r);
+        if (open && r > impulse_rounding(s, m, k) && -s->delta[k] <= AT_ONCE * least->time * r) {
+            impulse_come_to_rest(s, k, r);
         }
     }
 }
@@ -153,13 +154,13 @@ void impulse_meet(struct state *s, const struct model *m, int k, enum rebound re
                   const struct least_bounce *least, struct meeting *meeting) {
     memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
     double approached = fmax(state_rate(s, m, k), 0.0);
-    if (approached == 0.0 || strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
-        come_to_rest(s, k, approached);
+    if (approached == 0.0 || impulse_strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
+        impulse_come_to_rest(s, k, approached);
     }
     if (rebound == REBOUND_NONE) {
-        hold_touching(s, m, least);
+        impulse_hold_touching(s, m, least);
     }
-    strike_those_at_rest(s, m, least, meeting);
-    part(s, m, least);
-    follow(s, m);
+    impulse_strike_those_at_rest(s, m, least, meeting);
+    impulse_part(s, m, least);
+    impulse_follow(s, m);
 }

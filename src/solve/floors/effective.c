@@ -25,6 +25,16 @@ static const struct fields_row list[] = {
 };
 const struct fields effective_fields = FIELDS(list);
 
+// A square of `stride` for a matrix (n, n), with zeros behind; NULL: there is none.
+static double *padded(const double *matrix, int n, int stride, struct arena *a) {
+    double *x = matrix ? lanes_array(a, stride * stride) : NULL;
+    for (int i = 0; x && i < n; i++) {
+        memcpy(x + (size_t)i * (size_t)stride, matrix + (size_t)i * (size_t)n,
+               (size_t)n * sizeof *x);
+    }
+    return x;
+}
+
 static void alloc_one(struct effective *e, const struct building *building, enum effective_use use,
                       struct arena *a) {
     size_t n = (size_t)building->n_floor;
@@ -34,6 +44,8 @@ static void alloc_one(struct effective *e, const struct building *building, enum
     e->tangent = arena_alloc(a, n + (building->n_part > 0 ? 2 * n * n : 0), sizeof *e->tangent);
     e->stride = lanes_whole(building->n_floor);
     e->inverse = lanes_array(a, e->stride * e->stride);
+    e->damping = padded(building->damping_full, building->n_floor, e->stride, a);
+    e->parts = padded(building->part_stiffness, building->n_floor, e->stride, a);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     e->reach = arena_alloc(a, n, sizeof *e->reach);
     if (e->tangent) {

@@ -30,8 +30,10 @@ struct effective {
     double *between;         // (n_floor, EFFECTIVE_ABREAST) scratch of such a solution; else NULL
     int stride;              // of the rows of `inverse`: n_floor in whole lanes
     double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
-    bool *ready;             // (n_floor) row of `inverse` is valid
-    int n_ready;             // rows below this are
+    double *damping, *parts;  // (stride, stride) likewise C, and the initial stiffness of parts by
+                              // drifts; NULL: it has no such full matrix
+    bool *ready;              // (n_floor) row of `inverse` is valid
+    int n_ready;              // rows below this are
     struct reach {
         int from, to;  // in whole lanes
     } * reach;         // (n_floor) of ready rows: entries outside are below rounding

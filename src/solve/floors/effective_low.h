@@ -24,19 +24,25 @@ LANES_INLINE void effective_add_rows(const double *inverse, int n, int stride, i
     }
 }
 
-// For a low building with its inverse, in whole lanes: what is written beyond q belongs to the next
-// building. Rows and columns beyond its floors are 0.
-LANES_INLINE void effective_multiply(const struct effective *e, const double *r, double *q) {
+// The product with a matrix of a low building, in whole lanes. Rows and columns beyond its floors
+// are 0.
+LANES_INLINE void effective_multiply_by(const struct effective *e, const double *matrix,
+                                        const double *r, double *q) {
     enum { LOW = LANES_WIDTH, HIGH = 2 * LANES_WIDTH, MIDDLE = LOW + LANES_VECTOR };
     static_assert((int)INVERSE_FLOORS_MAX <= (int)HIGH, "those are all the strides there are");
     const int n = e->building->n_floor;
     if (e->stride == LOW) {
-        effective_add_rows(e->inverse, LOW, LOW, LOW, r, q);
+        effective_add_rows(matrix, LOW, LOW, LOW, r, q);
     } else if (n <= MIDDLE && FLOORS_VECTORS > 1) {
-        effective_add_rows(e->inverse, n, HIGH, MIDDLE, r, q);
+        effective_add_rows(matrix, n, HIGH, MIDDLE, r, q);
     } else {
-        effective_add_rows(e->inverse, n, HIGH, HIGH, r, q);
+        effective_add_rows(matrix, n, HIGH, HIGH, r, q);
     }
+}
+
+// For a low building with its inverse: what is written beyond q belongs to the next building.
+LANES_INLINE void effective_multiply(const struct effective *e, const double *r, double *q) {
+    effective_multiply_by(e, e->inverse, r, q);
 }
 
 #endif

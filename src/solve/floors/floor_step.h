@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A step of Newmark's method over floors, on the vectors of floor_vectors.h, by the arithmetic of
 // floor_terms.h:
-//     floors_account    works of the last step, and whether the state it led to exceeds a peak
+//     floors_take       works of the last step, and whether the state it led to exceeds a peak
 //     floors_begin      the trial from that state, and its residuals
 //     (the solution)    A q = r, building by building
 //     floors_finish     the end of the step
@@ -16,10 +16,10 @@
 #include "core/number.h"
 #include "solve/floors/floor_terms.h"
 #include "solve/floors/floor_vectors.h"
-#include "solve/newmark/flight.h"
+#include "solve/state.h"
 
 #define EACH_VECTOR(i, first, end)                                                                 \
-    _Pragma("GCC unroll 4") for (ptrdiff_t i = (first); i < (end); i += FLOORS_VECTOR)
+    _Pragma("GCC unroll 4") for (ptrdiff_t i = (first); i < (end); i += FLOORS_NEXT)
 
 // x in lanes where all bits of a mask are set, and y where none is.
 #define CHOOSE(mask, x, y) ((floor_lanes)(((mask) & (floor_bits)(x)) | (~(mask) & (floor_bits)(y))))
@@ -30,11 +30,8 @@ static const floor_lanes none = {0.0};
 // again after each store.
 struct floors_motion {
     double *u, *v, *a, *drift, *shear;
+    const double *external;  // NULL: forces of one ground
 };
-
-LANES_INLINE struct floors_motion floors_motion(const struct state *s) {
-    return (struct floors_motion){s->u, s->v, s->a, s->drift, s->shear};
-}
 
 // The lines that storeys follow; all NULL where they are elastic.
 struct floors_lines {
@@ -44,39 +41,28 @@ struct floors_lines {
 // Numbers of a step; and what it leaves between its loops, from the first floor of a block on.
 struct floors_pass {
     struct chain chain;
+    bool once;  // its numbers are the same in all runs, and held once
     struct floors_lines lines;
     struct floors_motion now, next;
+    floor_number ground;                   // acceleration at the end
     double h, half, b, g;                  // h^2 / 2, beta h^2, gamma h
+    bool checks;                           // that all numbers are finite
     double *residual, *u_trial, *v_trial;  // [F]; the trial
 };
-
-LANES_INLINE struct floors_pass floors_pass_of(const struct work *w, const struct state *now,
-                                               const struct state *next, struct chain chain) {
-    return (struct floors_pass){.chain = chain,
-                                .now = floors_motion(now),
-                                .next = floors_motion(next),
-                                .h = w->h,
-                                .half = w->h * w->h / 2.0,
-                                .b = w->b,
-                                .g = w->g,
-                                .residual = w->floors.residual,
-                                .u_trial = w->floors.u_trial,
-                                .v_trial = w->floors.v_trial};
-}
 
 // Drifts and shears of a vector of storeys; u_under is of the vector below. *beyond gets negative
 // where a storey is beyond its line.
 LANES_INLINE void floors_strain(const struct floors_pass *p, ptrdiff_t i,
                                 const floor_lanes *u_under, const floor_lanes *u,
                                 floor_lanes *drift, floor_lanes *shear, floor_bits *beyond) {
-    *drift = *u - FLOORS_AT(p->chain.joint, i) * BELOW(*u_under, *u);
+    *drift = *u - JOINED(p, i, BELOW(*u_under, *u));
     if (p->lines.back) {
         const floor_lanes force =
             LINE_FORCE(FLOORS_AT(p->lines.spring, i), FLOORS_AT(p->lines.rest, i), *drift);
         *beyond |= BEYOND(force, FLOORS_AT(p->lines.limit, i));
         *shear = LINE_SHEAR(FLOORS_AT(p->lines.back, i), *drift, force);
     } else {
-        *shear = FLOORS_AT(p->chain.stiffness, i) * *drift;
+        *shear = CHAIN_AT(p, stiffness, i) * *drift;
     }
 }
 
@@ -87,8 +73,8 @@ struct floors_trial {
 
 LANES_INLINE void floors_predict(const struct floors_pass *p, ptrdiff_t i, floor_lanes *u,
                                  floor_lanes *v) {
-    const floor_lanes v0 = FLOORS_AT(p->now.v, i), a0 = FLOORS_AT(p->now.a, i);
-    *u = TRIAL_U(FLOORS_AT(p->now.u, i), v0, a0, p->h, p->half);
+    const floor_lanes v0 = MOTION_AT(p->now.v, i), a0 = MOTION_AT(p->now.a, i);
+    *u = TRIAL_U(MOTION_AT(p->now.u, i), v0, a0, p->h, p->half);
     *v = TRIAL_V(v0, a0, p->h);
 }
 
@@ -102,105 +88,124 @@ LANES_INLINE void floors_try(const struct floors_pass *p, ptrdiff_t i, const flo
 // The trial of n floors, and residual = p - M a - C v - storey shears there. `external` NULL: p is
 // that of the acceleration of the ground. *beyond as above.
 LANES_INLINE void floors_begin(const struct floors_pass *p, ptrdiff_t first, ptrdiff_t n,
-                               double ground, const double *external, floor_bits *beyond) {
+                               const double *external, floor_bits *beyond) {
     struct floors_trial under = {none, none, none}, own, over;
     if (first > 0) {
-        floors_predict(p, first - FLOORS_VECTOR, &under.u, &under.v);
+        floors_predict(p, first - FLOORS_NEXT, &under.u, &under.v);
     }
     floors_try(p, first, &under.u, &own, beyond);
     EACH_VECTOR(i, first, first + n) {
         over = (struct floors_trial){none, none, none};
-        if (i + FLOORS_VECTOR < first + n) {  // what is above is of other buildings
-            floors_try(p, i + FLOORS_VECTOR, &own.u, &over, beyond);
+        if (i + FLOORS_NEXT < first + n) {  // what is above is of other buildings
+            floors_try(p, i + FLOORS_NEXT, &own.u, &over, beyond);
         }
-        const floor_lanes mass = FLOORS_AT(p->chain.mass, i);
+        const floor_lanes mass = CHAIN_AT(p, mass, i);
         const floor_lanes damping =
-            BANDS(FLOORS_AT(p->chain.damping_below, i), BELOW(under.v, own.v),
-                  FLOORS_AT(p->chain.damping, i), own.v, FLOORS_AT(p->chain.damping_above, i),
-                  ABOVE(own.v, over.v));
-        floor_lanes force = mass * -ground;
+            BANDS(CHAIN_AT(p, damping_below, i), BELOW(under.v, own.v), CHAIN_AT(p, damping, i),
+                  own.v, CHAIN_AT(p, damping_above, i), ABOVE(own.v, over.v));
+        floor_lanes force = mass * -p->ground;
         if (external) {
             force = FLOORS_AT(external, i);
         }
-        *(floor_lanes *)(p->residual + i - first) =
-            RESIDUAL(force - mass * FLOORS_AT(p->now.a, i), damping, own.shear,
-                     FLOORS_AT(p->chain.joint, i + 1) * ABOVE(own.shear, over.shear));
-        *(floor_lanes *)(p->u_trial + i - first) = own.u;
-        *(floor_lanes *)(p->v_trial + i - first) = own.v;
+        MOTION_SET(p->residual, i - first) =
+            RESIDUAL(force - mass * MOTION_AT(p->now.a, i), damping, own.shear,
+                     JOINED(p, i + 1, ABOVE(own.shear, over.shear)));
+        MOTION_SET(p->u_trial, i - first) = own.u;
+        MOTION_SET(p->v_trial, i - first) = own.v;
         under = own;
         own = over;
     }
 }
 
 // Stores what the corrections q, from floor `first` on, lead to from the trial. *beyond as above,
-// and where that is not finite, or next to it.
+// and if the pass checks where that is not finite, or next to it.
 LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, ptrdiff_t end,
                                 const double *q, floor_bits *beyond) {
     floor_lanes sum = none, under = none;
     if (p->lines.back && first > 0) {
-        under = FLOORS_AT(p->next.u, first - FLOORS_VECTOR);
+        under = MOTION_AT(p->next.u, first - FLOORS_NEXT);
     }
     EACH_VECTOR(i, first, end) {
         const floor_lanes change = FLOORS_AT(q, i - first);
-        const floor_lanes u = END(FLOORS_AT(p->u_trial, i - first), p->b, change);
-        const floor_lanes v = END(FLOORS_AT(p->v_trial, i - first), p->g, change);
-        const floor_lanes a = FLOORS_AT(p->now.a, i) + change;
-        *(floor_lanes *)(p->next.u + i) = u;
-        *(floor_lanes *)(p->next.v + i) = v;
-        *(floor_lanes *)(p->next.a + i) = a;
+        const floor_lanes u = END(MOTION_AT(p->u_trial, i - first), p->b, change);
+        const floor_lanes v = END(MOTION_AT(p->v_trial, i - first), p->g, change);
+        const floor_lanes a = MOTION_AT(p->now.a, i) + change;
+        MOTION_SET(p->next.u, i) = u;
+        MOTION_SET(p->next.v, i) = v;
+        MOTION_SET(p->next.a, i) = a;
         sum += u + v + a;
         if (p->lines.back) {
             floor_lanes drift, shear;
             floors_strain(p, i, &under, &u, &drift, &shear, beyond);
-            *(floor_lanes *)(p->next.drift + i) = drift;
-            *(floor_lanes *)(p->next.shear + i) = shear;
+            MOTION_SET(p->next.drift, i) = drift;
+            MOTION_SET(p->next.shear, i) = shear;
             under = u;
         }
     }
-    *beyond |= BEYOND(sum, DBL_MAX + none);
+    if (p->checks) {
+        *beyond |= BEYOND(sum, DBL_MAX + none);
+    }
 }
 
-// A step that has been taken, and where its works and the peaks of the state it led to go. Storeys
-// that follow lines have their drifts and shears in the states.
+// A step that has been taken, and where its works and the peaks of the state it led to go. Where
+// storeys yield, their drifts and shears are in the states.
 struct floors_taken {
     struct chain chain;
+    bool once;  // as above
     struct floors_motion s0, s1;
-    double ground, ground_2x, time;  // of s1, and of both together
+    floor_number ground, ground_2x;  // of s1, and of both together
+    const double *base;              // of s1; NULL: one ground moves all floors
+    double time;
     double *input_2x, *damping_2x, *storey_2x;
     double *const *peak, *const *peak_time;
     bool yields;
+    ptrdiff_t first;    // of runs in lanes: the first floor of the building,
+    floor_bits active;  // and all bits of lanes that a run is in
 };
 
-// Where |x| of a vector from i on is beyond its peak, the peak and its time.
+// Where |x| of vector i is beyond its peak, the peak and its time.
 LANES_INLINE void floors_raise(const struct floors_taken *p, int quantity, ptrdiff_t i,
                                const floor_lanes *x) {
-    double *peak = p->peak[quantity] + i, *when = p->peak_time[quantity] + i;
+    double *peak = p->peak[quantity], *when = p->peak_time[quantity];
     const floor_lanes size = (floor_lanes)((floor_bits)*x & INT64_MAX);
-    const floor_bits more = (floor_bits)(FLOORS_AT(peak, 0) - size) >> 63;
-    *(floor_lanes *)peak = CHOOSE(more, size, FLOORS_AT(peak, 0));
-    *(floor_lanes *)when = CHOOSE(more, p->time + none, FLOORS_AT(when, 0));
+    const floor_bits larger = (floor_bits)(PEAK_AT(peak, i) - size) >> 63;
+    const floor_bits more = FLOORS_HEEDED(p, larger);
+    PEAK_SET(peak, i) = CHOOSE(more, size, PEAK_AT(peak, i));
+    PEAK_SET(when, i) = CHOOSE(more, p->time + none, PEAK_AT(when, i));
 }
 
-// Takes the floors of s1 into the peaks. `base` NULL: one ground moves them all.
-LANES_INLINE void floors_raise_all(const struct floors_taken *p, const double *base,
-                                   ptrdiff_t first, ptrdiff_t end) {
+// The total accelerations of s1.
+LANES_INLINE void floors_total(const struct floors_taken *p, ptrdiff_t i, floor_lanes *total) {
+    *total = MOTION_AT(p->s1.a, i);
+    if (p->base) {
+        *total += FLOORS_AT(p->base, i);
+    } else {
+        *total += p->ground;
+    }
+}
+
+// Takes the floors of s1 into the peaks.
+LANES_INLINE void floors_raise_all(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end) {
     const struct floors_motion s = p->s1;
-    for (ptrdiff_t i = first; i < end; i += FLOORS_VECTOR) {
-        const floor_lanes u = FLOORS_AT(s.u, i), v = FLOORS_AT(s.v, i);
-        floor_lanes total = FLOORS_AT(s.a, i) + p->ground;
-        const floor_lanes drift = u - FLOORS_AT(p->chain.joint, i) * FLOORS_AT(s.u, i - 1);
-        floor_lanes shear = FLOORS_AT(p->chain.stiffness, i) * drift;
-        if (base) {
-            total = FLOORS_AT(s.a, i) + FLOORS_AT(base, i);
-        }
+    floor_lanes under = none;
+    if (first > 0) {
+        under = MOTION_AT(s.u, first - FLOORS_NEXT);
+    }
+    for (ptrdiff_t i = first; i < end; i += FLOORS_NEXT) {
+        const floor_lanes u = MOTION_AT(s.u, i), v = MOTION_AT(s.v, i);
+        const floor_lanes drift = u - JOINED(p, i, BELOW(under, u));
+        floor_lanes shear = CHAIN_AT(p, stiffness, i) * drift;
+        floor_lanes total;
+        floors_total(p, i, &total);
         if (p->yields) {
-            shear = FLOORS_AT(s.shear, i);
+            shear = MOTION_AT(s.shear, i);
         }
         floors_raise(p, PEAK_DISPLACEMENT, i, &u);
         floors_raise(p, PEAK_VELOCITY, i, &v);
         floors_raise(p, PEAK_ACCELERATION, i, &total);
         floors_raise(p, PEAK_DRIFT, i, &drift);
         floors_raise(p, PEAK_SHEAR, i, &shear);
+        under = u;
     }
 }
 
@@ -209,33 +214,38 @@ struct floors_pair {
     floor_lanes u_under, v_under, v_own;  // twice the mean velocities
 };
 
-// Adds the works of vector j of whole lanes, from floor i on. *higher gets negative where s1 is
-// beyond a peak: elastic shears are so only with their drifts, as rounding is monotone.
-LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t i, ptrdiff_t j,
-                                        struct floors_pair *pair, floor_lanes *input,
-                                        floor_lanes *damping, floor_bits *higher) {
-    const struct chain *c = &p->chain;
-    const floor_lanes u = FLOORS_AT(p->s1.u, i), moved = u - FLOORS_AT(p->s0.u, i);
-    const floor_lanes v = FLOORS_AT(p->s1.v, i);
+// Adds the works of vector i, at `slot` of each. *higher gets negative where s1 is beyond a peak:
+// elastic shears are so only with their drifts, as rounding is monotone.
+LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t i, ptrdiff_t slot,
+                                        struct floors_pair *pair, double *input, double *damping,
+                                        floor_bits *higher) {
+    const floor_lanes u = MOTION_AT(p->s1.u, i), moved = u - MOTION_AT(p->s0.u, i);
+    const floor_lanes v = MOTION_AT(p->s1.v, i);
     const floor_lanes v_over =
-        FLOORS_AT(p->s0.v, i + FLOORS_VECTOR) + FLOORS_AT(p->s1.v, i + FLOORS_VECTOR);
-    input[j] -= WORK_OF_GROUND(p->ground_2x, FLOORS_AT(c->mass, i), moved);
-    damping[j] += WORK_OF_DAMPING(
-        moved, BANDS(FLOORS_AT(c->damping_below, i), BELOW(pair->v_under, pair->v_own),
-                     FLOORS_AT(c->damping, i), pair->v_own, FLOORS_AT(c->damping_above, i),
-                     ABOVE(pair->v_own, v_over)));
-    floor_lanes drift = u - FLOORS_AT(c->joint, i) * BELOW(pair->u_under, u);
-    if (p->yields) {
-        const floor_lanes shear = FLOORS_AT(p->s1.shear, i);
-        drift = FLOORS_AT(p->s1.drift, i);
-        *(floor_lanes *)(p->storey_2x + i) +=
-            (FLOORS_AT(p->s0.shear, i) + shear) * (drift - FLOORS_AT(p->s0.drift, i));
-        *higher |= BEYOND(shear, FLOORS_AT(p->peak[PEAK_SHEAR], i));
+        MOTION_AT(p->s0.v, i + FLOORS_NEXT) + MOTION_AT(p->s1.v, i + FLOORS_NEXT);
+    if (p->s1.external) {
+        FLOORS_SET(input, slot) +=
+            (FLOORS_AT(p->s0.external, i) + FLOORS_AT(p->s1.external, i)) * moved;
+    } else {
+        FLOORS_SET(input, slot) -= WORK_OF_GROUND(p->ground_2x, CHAIN_AT(p, mass, i), moved);
     }
-    *higher |= BEYOND(u, FLOORS_AT(p->peak[PEAK_DISPLACEMENT], i)) |
-               BEYOND(v, FLOORS_AT(p->peak[PEAK_VELOCITY], i)) |
-               BEYOND(FLOORS_AT(p->s1.a, i) + p->ground, FLOORS_AT(p->peak[PEAK_ACCELERATION], i)) |
-               BEYOND(drift, FLOORS_AT(p->peak[PEAK_DRIFT], i));
+    const floor_lanes force = BANDS(CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own),
+                              CHAIN_AT(p, damping, i), pair->v_own, CHAIN_AT(p, damping_above, i),
+                              ABOVE(pair->v_own, v_over));
+    FLOORS_SET(damping, slot) += WORK_OF_DAMPING(moved, force);
+    floor_lanes total, drift = u - JOINED(p, i, BELOW(pair->u_under, u));
+    floors_total(p, i, &total);
+    if (p->yields) {
+        const floor_lanes shear = MOTION_AT(p->s1.shear, i);
+        drift = MOTION_AT(p->s1.drift, i);
+        FLOORS_SET(p->storey_2x, i) +=
+            (MOTION_AT(p->s0.shear, i) + shear) * (drift - MOTION_AT(p->s0.drift, i));
+        *higher |= BEYOND(shear, PEAK_AT(p->peak[PEAK_SHEAR], i));
+    }
+    *higher |= BEYOND(u, PEAK_AT(p->peak[PEAK_DISPLACEMENT], i)) |
+               BEYOND(v, PEAK_AT(p->peak[PEAK_VELOCITY], i)) |
+               BEYOND(total, PEAK_AT(p->peak[PEAK_ACCELERATION], i)) |
+               BEYOND(drift, PEAK_AT(p->peak[PEAK_DRIFT], i));
     *pair = (struct floors_pair){u, pair->v_own, v_over};
 }
 
@@ -246,82 +256,33 @@ LANES_INLINE ptrdiff_t floors_part(ptrdiff_t i, ptrdiff_t end) {
     return i + FLOORS_ASKED < end ? i + FLOORS_ASKED : end;
 }
 
-// Takes the floors from `first` to `end` into the works and the peaks.
-LANES_INLINE void floors_account_part(const struct floors_taken *p, ptrdiff_t first,
-                                      ptrdiff_t end) {
-    struct floors_pair pair = {none, none, FLOORS_AT(p->s0.v, first) + FLOORS_AT(p->s1.v, first)};
+// Takes the floors from `first` to `end` into the peaks and the works, which are LANES_WIDTH
+// vectors or numbers each. True: a peak has risen.
+LANES_INLINE bool floors_take(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end,
+                              double *input, double *damping) {
+    bool rises = false;
+    struct floors_pair pair = {none, none, MOTION_AT(p->s0.v, first) + MOTION_AT(p->s1.v, first)};
     if (first > 0) {
-        const ptrdiff_t under = first - FLOORS_VECTOR;
-        pair.u_under = FLOORS_AT(p->s1.u, under);
-        pair.v_under = FLOORS_AT(p->s0.v, under) + FLOORS_AT(p->s1.v, under);
-    }
-    floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
-    EACH_OF_LANES(j) {
-        input[j] = FLOORS_AT(p->input_2x, j * FLOORS_VECTOR);
-        damping[j] = FLOORS_AT(p->damping_2x, j * FLOORS_VECTOR);
+        const ptrdiff_t under = first - FLOORS_NEXT;
+        pair.u_under = MOTION_AT(p->s1.u, under);
+        pair.v_under = MOTION_AT(p->s0.v, under) + MOTION_AT(p->s1.v, under);
     }
     for (ptrdiff_t part = first; part < end; part = floors_part(part, end)) {
         floor_bits higher = {0};
         const ptrdiff_t part_end = floors_part(part, end);
-        _Pragma("GCC unroll 2") for (ptrdiff_t i = part; i < part_end; i += LANES_WIDTH) {
+        _Pragma("GCC unroll 2") for (ptrdiff_t i = part; i < part_end; i += FLOORS_WHOLE) {
             EACH_OF_LANES(j) {
-                floors_account_vector(p, i + j * FLOORS_VECTOR, j, &pair, input, damping, &higher);
+                floors_account_vector(p, i + j * FLOORS_NEXT, FLOORS_SLOT(p, i, j), &pair, input,
+                                      damping, &higher);
             }
         }
+        higher = FLOORS_HEEDED(p, higher);
         if (floors_any(&higher)) {
-            floors_raise_all(p, NULL, part, floors_part(part, end));
+            floors_raise_all(p, part, floors_part(part, end));
+            rises = true;
         }
     }
-    EACH_OF_LANES(j) {
-        *(floor_lanes *)(p->input_2x + j * FLOORS_VECTOR) = input[j];
-        *(floor_lanes *)(p->damping_2x + j * FLOORS_VECTOR) = damping[j];
-    }
-}
-
-// Penetrations of a vector of contacts of a group, from number i on.
-LANES_INLINE void floors_delta(const struct gap_group *g, ptrdiff_t i, const double *gap,
-                               const double *u, const double *ground, floor_lanes *delta) {
-    const int left = g->ground[0], right = g->ground[1];
-    *delta = FLOORS_AT(u + g->dof[0], i) - FLOORS_AT(u + g->dof[1], i) - FLOORS_AT(gap, i);
-    if (left != right) {
-        *delta += ground[left] - ground[right];
-    }
-}
-
-// What contacts of a state in flight ask for, where negative.
-struct floors_approach {
-    floor_bits closed, nearer;  // closed, and closed or nearer than ever
-};
-
-// That of some groups of contacts.
-LANES_INLINE void floors_approach(const struct flight *f, int from, int to, const double *u,
-                                  const double *ground, struct floors_approach *near) {
-    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *limit = f->work->gaps.limit;
-    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
-        EACH_OF_LANES(j) {
-            const ptrdiff_t i = j * FLOORS_VECTOR;
-            floor_lanes d;
-            floors_delta(g, i, gap, u, ground, &d);
-            near->closed |= (floor_bits)(0.0 - d);
-            near->nearer |= (floor_bits)(FLOORS_AT(limit + g->contact, i) - d);
-        }
-    }
-}
-
-// Notes the penetrations of `s` that are larger than ever.
-LANES_INLINE void floors_note(const struct flight *f, const struct state *s) {
-    const double *gap = f->gap;
-    struct gaps *gaps = &f->work->gaps;
-    for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++, gap += LANES_WIDTH) {
-        for (int i = 0; i < LANES_WIDTH; i += FLOORS_VECTOR) {
-            floor_lanes d;
-            floors_delta(g, i, gap, s->u, s->ground_u, &d);
-            const floor_bits larger = (floor_bits)(FLOORS_AT(gaps->nearest + g->contact, i) - d);
-            for (int k = 0; floors_any(&larger) && k < FLOORS_VECTOR; k++) {
-                gaps_note(gaps, g->contact + i + k, d[k], s->time);
-            }
-        }
-    }
+    return rises;
 }
 
 #endif

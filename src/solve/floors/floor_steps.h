@@ -8,6 +8,8 @@
 
 #include "solve/floors/effective_low.h"
 #include "solve/floors/floor_step.h"
+#include "solve/floors/floors_full.h"
+#include "solve/newmark/flight.h"
 #include "solve/work.h"
 
 // The floors of a block. Where they are few, `few` of them in all, these are constants.
@@ -17,6 +19,27 @@ struct span {
 
 LANES_INLINE struct span span_of(const struct floor_block *b, ptrdiff_t few) {
     return few > 0 ? (struct span){0, few, few} : (struct span){b->first, b->n, b->end};
+}
+
+LANES_INLINE struct floors_motion motion_of(const struct state *s) {
+    return (struct floors_motion){s->u, s->v, s->a, s->drift, s->shear, NULL};
+}
+
+// The step from `now` to `next`, and its numbers.
+LANES_INLINE struct floors_pass pass_of(const struct work *w, const struct state *now,
+                                        const struct state *next, struct chain chain) {
+    return (struct floors_pass){.chain = chain,
+                                .now = motion_of(now),
+                                .next = motion_of(next),
+                                .ground = next->ground_a[0],
+                                .h = w->h,
+                                .half = w->h * w->h / 2.0,
+                                .b = w->b,
+                                .g = w->g,
+                                .checks = true,
+                                .residual = w->floors.residual,
+                                .u_trial = w->floors.u_trial,
+                                .v_trial = w->floors.v_trial};
 }
 
 // The corrections q of a block, from its first floor on, by the inverses of buildings as long as
@@ -54,8 +77,8 @@ LANES_INLINE struct floors_taken taken(const struct work *w, const struct state 
     const struct floors_account *to = &w->floors.account;
     return (struct floors_taken){
         .chain = chain_of(w, few),
-        .s0 = floors_motion(s0),
-        .s1 = floors_motion(s1),
+        .s0 = motion_of(s0),
+        .s1 = motion_of(s1),
         .ground = s1->ground_a[0],
         .ground_2x = ground_a0 + s1->ground_a[0],
         .time = s1->time,
@@ -81,11 +104,26 @@ LANES_INLINE struct due due(const struct work *w, const struct state *old, const
     return (struct due){taken(w, old, now, a->ground_a, yields, few), a->due ? 0 : n, n};
 }
 
-// Takes it as far as floor `end`, if there are so many.
+// Takes the floors from `first` to `end` into works and peaks. True: a peak has risen.
+LANES_INLINE bool account_part(const struct floors_taken *step, ptrdiff_t first, ptrdiff_t end) {
+    floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
+    EACH_OF_LANES(j) {
+        input[j] = FLOORS_AT(step->input_2x, j * FLOORS_VECTOR);
+        damping[j] = FLOORS_AT(step->damping_2x, j * FLOORS_VECTOR);
+    }
+    const bool rises = floors_take(step, first, end, (double *)input, (double *)damping);
+    EACH_OF_LANES(j) {
+        FLOORS_SET(step->input_2x, j * FLOORS_VECTOR) = input[j];
+        FLOORS_SET(step->damping_2x, j * FLOORS_VECTOR) = damping[j];
+    }
+    return rises;
+}
+
+// Takes the account that is due as far as floor `end`, if there are so many.
 LANES_INLINE void account_to(struct due *d, ptrdiff_t end) {
     end = end < d->n ? end : d->n;
     if (d->done < end) {
-        floors_account_part(&d->step, d->done, end);
+        account_part(&d->step, d->done, end);
         d->done = end;
     }
 }
@@ -98,76 +136,105 @@ LANES_INLINE void clear_beyond(const struct model *m, const struct state *next) 
     }
 }
 
-// Takes a step from `now` to `next` in one block after the other, each with the account that is due
-// of the floors that see what it overwrites.
-LANES_INLINE bool move_by(struct work *w, const struct state *now, struct state *next,
-                          ptrdiff_t few) {
-    const struct floors_pass pass = floors_pass_of(w, now, next, chain_of(w, few));
-    const bool is_uniform = few > 0 || state_is_uniform(w->model);
-    struct due account = due(w, next, now, few, false);
-    floor_bits beyond = {0};
-    for (int i = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
-        const struct floor_block *b = &w->floors.block[i];
-        const struct span s = span_of(b, few);
-        floors_begin(&pass, s.first, s.n, next->ground_a[0], is_uniform ? NULL : next->external,
-                     &beyond);
-        if (next->n_live > 0) {
-            floors_push(w, now, next, b);
-        }
-        double *q = w->correction + s.first;
-        solve_block(&pass, w, b, &s, false, q);
-        account_to(&account, s.end + LANES_WIDTH);
-        floors_finish(&pass, s.first, s.end, q, &beyond);
-    }
-    w->floors.account.due = false;
-    if (few == 0) {
-        clear_beyond(w->model, next);
-    }
-    return !floors_any(&beyond);
-}
-
 // The next block finishes the floors that this one leaves over.
 LANES_INLINE void hand_over(const struct floor_block *b, double *q) {
     *(lanes_wide *)q = LANES_AT(q, b->end - b->first);
 }
 
-// The same as far as the step is known to be one in free flight. False: it is not.
-LANES_INLINE bool fly_by(const struct flight *f, const struct floors_lines *lines,
-                         const struct state *now, struct state *next, ptrdiff_t few) {
-    struct work *w = f->work;
-    struct floors_pass pass = floors_pass_of(w, now, next, chain_of(w, few));
+// Penetrations of a vector of contacts of a group, from number i on.
+LANES_INLINE void floors_delta(const struct gap_group *g, ptrdiff_t i, const double *gap,
+                               const double *u, const double *ground, floor_lanes *delta) {
+    const int left = g->ground[0], right = g->ground[1];
+    *delta = FLOORS_AT(u + g->dof[0], i) - FLOORS_AT(u + g->dof[1], i) - FLOORS_AT(gap, i);
+    if (left != right) {
+        *delta += ground[left] - ground[right];
+    }
+}
+
+// What contacts of a state in flight ask for, where negative.
+struct floors_approach {
+    floor_bits closed, nearer;  // closed, and closed or nearer than ever
+};
+
+// That of some groups of contacts.
+LANES_INLINE void floors_approach(const struct flight *f, int from, int to, const double *u,
+                                  const double *ground, struct floors_approach *near) {
+    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *limit = f->work->gaps.limit;
+    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
+        EACH_OF_LANES(j) {
+            const ptrdiff_t i = j * FLOORS_VECTOR;
+            floor_lanes d;
+            floors_delta(g, i, gap, u, ground, &d);
+            near->closed |= (floor_bits)(0.0 - d);
+            near->nearer |= (floor_bits)(FLOORS_AT(limit + g->contact, i) - d);
+        }
+    }
+}
+
+// Notes the penetrations of `s` that are larger than ever.
+LANES_INLINE void floors_note(const struct flight *f, const struct state *s) {
+    const double *gap = f->gap;
+    struct gaps *gaps = &f->work->gaps;
+    for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++, gap += LANES_WIDTH) {
+        for (int i = 0; i < LANES_WIDTH; i += FLOORS_VECTOR) {
+            floor_lanes d;
+            floors_delta(g, i, gap, s->u, s->ground_u, &d);
+            const floor_bits larger = (floor_bits)(FLOORS_AT(gaps->nearest + g->contact, i) - d);
+            for (int k = 0; floors_any(&larger) && k < FLOORS_VECTOR; k++) {
+                gaps_note(gaps, g->contact + i + k, d[k], s->time);
+            }
+        }
+    }
+}
+
+// Takes a step from `now` to `next` in one block after the other, each with the account that is due
+// of the floors that see what it overwrites. `f` NULL: the floors feel the forces of live links.
+// Else the step goes as far as it is known to be one in free flight. False: a number is not finite,
+// or it is no such step.
+LANES_INLINE bool step_by(struct work *w, const struct flight *f, const struct floors_lines *lines,
+                          const struct state *now, struct state *next, ptrdiff_t few) {
+    struct floors_pass pass = pass_of(w, now, next, chain_of(w, few));
     pass.lines = *lines;
-    const bool is_uniform = few > 0 || f->uniform;
+    const double *external = few > 0 || state_is_uniform(w->model) ? NULL : next->external;
     struct due account = due(w, next, now, few, lines->back != NULL);
     struct floors_approach near = {{0}, {0}};
-    floor_bits beyond = {0};
-    bool free = true;
-    for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block) && free; i++) {
+    floor_bits ends = {0};
+    for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
         const struct span s = span_of(b, few);
-        floors_begin(&pass, s.first, s.n, next->ground_a[0], is_uniform ? NULL : next->external,
-                     &beyond);
-        double *q = w->floors.correction;
-        solve_block(&pass, w, b, &s, few > 0, q);
+        double *q = f ? w->floors.correction : w->correction + s.first;
+        floors_begin(&pass, s.first, s.n, external, &ends);
+        if (!f && next->n_live > 0) {
+            floors_push(w, now, next, b);
+        }
+        if (w->model->chain.full_damping) {
+            floors_full(w, b, pass.u_trial, pass.v_trial, pass.residual);
+        }
+        solve_block(&pass, w, b, &s, f && few > 0, q);
         account_to(&account, s.end + LANES_WIDTH);
-        floors_finish(&pass, s.first, s.end, q, &beyond);
-        if (few == 0) {
+        floors_finish(&pass, s.first, s.end, q, &ends);
+        if (f && few == 0) {
             hand_over(b, q);
         }
-        floors_approach(f, group, f->group_end[i], pass.next.u, next->ground_u, &near);
-        const floor_bits ends = beyond | near.closed;
-        free = !floors_any(&ends);
-        group = f->group_end[i];
+        if (f) {
+            floors_approach(f, group, f->group_end[i], pass.next.u, next->ground_u, &near);
+            ends |= near.closed;
+            group = f->group_end[i];
+        }
+        if (f && floors_any(&ends)) {
+            break;
+        }
     }
     account_to(&account, account.n);
     w->floors.account.due = false;
     if (few == 0) {
         clear_beyond(w->model, next);
     }
-    if (free && floors_any(&near.nearer)) {
+    const bool taken = !floors_any(&ends);
+    if (f && taken && floors_any(&near.nearer)) {
         floors_note(f, next);
     }
-    return free;
+    return taken;
 }
 
 // Sets the time of `s`, the end of step n, and what acts on the floors then.
@@ -190,13 +257,16 @@ LANES_INLINE long fly_from(const struct flight *f, const struct floors_lines *li
     for (; n < end; n++) {
         struct state *from = *now, *to = *next;
         set_excitation(f, to, n + 1, few > 0 || f->uniform);
-        if (!fly_by(f, lines, from, to, few)) {
+        if (!step_by(f->work, f, lines, from, to, few)) {
             break;
         }
-        if (few > 0) {
+        if (f->model->chain.full_damping) {
+            floors_full_strain(f->work, to);
+        }
+        if ((few > 0 || f->account->defers) && !f->model->chain.full_damping) {
             floors_defer(&f->work->floors.account, from);
         } else {
-            floors_account_elastic(f->work, from, to);
+            floors_account(f->work, from, to);
         }
         *now = to;
         *next = from;
@@ -209,8 +279,10 @@ LANES_INLINE ptrdiff_t few_floors(const struct model *m) {
     return state_is_uniform(m) && m->chain.n <= 2 * LANES_WIDTH ? m->chain.n : 0;
 }
 
-LANES_INLINE long fly(const struct flight *f, const struct floors_lines *lines, struct state **now,
-                      struct state **next, long n, long end) {
+static const struct floors_lines elastic = {NULL, NULL, NULL, NULL};
+
+LANES_INLINE long fly_on(const struct flight *f, const struct floors_lines *lines,
+                         struct state **now, struct state **next, long n, long end) {
     switch (few_floors(f->model)) {
         case LANES_WIDTH:
             return fly_from(f, lines, now, next, n, end, LANES_WIDTH);
@@ -221,46 +293,40 @@ LANES_INLINE long fly(const struct flight *f, const struct floors_lines *lines, 
     }
 }
 
-FLOORS_CLONES static long fly_elastic(const struct flight *f, struct state **now,
-                                      struct state **next, long n, long end) {
-    const struct floors_lines elastic = {NULL, NULL, NULL, NULL};
-    return fly(f, &elastic, now, next, n, end);
-}
-
-FLOORS_CLONES static long fly_on_lines(const struct flight *f, struct state **now,
-                                       struct state **next, long n, long end) {
+FLOORS_CLONES static long fly(const struct flight *f, struct state **now, struct state **next,
+                              long n, long end) {
     const struct floors_lines lines = {f->back, f->spring, f->rest, f->limit};
-    return fly(f, &lines, now, next, n, end);
+    return f->on_lines ? fly_on(f, &lines, now, next, n, end)
+                     : fly_on(f, &elastic, now, next, n, end);
 }
 
 FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct state *next) {
     switch (few_floors(w->model)) {
         case LANES_WIDTH:
-            return move_by(w, now, next, LANES_WIDTH);
+            return step_by(w, NULL, &elastic, now, next, LANES_WIDTH);
         case 2 * LANES_WIDTH:
-            return move_by(w, now, next, 2 * LANES_WIDTH);
+            return step_by(w, NULL, &elastic, now, next, 2 * LANES_WIDTH);
         default:
-            return move_by(w, now, next, 0);
+            return step_by(w, NULL, &elastic, now, next, 0);
     }
 }
 
-FLOORS_CLONES static void account(const struct work *w, const struct state *s0,
+FLOORS_CLONES static bool account(const struct work *w, const struct state *s0,
                                   const struct state *s1, double ground_a0) {
-    const struct floors_taken step = taken(w, s0, s1, ground_a0, w->model->n_storey_history > 0, 0);
-    floors_account_part(&step, 0, step.chain.n);
-}
-
-FLOORS_CLONES static void raise(const struct work *w, const struct state *s) {
-    const struct floors_taken step = taken(w, s, s, 0.0, w->model->n_storey_history > 0, 0);
-    floors_raise_all(&step, s->base, 0, step.chain.n);
+    const struct model *m = w->model;
+    struct floors_taken step = taken(w, s0, s1, ground_a0, !state_is_linear(m), 0);
+    if (!state_is_uniform(m)) {
+        step.base = s1->base;
+        step.s0.external = s0->external;
+        step.s1.external = s1->external;
+    }
+    return account_part(&step, 0, step.chain.n);
 }
 
 const struct floors_steps FLOORS_STEPS = {
     .move = move,
-    .fly = fly_elastic,
-    .fly_on_lines = fly_on_lines,
+    .fly = fly,
     .account = account,
-    .raise = raise,
 };
 
 #endif

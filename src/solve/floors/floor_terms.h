@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arithmetic of a step of Newmark's method at one floor i, written once for all ways of taking
-// steps: chain.c goes floor by floor, floor_step.h by vectors of floors, and ensemble_floors.h by
-// one floor of several runs. They agree to the bit because these are the same operations in the
-// same order. They are macros because the types differ.
+// steps: chain.c goes floor by floor, floor_step.h by vectors of floors or of runs. They agree to
+// the bit because these are the same operations in the same order. They are macros because the
+// types differ.
 //     trial      u_t = u + (h v + h^2 a / 2),   v_t = v + h a
 //     drift      d_i = u_i - u_(i-1),   shear  s_i = k_i d_i, or on a line s_i = back_i d_i + f_i
 //                with f_i = spring_i (d_i - rest_i), which leaves the line where |f_i| > limit_i

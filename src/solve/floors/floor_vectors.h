@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vectors in which steps go over floors: of four floors, or of eight where FLOORS_WIDE is
+// The vectors in which steps go over floors, of four numbers, or of eight where FLOORS_WIDE is
 // defined. Few processors have registers of eight; on others, what a loop carries from one turn to
 // the next would be in memory.
+//     vector of floors    neighbouring floors of one run
+//     vector of runs      (FLOORS_OF_RUNS) one floor of as many runs: a part of the WIDE_RUNS lanes
+// Loops that go from vector to vector are the same for both. They number vectors by their first
+// floor. What differs is in this file: where a vector stands in an array, what is next to it, and
+// how it reads a number of the model.
 //
 // A load that spans two recent stores stalls until both are in the cache. So neighbours' values are
 // read in a later loop than the one that writes them, or come from registers.
@@ -10,38 +15,78 @@
 
 #include "core/lanes.h"
 
-// FLOORS_CLONES marks functions that are not in line. BELOW and ABOVE are the floors one below and
-// one above those of a vector; `under` and `over` are the vectors next to it.
+// FLOORS_CLONES marks functions that are not in line.
 #ifdef FLOORS_WIDE
 typedef lanes_wide floor_lanes;
 typedef lanes_wide_bits floor_bits;
 #define FLOORS_CLONES LANES_WHOLE
-#define BELOW(under, own) __builtin_shufflevector(under, own, 7, 8, 9, 10, 11, 12, 13, 14)
-#define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4, 5, 6, 7, 8)
 #else
 typedef lanes floor_lanes;
 typedef lanes_bits floor_bits;
 #define FLOORS_CLONES LANES
-#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
+#endif
+
+// Numbers in a vector, and vectors in whole lanes.
+enum {
+    FLOORS_VECTOR = sizeof(floor_lanes) / sizeof(double),
+    FLOORS_VECTORS = LANES_WIDTH / FLOORS_VECTOR,
+};
+
+// BELOW and ABOVE are the floors one below and one above those of a vector; `under` and `over` are
+// the vectors next to it.
+#if defined(FLOORS_OF_RUNS)
+#define BELOW(under, own) (under)
+#define ABOVE(own, over) (over)
+#elif defined(FLOORS_WIDE)
+#define BELOW(under, own) __builtin_shufflevector(under, own, 7, 8, 9, 10, 11, 12, 13, 14)
+#define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4, 5, 6, 7, 8)
+#elif defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
 #define BELOW(under, own) __builtin_shufflevector(under, own, 3, 4, 5, 6)
 #define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4)
 #else
 #define BELOW(under, own) ((lanes){(under)[3], (own)[0], (own)[1], (own)[2]})
 #define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
 #endif
+
+// FLOORS_NEXT is the number of floors from one vector to the next, and floor_number one number of
+// each run of a vector. CHAIN_AT is an array of the chain of `p`, and JOINED is x where floor i of
+// it stands on another one, else 0: loops over vectors of runs begin at the lowest floor of a
+// building. FLOORS_SLOT is where floor i adds to a work, in vector j of whole lanes.
+//
+// Arrays of runs lie side by side where a loop reads several: what belongs to a floor is together,
+// MOTION_PITCH vectors of a motion or a trial, CHAIN_PITCH numbers of a chain and so on.
+#ifdef FLOORS_OF_RUNS
+enum { FLOORS_NEXT = 1, FLOORS_WHOLE = 1, FLOORS_PARTS = FLOORS_VECTORS };
+enum { FLOORS_PITCH = WIDE_RUNS, MOTION_PITCH = 3, PEAK_PITCH = 5, CHAIN_PITCH = 5 };
+typedef floor_lanes floor_number;
+#define HELD_AT(once, x, i)                                                                        \
+    (floor_lanes)((once) ? (floor_lanes)((x)[i] - (floor_lanes){0.0}) : FLOORS_AT(x, i))
+#define CHAIN_AT(p, x, i) HELD_AT((p)->once, (p)->chain.x, (i)*CHAIN_PITCH)
+#define JOINED(p, i, x) (x)
+#define FLOORS_SLOT(p, i, j) ((ptrdiff_t)((size_t)((p)->first + (i)) % LANES_WIDTH))
+#define FLOORS_HEEDED(p, flags) ((flags) & (p)->active)
+#else
+enum { FLOORS_NEXT = FLOORS_VECTOR, FLOORS_WHOLE = LANES_WIDTH };
+enum { FLOORS_PITCH = 1, MOTION_PITCH = 1, PEAK_PITCH = 1 };
+typedef double floor_number;
+#define CHAIN_AT(p, x, i) FLOORS_AT((p)->chain.x, i)
+#define JOINED(p, i, x) (FLOORS_AT((p)->chain.joint, i) * (x))
+#define FLOORS_SLOT(p, i, j) ((j)*FLOORS_VECTOR)
+#define FLOORS_HEEDED(p, flags) (flags)
 #endif
 
-// Floors in a vector, and vectors in whole lanes.
-enum {
-    FLOORS_VECTOR = sizeof(floor_lanes) / sizeof(double),
-    FLOORS_VECTORS = LANES_WIDTH / FLOORS_VECTOR,
-};
-
-// The vector of an array from i on.
-#define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (i)))
+// The vector of floor i of an array, to read and to write; and the same of a motion or a trial, and
+// of peaks.
+#define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (i)*FLOORS_PITCH))
+#define FLOORS_SET(x, i) (*(floor_lanes *)((x) + (i)*FLOORS_PITCH))
+#define MOTION_AT(x, i) FLOORS_AT(x, (i)*MOTION_PITCH)
+#define MOTION_SET(x, i) FLOORS_SET(x, (i)*MOTION_PITCH)
+#define PEAK_AT(x, i) FLOORS_AT(x, (i)*PEAK_PITCH)
+#define PEAK_SET(x, i) FLOORS_SET(x, (i)*PEAK_PITCH)
 
 // For each vector of whole lanes, unrolled so that the vectors stay in registers.
-#define EACH_OF_LANES(j) _Pragma("GCC unroll 2") for (ptrdiff_t j = 0; j < FLOORS_VECTORS; j++)
+#define EACH_OF_LANES(j)                                                                           \
+    _Pragma("GCC unroll 2") for (ptrdiff_t j = 0; j < FLOORS_WHOLE / FLOORS_NEXT; j++)
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
 #define LOWER_HALF(x) __builtin_shufflevector(x, x, 0, 1, 2, 3)

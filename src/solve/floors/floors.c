@@ -136,27 +136,13 @@ double floors_speed(const struct work *w, const struct state *now) {
     return speed;
 }
 
-void floors_account_elastic(struct work *w, const struct state *now, const struct state *next) {
-    struct floors_account *to = &w->floors.account;
-    if (to->defers) {
-        floors_defer(to, now);
-        return;
-    }
-    if (state_is_uniform(w->model)) {
-        steps()->account(w, now, next, now->ground_a[0]);
-    } else {
-        energy_step(to->energy, w->model, now, next);
-        steps()->raise(w, next);
-    }
-    peaks_speed(to->results, 0, w->model->n_dof);
-}
-
 void floors_account(struct work *w, const struct state *now, const struct state *next) {
-    if (state_is_linear(w->model)) {
-        floors_account_elastic(w, now, next);
-    } else {
-        energy_step(w->floors.account.energy, w->model, now, next);
-        peaks_floors(w->floors.account.results, w->model, next);
+    struct floors_account *to = &w->floors.account;
+    floors_full_work(w, now, next);
+    if (to->defers && state_is_linear(w->model)) {
+        floors_defer(to, now);
+    } else if (steps()->account(w, now, next, now->ground_a[0])) {
+        peaks_speed(to->results, 0, w->model->n_dof);
     }
 }
 
@@ -187,5 +173,5 @@ void floors_correct_touched(struct work *w, const struct state *now, struct stat
 }
 
 long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end) {
-    return (f->yields ? steps()->fly_on_lines : steps()->fly)(f, now, next, n, end);
+    return steps()->fly(f, now, next, n, end);
 }

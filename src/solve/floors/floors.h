@@ -26,6 +26,7 @@ struct floors_account {
     double ground_a;  // [L/T^2] acceleration of the ground when that step began
 };
 
+struct effective;
 struct work;
 struct flight;
 
@@ -70,9 +71,6 @@ static inline void floors_defer(struct floors_account *a, const struct state *no
     a->ground_a = now->ground_a[0];
 }
 
-// floors_account of a linear model, or of one in flight.
-void floors_account_elastic(struct work *w, const struct state *now, const struct state *next);
-
 // Takes the account that is due, of the step from the state in `old` to the committed `now`.
 void floors_catch_up(struct work *w, const struct state *old, const struct state *now);
 
@@ -84,16 +82,13 @@ double floors_speed(const struct work *w, const struct state *now);
 // the step reached; contacts that were nearest on the way are recorded.
 long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// The loops over floors of these functions, on vectors of one width. `account` takes a step under
-// one ground, which began with acceleration ground_a0; `raise` takes a state into the peaks.
+// The loops over floors of these functions, on vectors of one width. `account` takes a step which
+// began with ground acceleration ground_a0 into works and peaks; true: a peak has risen.
 struct floors_steps {
     bool (*move)(struct work *w, const struct state *now, struct state *next);
     long (*fly)(const struct flight *f, struct state **now, struct state **next, long n, long end);
-    long (*fly_on_lines)(const struct flight *f, struct state **now, struct state **next, long n,
-                         long end);
-    void (*account)(const struct work *w, const struct state *now, const struct state *next,
+    bool (*account)(const struct work *w, const struct state *now, const struct state *next,
                     double ground_a0);
-    void (*raise)(const struct work *w, const struct state *s);
 };
 extern const struct floors_steps floors_narrow, floors_wide;
 
@@ -101,5 +96,15 @@ extern const struct floors_steps floors_narrow, floors_wide;
 // the contact iteration.
 void floors_push(struct work *w, const struct state *now, const struct state *next,
                  const struct floor_block *b);
+
+// floors_full.h for one building that is not low.
+void floors_full_high(const struct effective *e, const double *u, const double *v,
+                      double *residual);
+
+// Adds the work of full matrices C in the step from `now` to `next`.
+void floors_full_work(const struct work *w, const struct state *now, const struct state *next);
+
+// Adds the shears of parts, all linear, to those of the storeys alone.
+void floors_full_strain(const struct work *w, struct state *s);
 
 #endif

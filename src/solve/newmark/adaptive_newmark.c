@@ -8,7 +8,7 @@
 
 // The forcing jumps at the present state, and the accelerations with it: a step from the old ones
 // would begin with a first-order error. Rigid bodies at rest may part.
-static void pass_jump(struct run *r) {
+static void adaptive_pass_jump(struct run *r) {
     excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
     state_complete(r->now, r->model);
     equilibrium_find(r->now, r->model);
@@ -17,7 +17,7 @@ static void pass_jump(struct run *r) {
 }
 
 // Takes a step on the way to `limit`, or finds that it was too long.
-static int attempt(struct run *r, double limit) {
+static int adaptive_attempt(struct run *r, double limit) {
     struct totals *totals = &r->results->totals;
     long events = totals->events;
     double h;
@@ -37,28 +37,28 @@ static int attempt(struct run *r, double limit) {
         step_length_take(&r->length, r->next, r->now, h);
     }
     if (status == STATUS_OK && r->length.jumped) {
-        pass_jump(r);
+        adaptive_pass_jump(r);
     }
     return status;
 }
 
 // To the next row of the output.
-static int advance(struct run *r, long *n, long end) {
+static int adaptive_advance(struct run *r, long *n, long end) {
     (void)end;
     double limit = model_time(r->model, ++*n);
     int status = STATUS_OK;
     run_forget_events(r);
     while (status == STATUS_OK && r->now->time < limit) {
-        status = attempt(r, limit);
+        status = adaptive_attempt(r, limit);
     }
     return status;
 }
 
-static bool alloc(struct run *r, struct arena *a) {
+static bool adaptive_alloc(struct run *r, struct arena *a) {
     return run_step_alloc(r, a) && step_length_alloc(&r->length, r->model, r->results, a);
 }
 
-static void start(struct run *r) {
+static void adaptive_start(struct run *r) {
     r->work.forcing = &r->length.forcing;
     r->work.scales = &r->length.scales;
     step_length_start(&r->length, r->now);
@@ -75,8 +75,8 @@ const struct method adaptive_newmark = {
     .resume = run_step_resume,
     .integrator = INTEGRATOR_NEWMARK,
     .adaptive = true,
-    .alloc = alloc,
-    .start = start,
-    .advance = advance,
+    .alloc = adaptive_alloc,
+    .start = adaptive_start,
+    .advance = adaptive_advance,
     .complete = run_step_complete,
 };

@@ -14,12 +14,13 @@ static const double AT_END = 1e-9;
 // so far, or that it would have reached after a step of the deck at this rate.
 static const double ABRUPT = 1e-4;
 
-static double snap(double time, double h) {
+static double event_snap(double time, double h) {
     return time <= AT_END * h ? 0.0 : time >= (1.0 - AT_END) * h ? h : time;
 }
 
 // Has contact k closed or opened in the step, in a way that steps are split at?
-static bool splits(const struct work *w, const struct state *now, const struct state *next, int k) {
+static bool event_splits(const struct work *w, const struct state *now, const struct state *next,
+                         int k) {
     const struct contact_law *law = w->model->link[k].law;
     bool jumps =
         (law->traits & CONTACT_JUMPS) && (now->link[k].force != 0.0 || next->link[k].force != 0.0);
@@ -27,19 +28,19 @@ static bool splits(const struct work *w, const struct state *now, const struct s
            (jumps || w->splitting == SPLIT_ALWAYS);
 }
 
-static struct path path_of(const struct model *m, const struct state *now, const struct state *next,
-                           double h, int k) {
+static struct path event_path_of(const struct model *m, const struct state *now,
+                                 const struct state *next, double h, int k) {
     return (struct path){now->delta[k], state_rate(now, m, k), next->delta[k],
                          state_rate(next, m, k), h};
 }
 
 // Time from the start of the step at which the force of link k jumps.
-static double jump_time(const struct model *m, const struct state *now, const struct state *next,
-                        double h, int k) {
+static double event_jump_time(const struct model *m, const struct state *now,
+                              const struct state *next, double h, int k) {
     if (next->link[k].closed) {
         return next->link[k].t_close - now->time;
     }
-    struct path path = path_of(m, now, next, h, k);
+    struct path path = event_path_of(m, now, next, h, k);
     path.d0 = fmax(path.d0, 0.0);
     path.d1 = fmin(path.d1, 0.0);
     double rate;
@@ -48,9 +49,9 @@ static double jump_time(const struct model *m, const struct state *now, const st
 
 // Time from the start of the step at which the bodies of rigid contact k meet; infinite if they do
 // not, but for rounding.
-static double meeting_time(const struct model *m, const struct state *now, const struct state *next,
-                           double h, int k) {
-    struct path path = path_of(m, now, next, h, k);
+static double event_meeting_time(const struct model *m, const struct state *now,
+                                 const struct state *next, double h, int k) {
+    struct path path = event_path_of(m, now, next, h, k);
     double inside = fmax(path.d0, 0.0);  // by an error of rounding or integration
     double rate;
     path.d0 -= inside;
@@ -79,14 +80,14 @@ bool event_is_idle(const struct state *s, const struct model *m, int k) {
 // Does contact k, which closes at the start of the step, neither move nor press inwards then? What
 // makes it close comes later in the step; closed before, it would open again, to and fro at one
 // instant.
-static bool closes_idle(const struct state *now, const struct state *next, const struct model *m,
-                        int k) {
+static bool event_closes_idle(const struct state *now, const struct state *next,
+                              const struct model *m, int k) {
     return next->link[k].closed && event_is_idle(now, m, k);
 }
 
-static void take_earlier(struct event *first, int k, double time, double h) {
+static void event_take_earlier(struct event *first, int k, double time, double h) {
     if (time < first->time) {
-        *first = (struct event){.link = k, .time = snap(time, h)};
+        *first = (struct event){.link = k, .time = event_snap(time, h)};
     }
 }
 
@@ -97,16 +98,16 @@ struct event event_first(const struct work *w, const struct state *now, const st
     struct event otherwise = first;
     for (int i = 0; i < w->n_toggled; i++) {
         int k = w->toggled[i];
-        if (k != except && splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {
-            double time = jump_time(m, now, next, h, k);
-            bool is_idle = snap(time, h) == 0.0 && closes_idle(now, next, m, k);
-            take_earlier(is_idle ? &otherwise : &first, k, time, h);
+        if (k != except && event_splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {
+            double time = event_jump_time(m, now, next, h, k);
+            bool is_idle = event_snap(time, h) == 0.0 && event_closes_idle(now, next, m, k);
+            event_take_earlier(is_idle ? &otherwise : &first, k, time, h);
         }
     }
     for (int i = 0; i < w->n_rigid; i++) {
         int k = w->rigid[i];
         if (k != except && !now->link[k].closed) {
-            take_earlier(&first, k, meeting_time(m, now, next, h, k), h);
+            event_take_earlier(&first, k, event_meeting_time(m, now, next, h, k), h);
         }
     }
     return first.link < 0 ? otherwise : first;

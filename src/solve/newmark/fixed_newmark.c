@@ -13,7 +13,7 @@ static int give_up(struct run *r, double h) {
     int k = r->memory.unresolved;
     return error_set(
         r->error, STATUS_FAILED,
-        "at t = %.6g %s a step of %.3g %s is still too long for contact %s, after %ld cuts; "
+        "at t = %.6g %s a step of %.3g %s is still too long for contact %s, after %ld rejections; "
         "use a softer or a damped contact, or a much shorter step",
         r->now->time, unit, h, unit, k < 0 ? "forces" : m->link[k].name,
         r->results->totals.rejected);

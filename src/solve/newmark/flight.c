@@ -51,9 +51,10 @@ static void assign_groups(struct flight *f) {
     }
 }
 
-// Are all links contacts of floors with a law of force, and all storeys of straight lines?
+// Are all links contacts of floors with a law of force, all storeys of straight lines, and
+// buildings with full matrices elastic?
 static bool is_possible(const struct model *m) {
-    bool possible = m->n_link == m->n_contact && !m->chain.full_damping;
+    bool possible = m->n_link == m->n_contact && (m->elastic || !m->chain.full_damping);
     for (int k = 0; k < m->n_link; k++) {
         possible = possible && !m->link[k].law->rebound && link_is_plain(&m->link[k]);
     }
@@ -99,7 +100,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
         .work = w,
         .account = &w->floors.account,
         .possible = is_possible(m),
-        .yields = m->n_storey_history > 0,
+        .on_lines = !state_is_linear(m),
         .uniform = state_is_uniform(m),
     };
     size_t n = f->possible ? (size_t)m->n_contact : 0;
@@ -132,7 +133,7 @@ void flight_deepen(const struct flight *f, struct state *s) {
 static void complete(const struct flight *f, struct state *s) {
     const struct model *m = f->model;
     flight_deepen(f, s);
-    if (f->yields) {
+    if (f->on_lines) {
         excitation_floors(s, m, s->time);
         state_internal_forces(s, m, s->u, s->v);
         state_totals(s, m);
@@ -150,10 +151,10 @@ static bool may_start(struct flight *f, const struct state *before, const struct
         has_yielded(f->model, before, s)) {
         return false;
     }
-    if (f->yields) {
+    if (f->on_lines) {
         find_branches(f, s->storey_history);
     }
-    return !f->yields || is_factorised(f);
+    return !f->on_lines || is_factorised(f);
 }
 
 static void start_flight(struct flight *f, const struct state *now, struct state *next) {
@@ -161,7 +162,7 @@ static void start_flight(struct flight *f, const struct state *now, struct state
     state_open_links(next);
     gaps_forget(&f->work->gaps);
     memset(f->work->storeys.agree, 0, (size_t)m->n_building * sizeof *f->work->storeys.agree);
-    if (f->yields) {
+    if (f->on_lines) {
         memcpy(next->storey_history, now->storey_history,
                (size_t)m->n_storey_history * sizeof *next->storey_history);
     }
@@ -171,7 +172,7 @@ static void start_flight(struct flight *f, const struct state *now, struct state
 static void finish_flight(const struct flight *f, const struct state *old, struct state *s,
                           long n) {
     struct totals *t = &f->account->results->totals;
-    if (f->yields) {
+    if (f->on_lines) {
         floors_catch_up(f->work, old, s);
     }
     complete(f, s);

@@ -19,7 +19,7 @@ struct flight {
     struct work *work;
     const struct floors_account *account;  // where works and peaks go
     bool possible;                         // with this model
-    bool yields;                           // not all storeys are elastic
+    bool on_lines;                         // some storey yields, or some building is full
     bool uniform;                          // one ground moves all, and there are no loads
 
     double *back, *spring, *rest, *limit;  // (n_dof) the storeys' branches: struct storey_branch

@@ -25,7 +25,7 @@
 #include "solve/contact/contact.h"
 #include "solve/excitation.h"
 
-static void begin(struct work *w, const struct state *now, struct state *next, double end) {
+static void newmark_begin(struct work *w, const struct state *now, struct state *next, double end) {
     const struct model *m = w->model;
     contact_begin(w, now, next);
     next->time = end;
@@ -38,13 +38,16 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
         }
         excitation_floors(next, m, end);
     }
+    if (m->elastic) {
+        return;
+    }
     memset(w->storeys.agree, 0, (size_t)m->n_building * sizeof *w->storeys.agree);
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
 
 // residual = external - M a - C v - storey shears - link forces, with the internal forces of
 // `next`.
-static void residuals(struct work *w, struct state *next, const double *a) {
+static void newmark_residuals(struct work *w, struct state *next, const double *a) {
     const struct model *m = w->model;
     chain_residual(&m->chain, next->external, a, next->damping_force, next->shear,
                    w->storeys.residual);
@@ -52,7 +55,7 @@ static void residuals(struct work *w, struct state *next, const double *a) {
 }
 
 // How many buildings in a row, from k on, have storeys that do not agree yet.
-static int disagreeing(const struct work *w, int k) {
+static int newmark_disagreeing(const struct work *w, int k) {
     int n = 0;
     while (k + n < w->model->n_building && !w->storeys.agree[k + n]) {
         n++;
@@ -62,11 +65,11 @@ static int disagreeing(const struct work *w, int k) {
 
 // Solves A dq = residual for the buildings whose storeys do not agree, and adds dq to their
 // corrections.
-static void solve_residuals(struct work *w) {
+static void newmark_solve_residuals(struct work *w) {
     const struct building *building = w->model->building;
     const struct storeys *s = &w->storeys;
     for (int k = 0; k < w->model->n_building; k++) {
-        int n = disagreeing(w, k);
+        int n = newmark_disagreeing(w, k);
         int first = building[k].first;
         if (n == 0) {
             continue;
@@ -81,7 +84,7 @@ static void solve_residuals(struct work *w) {
 
 // At the drifts of the solution, are the shears of building k those that their linearisation
 // predicted? The displacement below a storey is that above less the drift.
-LANES static bool agrees(const struct work *w, const struct state *next, int k) {
+LANES static bool newmark_agrees(const struct work *w, const struct state *next, int k) {
     const struct building *g = &w->model->building[k];
     const double *tangent = w->effective[k].tangent, *stiffness = g->stiffness;
     const double *u = next->u + g->first;
@@ -99,7 +102,7 @@ LANES static bool agrees(const struct work *w, const struct state *next, int k) 
 }
 
 // The same for a building with parts, whose shears depend on all its drifts and their rates.
-static bool parts_agree(const struct work *w, const struct state *next, int k) {
+static bool newmark_parts_agree(const struct work *w, const struct state *next, int k) {
     const struct building *g = &w->model->building[k];
     const struct storeys *from = &w->storeys;
     const int first = g->first, n = g->n_floor;
@@ -126,23 +129,23 @@ static bool parts_agree(const struct work *w, const struct state *next, int k) {
     return agree;
 }
 
-static bool storeys_agree(struct work *w, const struct state *next) {
+static bool newmark_storeys_agree(struct work *w, const struct state *next) {
     bool all = true;
     if (w->model->elastic) {
         return true;
     }
     for (int k = 0; k < w->model->n_building; k++) {
         const struct building *g = &w->model->building[k];
-        w->storeys.agree[k] =
-            g->elastic || (g->n_part > 0 ? parts_agree(w, next, k) : agrees(w, next, k));
+        w->storeys.agree[k] = g->elastic || (g->n_part > 0 ? newmark_parts_agree(w, next, k)
+                                                           : newmark_agrees(w, next, k));
         all &= w->storeys.agree[k];
     }
     return all;
 }
 
 // Takes the tangents of the parts of building k at the drifts of `at`.
-static void linearise_parts(struct work *w, const struct state *now, const struct state *at,
-                            int k) {
+static void newmark_linearise_parts(struct work *w, const struct state *now, const struct state *at,
+                                    int k) {
     const struct building *g = &w->model->building[k];
     const size_t n = (size_t)g->n_floor;
     double *by_drift = w->effective[k].tangent + n;
@@ -152,13 +155,14 @@ static void linearise_parts(struct work *w, const struct state *now, const struc
 }
 
 // Takes the tangents at the drifts of `at` for building k, and factorises again.
-static int linearise(struct work *w, const struct state *now, const struct state *at, int k) {
+static int newmark_linearise(struct work *w, const struct state *now, const struct state *at,
+                             int k) {
     const struct building *g = &w->model->building[k];
     const size_t size = (size_t)g->n_floor * sizeof *at->tangent;
     memcpy(w->effective[k].tangent, at->tangent + g->first, size);
     memcpy(w->memory->tangent + g->first, at->tangent + g->first, size);
     if (g->n_part > 0) {
-        linearise_parts(w, now, at, k);
+        newmark_linearise_parts(w, now, at, k);
     }
     int status = effective_factor(&w->effective[k], w->b, w->g);
     w->h = status == STATUS_OK ? w->h : 0.0;
@@ -166,31 +170,32 @@ static int linearise(struct work *w, const struct state *now, const struct state
 }
 
 // Does so for all buildings whose storeys did not agree.
-static int relinearise(struct work *w, const struct state *now, const struct state *next) {
+static int newmark_relinearise(struct work *w, const struct state *now, const struct state *next) {
     int status = STATUS_OK;
     w->factors++;
     for (int k = 0; status == STATUS_OK && k < w->model->n_building; k++) {
-        status = w->storeys.agree[k] ? STATUS_OK : linearise(w, now, next, k);
+        status = w->storeys.agree[k] ? STATUS_OK : newmark_linearise(w, now, next, k);
     }
     return status;
 }
 
 // The tangents of smooth laws change in every step. Those at the trial are close enough to those at
 // the end of most steps.
-static int linearise_smooth(struct work *w, const struct state *now, const struct state *trial) {
+static int newmark_linearise_smooth(struct work *w, const struct state *now,
+                                    const struct state *trial) {
     const struct model *m = w->model;
     int status = STATUS_OK;
     for (int k = 0; status == STATUS_OK && k < m->n_building; k++) {
         if (m->building[k].smooth) {
             w->factors++;
-            status = linearise(w, now, trial, k);
+            status = newmark_linearise(w, now, trial, k);
         }
     }
     return status;
 }
 
 // Solves for the forces of live links, which may make other links close.
-static int solve_links(struct work *w, const struct state *now, struct state *next) {
+static int newmark_solve_links(struct work *w, const struct state *now, struct state *next) {
     bool wanted = next->n_live > 0;
     while (contact_search(w, now, next) > 0 || wanted) {
         int status = contact_solve(w, now, next);
@@ -203,7 +208,7 @@ static int solve_links(struct work *w, const struct state *now, struct state *ne
     return STATUS_OK;
 }
 
-static int not_finite(const struct model *m, const struct state *s, struct error *e) {
+static int newmark_not_finite(const struct model *m, const struct state *s, struct error *e) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         for (int i = 0; i < g->n_floor; i++) {
@@ -219,7 +224,7 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 }
 
 // Keeps where the storeys were linearised, and takes the forces at the state reached.
-static void take_forces(struct work *w, const struct state *now, struct state *next) {
+static void newmark_take_forces(struct work *w, const struct state *now, struct state *next) {
     const struct model *m = w->model;
     memcpy(w->storeys.drift, next->drift, (size_t)m->n_dof * sizeof *next->drift);
     memcpy(w->storeys.shear, next->shear, (size_t)m->n_dof * sizeof *next->shear);
@@ -227,32 +232,61 @@ static void take_forces(struct work *w, const struct state *now, struct state *n
     state_reach(next, m, next->u, next->v, now->storey_history);
 }
 
+// The shears of building g at drifts near those of `now`, by the tangents it is factorised with.
+LANES static void newmark_predict_shears(const struct building *g, const double *tangent,
+                                         const struct state *now, struct state *next) {
+    const double *shear_0 = now->shear + g->first, *drift_0 = now->drift + g->first;
+    const double *restrict drift = next->drift + g->first;
+    double *restrict shear = next->shear + g->first;
+    for (int i = 0; i < g->n_floor; i++) {
+        shear[i] = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
+    }
+}
+
+// Internal forces at the trial. Storeys of straight lines most likely stay on theirs: the end of
+// the step tells.
+static void newmark_try_forces(struct work *w, const struct state *now, struct state *next) {
+    const struct model *m = w->model;
+    const double *history = now->storey_history;
+    chain_forces(&m->chain, w->u_trial, w->v_trial, next->drift, next->shear, next->damping_force);
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        if (g->predictable) {
+            newmark_predict_shears(g, w->effective[k].tangent, now, next);
+        } else if (!g->elastic) {
+            state_storeys(next, m, g, history, next->storey_history);
+        }
+    }
+    state_full_forces(next, m, w->v_trial, history, next->storey_history);
+}
+
 // Newton's iteration on storeys and links. Leaves the internal forces of the state it finds.
-static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
+static int newmark_solve(struct work *w, const struct state *now, struct state *next,
+                         struct error *e) {
     const struct model *m = w->model;
     chain_trial(m->chain.n, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
-    state_reach(next, m, w->u_trial, w->v_trial, now->storey_history);
-    residuals(w, next, now->a);
-    if (linearise_smooth(w, now, next) != STATUS_OK) {
+    newmark_try_forces(w, now, next);
+    newmark_residuals(w, next, now->a);
+    if (newmark_linearise_smooth(w, now, next) != STATUS_OK) {
         return STATUS_RETRY;
     }
     for (int i = 0; i < m->iterations; i++) {
         w->totals->iterations++;
-        solve_residuals(w);
+        newmark_solve_residuals(w);
         if (!floors_correct(w, now, next, 0, m->chain.n)) {
-            return not_finite(m, next, e);
+            return newmark_not_finite(m, next, e);
         }
         gaps_update(&w->gaps, next);
-        int status = solve_links(w, now, next);
+        int status = newmark_solve_links(w, now, next);
         if (status != STATUS_OK) {
             return status;
         }
-        take_forces(w, now, next);
-        if (storeys_agree(w, next)) {
+        newmark_take_forces(w, now, next);
+        if (newmark_storeys_agree(w, next)) {
             return STATUS_OK;
         }
-        residuals(w, next, next->a);
-        if (relinearise(w, now, next) != STATUS_OK) {
+        newmark_residuals(w, next, next->a);
+        if (newmark_relinearise(w, now, next) != STATUS_OK) {
             return STATUS_RETRY;
         }
     }
@@ -261,19 +295,23 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
 }
 
 // The same where the floors are linear.
-static int solve_linear(struct work *w, const struct state *now, struct state *next,
-                        struct error *e) {
+static int newmark_solve_linear(struct work *w, const struct state *now, struct state *next,
+                                struct error *e) {
     w->totals->iterations++;
     if (!floors_move(w, now, next)) {
-        return not_finite(w->model, next, e);
+        return newmark_not_finite(w->model, next, e);
     }
-    return solve_links(w, now, next);
+    return newmark_solve_links(w, now, next);
 }
 
-// Completes the end of the step: total accelerations, and the histories of the links' laws.
-static void finish(struct work *w, struct state *next) {
+// Completes the end of the step: internal forces where newmark_solve has not left them, total
+// accelerations, and the histories of the links' laws.
+static void newmark_finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
+        if (m->elastic) {
+            state_internal_forces(next, m, next->u, next->v);
+        }
         state_totals(next, m);
     }
     contact_finish(w, next);
@@ -284,10 +322,11 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
     if (work_factor(w, h) != STATUS_OK) {
         return STATUS_RETRY;
     }
-    begin(w, now, next, end);
-    int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
+    newmark_begin(w, now, next, end);
+    int status =
+        w->model->elastic ? newmark_solve_linear(w, now, next, e) : newmark_solve(w, now, next, e);
     if (status == STATUS_OK) {
-        finish(w, next);
+        newmark_finish(w, next);
     }
     return status;
 }

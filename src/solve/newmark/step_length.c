@@ -62,31 +62,21 @@ void step_length_start(struct step_length *s, const struct state *now) {
 }
 
 // What keeps steps short, for messages.
-static const char *cause(const struct step_length *s) {
+static const char *step_length_cause(const struct step_length *s) {
     return s->unsolved < 0 ? "the tolerance" : s->model->link[s->unsolved].name;
-}
-
-static int too_slow(const struct step_length *s, double time, double step, struct error *e) {
-    const char *unit = s->model->deck->units.time_name;
-    return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
-                     "%.0e of them; use a larger -tolerance, integrator newmark -gamma above 0.5 "
-                     "or step fixed DT",
-                     time, unit, step, unit, cause(s), (double)ADAPTIVE_STEPS_MAX);
 }
 
 int step_length_next(struct step_length *s, const struct state *now, double limit, double *h,
                      double *end, struct error *e) {
     double step;
     if (pace_is_slow(&s->pace, s->model, now->time, &step)) {
-        return too_slow(s, now->time, step, e);
+        const struct pace_cause of = {step_length_cause(s),
+                                      "integrator newmark -gamma above 0.5 or step fixed DT"};
+        return pace_too_slow(s->model, now->time, step, &of, e);
     }
     double corner = s->forcing.corner;
     double goal = limit - corner <= SAME_TIME * limit ? limit : corner;
-    double rest = goal - now->time;
-    double parts = pace_parts(rest, s->trial, s->model->control.longest);
-    *h = parts > 1.0 ? rest / parts : rest;
-    *end = parts > 1.0 ? now->time + *h : goal;
+    pace_next(now->time, goal, s->trial, s->model->control.longest, h, end);
     if (fabs(*h - s->last) <= SAME * *h) {
         *h = s->last;
     }
@@ -94,29 +84,29 @@ int step_length_next(struct step_length *s, const struct state *now, double limi
 }
 
 // The acceleration of floor i less the part that the forcing causes directly.
-static double within(const struct step_length *s, const struct state *at, int i) {
+static double step_length_within(const struct step_length *s, const struct state *at, int i) {
     return at->a[i] - at->external[i] / s->model->mass[i];
 }
 
 // How much the rate of the acceleration of floor i changes from the last step to this one [L/T^3].
-static double bend(const struct step_length *s, const struct state *now, const struct state *next,
-                   double h, int i) {
-    double a0 = s->turned ? within(s, now, i) : now->a[i];
-    double a1 = s->turned ? within(s, next, i) : next->a[i];
+static double step_length_bend(const struct step_length *s, const struct state *now,
+                               const struct state *next, double h, int i) {
+    double a0 = s->turned ? step_length_within(s, now, i) : now->a[i];
+    double a1 = s->turned ? step_length_within(s, next, i) : next->a[i];
     double before = s->turned ? s->within[i] : s->before[i];
     return (a1 - a0) / h - (a0 - before) / s->last;
 }
 
 // The largest error of the step over the tolerance.
-static double largest_error(const struct step_length *s, const struct state *now,
-                            const struct state *next, double h) {
+static double step_length_largest_error(const struct step_length *s, const struct state *now,
+                                        const struct state *next, double h) {
     const struct model *m = s->model;
     double largest = 0.0;
     for (int i = 0; i < m->n_dof; i++) {
         double change = fabs(next->a[i] - now->a[i]);
         double of_v = h * change / 4.0;
         if (s->last > 0.0) {
-            of_v = h * h * h * fabs(bend(s, now, next, h, i)) / (6.0 * (h + s->last));
+            of_v = h * h * h * fabs(step_length_bend(s, now, next, h, i)) / (6.0 * (h + s->last));
         }
         double of_u = h * (h * fabs(m->beta - 1.0 / 6.0) * change + of_v / 2.0);
         of_v += h * (m->gamma - 0.5) * change;
@@ -127,7 +117,7 @@ static double largest_error(const struct step_length *s, const struct state *now
 
 int step_length_judge(struct step_length *s, const struct state *now, const struct state *next,
                       double h) {
-    double error = largest_error(s, now, next, h);
+    double error = step_length_largest_error(s, now, next, h);
     double change = SAFETY * pow(error, -EXPONENT);
     if (error > 1.0) {
         s->trial = h * fmin(fmax(change, SHRINK_MOST), SAFETY);
@@ -139,24 +129,19 @@ int step_length_judge(struct step_length *s, const struct state *now, const stru
 
 int step_length_reject(struct step_length *s, const struct state *now, double h, int unsolved,
                        struct error *e) {
-    const struct step_control *control = &s->model->control;
-    const char *unit = s->model->deck->units.time_name;
     s->unsolved = unsolved;
     if (s->trial > SAFETY * h) {  // not by the tolerance
         s->trial = h / 2.0;
     }
-    s->trial = fmax(s->trial, control->shortest);
-    if (h > control->shortest && now->time + h / 2.0 > now->time) {
+    s->trial = fmax(s->trial, s->model->control.shortest);
+    if (pace_can_shorten(s->model, now->time, h)) {
         return STATUS_OK;
     }
-    return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
-                     "-tolerance, a smaller -min or step fixed DT",
-                     now->time, unit, h, unit, cause(s));
+    return pace_too_long(s->model, now->time, h, &(struct pace_cause){step_length_cause(s), ""}, e);
 }
 
 // Passes the corner if `time` is there.
-static void turn(struct step_length *s, double time) {
+static void step_length_turn(struct step_length *s, double time) {
     double corner = s->forcing.corner;
     s->turned = time >= corner - SAME_TIME * corner;
     s->jumped = s->turned && forcing_turn(&s->forcing, time);
@@ -169,10 +154,10 @@ void step_length_take(struct step_length *s, const struct state *old, const stru
                       double h) {
     memcpy(s->before, old->a, (size_t)s->model->n_dof * sizeof *s->before);
     for (int i = 0; i < s->model->n_dof; i++) {
-        s->within[i] = within(s, old, i);
+        s->within[i] = step_length_within(s, old, i);
     }
     s->last = h;
-    turn(s, now->time);
+    step_length_turn(s, now->time);
     scale_update(&s->scales, s->model, s->results);
 }
 
@@ -181,6 +166,6 @@ void step_length_split(struct step_length *s, const struct state *now) {
     s->trial = fmax(s->trial, s->model->control.shortest);
     s->split = now->time;
     s->last = 0.0;
-    turn(s, now->time);
+    step_length_turn(s, now->time);
     scale_update(&s->scales, s->model, s->results);
 }

@@ -3,7 +3,7 @@
 // pushes only push, and only where bodies stay together; momentum and energy are accounted for.
 #include <math.h>
 
-#include "solve/event/together.h"
+#include "solve/event/rest.h"
 #include "support/random.h"
 #include "support/support.h"
 
@@ -25,7 +25,7 @@ static void keep(void *context, int k, const struct passage *p) {
 
 // Bodies from left to right, the contacts between them in another order, walls at the ends or not,
 // the right half on another ground if there is no wall there.
-static void make_up(struct random *r, struct line *line, struct together *t) {
+static void make_up(struct random *r, struct line *line, struct rest_contacts *t) {
     const int n = 1 + random_below(r, BODIES_MAX);
     const bool left = random_below(r, 3) == 0, right = random_below(r, 3) == 0;
     *line = (struct line){.ground = {0.0, right ? 0.0 : random_uniform(r, -1.0, 1.0)}};
@@ -87,14 +87,14 @@ static void nobody_approaches_and_pushes_only_push(void **state) {
     (void)state;
     for (uint64_t seed = 1; seed <= 2000; seed++) {
         struct random r = {seed};
-        struct together t;
+        struct rest_contacts t;
         struct line line;
         double before[BODIES_MAX] = {0.0}, after[BODIES_MAX] = {0.0};
         make_up(&r, &line, &t);
         for (int i = 0; i < line.model.n_dof; i++) {
             before[i] = after[i] = random_uniform(&r, -1.0, 1.0);
         }
-        together_move(&t, &line.model, after, line.ground, keep, &line);
+        rest_pool(&t, &line.model, after, line.ground, keep, &line);
         check(&line, before, after);
     }
 }

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names of the public symbols for the linker: each has the prefix jostle_, so that no symbol of a
+// program which links libjostle.a has the name of another. Programs and the source write the short
+// names. `make lint` compares this list with the public headers (check_symbols.sh).
+#ifndef JOSTLE_NAMES_H
+#define JOSTLE_NAMES_H
+
+// Around the declarations of a public header: C++ programs may include it.
+#ifdef __cplusplus
+#define JOSTLE_C_BEGIN extern "C" {
+#define JOSTLE_C_END }
+#else
+#define JOSTLE_C_BEGIN
+#define JOSTLE_C_END
+#endif
+
+#define analysis_run jostle_analysis_run
+#define building_damping_force jostle_building_damping_force
+#define building_damping_ratio jostle_building_damping_ratio
+#define contact_law_curve jostle_contact_law_curve
+#define contact_law_find jostle_contact_law_find
+#define contact_law_n_constant jostle_contact_law_n_constant
+#define contact_law_n_value jostle_contact_law_n_value
+#define contact_law_row jostle_contact_law_row
+#define contact_laws jostle_contact_laws
+#define deck_array jostle_deck_array
+#define deck_bind jostle_deck_bind
+#define deck_error jostle_deck_error
+#define deck_error_of jostle_deck_error_of
+#define deck_file jostle_deck_file
+#define deck_free jostle_deck_free
+#define deck_gravity jostle_deck_gravity
+#define deck_includes jostle_deck_includes
+#define deck_is_option jostle_deck_is_option
+#define deck_is_study jostle_deck_is_study
+#define deck_keyword jostle_deck_keyword
+#define deck_meaning jostle_deck_meaning
+#define deck_meaning_of_file jostle_deck_meaning_of_file
+#define deck_next jostle_deck_next
+#define deck_open jostle_deck_open
+#define deck_open_text jostle_deck_open_text
+#define deck_option jostle_deck_option
+#define deck_options jostle_deck_options
+#define deck_parameters jostle_deck_parameters
+#define deck_quote jostle_deck_quote
+#define deck_rewind jostle_deck_rewind
+#define deck_statements jostle_deck_statements
+#define deck_text jostle_deck_text
+#define deck_text_of_file jostle_deck_text_of_file
+#define deck_unknown jostle_deck_unknown
+#define deck_values jostle_deck_values
+#define deck_warning jostle_deck_warning
+#define diagnostics_add jostle_diagnostics_add
+#define diagnostics_cause jostle_diagnostics_cause
+#define diagnostics_init jostle_diagnostics_init
+#define diagnostics_no_memory jostle_diagnostics_no_memory
+#define diagnostics_print jostle_diagnostics_print
+#define dimension_acceleration jostle_dimension_acceleration
+#define dimension_dashpot jostle_dimension_dashpot
+#define dimension_energy jostle_dimension_energy
+#define dimension_equal jostle_dimension_equal
+#define dimension_force jostle_dimension_force
+#define dimension_frequency jostle_dimension_frequency
+#define dimension_impulse jostle_dimension_impulse
+#define dimension_length jostle_dimension_length
+#define dimension_mass jostle_dimension_mass
+#define dimension_none jostle_dimension_none
+#define dimension_noun jostle_dimension_noun
+#define dimension_stiffness jostle_dimension_stiffness
+#define dimension_time jostle_dimension_time
+#define dimension_velocity jostle_dimension_velocity
+#define energy_names jostle_energy_names
+#define ensemble_alike jostle_ensemble_alike
+#define ensemble_pays jostle_ensemble_pays
+#define ensemble_pays_with jostle_ensemble_pays_with
+#define ensemble_run jostle_ensemble_run
+#define ensemble_suits jostle_ensemble_suits
+#define error_no_memory jostle_error_no_memory
+#define error_set jostle_error_set
+#define field_names jostle_field_names
+#define impacts_is_coarse jostle_impacts_is_coarse
+#define intensity_of jostle_intensity_of
+#define model_build jostle_model_build
+#define model_build_shared jostle_model_build_shared
+#define model_fastest jostle_model_fastest
+#define model_free jostle_model_free
+#define model_order jostle_model_order
+#define model_refined jostle_model_refined
+#define model_rows jostle_model_rows
+#define model_time jostle_model_time
+#define model_times jostle_model_times
+#define n_contact_law jostle_n_contact_law
+#define n_deck_statement jostle_n_deck_statement
+#define n_record_format jostle_n_record_format
+#define n_statement_kind jostle_n_statement_kind
+#define n_storey_law jostle_n_storey_law
+#define peak_names jostle_peak_names
+#define range_holds jostle_range_holds
+#define range_non_negative jostle_range_non_negative
+#define range_positive jostle_range_positive
+#define record_formats jostle_record_formats
+#define record_read jostle_record_read
+#define report_create jostle_report_create
+#define report_floor_was_hit jostle_report_floor_was_hit
+#define report_free jostle_report_free
+#define report_hit_name jostle_report_hit_name
+#define report_hit_note jostle_report_hit_note
+#define report_link_joins jostle_report_link_joins
+#define report_print jostle_report_print
+#define result_abort jostle_result_abort
+#define result_analyse jostle_result_analyse
+#define result_check_memory jostle_result_check_memory
+#define result_check_path jostle_result_check_path
+#define result_close jostle_result_close
+#define result_contact_history jostle_result_contact_history
+#define result_create jostle_result_create
+#define result_create_in jostle_result_create_in
+#define result_energy jostle_result_energy
+#define result_finish jostle_result_finish
+#define result_floor_history jostle_result_floor_history
+#define result_ground jostle_result_ground
+#define result_link_history jostle_result_link_history
+#define result_observer jostle_result_observer
+#define result_open jostle_result_open
+#define result_publish jostle_result_publish
+#define result_report jostle_result_report
+#define result_time jostle_result_time
+#define result_verify jostle_result_verify
+#define results_free jostle_results_free
+#define row_dimension jostle_row_dimension
+#define signal_add_values jostle_signal_add_values
+#define signal_init_samples jostle_signal_init_samples
+#define signal_integrals jostle_signal_integrals
+#define signal_peak jostle_signal_peak
+#define signal_value jostle_signal_value
+#define spectra_at jostle_spectra_at
+#define spectra_compute jostle_spectra_compute
+#define spectrum_at jostle_spectrum_at
+#define spectrum_velocity jostle_spectrum_velocity
+#define statement_kinds jostle_statement_kinds
+#define storey_law_find jostle_storey_law_find
+#define storey_laws jostle_storey_laws
+#define study_file_check jostle_study_file_check
+#define study_file_close jostle_study_file_close
+#define study_file_each jostle_study_file_each
+#define study_file_is_study jostle_study_file_is_study
+#define study_file_open jostle_study_file_open
+#define study_file_read jostle_study_file_read
+#define study_file_report jostle_study_file_report
+#define study_file_verify jostle_study_file_verify
+#define study_file_view jostle_study_file_view
+#define study_file_write jostle_study_file_write
+#define study_merge jostle_study_merge
+#define study_rerun jostle_study_rerun
+#define study_run jostle_study_run
+#define study_shard_run jostle_study_shard_run
+#define study_shard_size jostle_study_shard_size
+#define study_table_create jostle_study_table_create
+#define study_table_find jostle_study_table_find
+#define study_table_free jostle_study_table_free
+#define study_table_read jostle_study_table_read
+#define study_view_choice jostle_study_view_choice
+#define study_view_hit jostle_study_view_hit
+#define study_view_run jostle_study_view_run
+#define sweep_named jostle_sweep_named
+#define unit_convert jostle_unit_convert
+#define unit_in_g jostle_unit_in_g
+#define unit_names jostle_unit_names
+#define unit_parse jostle_unit_parse
+#define unit_size jostle_unit_size
+#define unit_suffix jostle_unit_suffix
+#define unit_system_equal jostle_unit_system_equal
+#define unit_system_init jostle_unit_system_init
+#define unit_text jostle_unit_text
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plot/panel.h"
+
+#include <stdarg.h>
+
+void panel_open(struct canvas *c, const struct panel *p) {
+    canvas_panel(c, p->area, c->units, &p->x, &p->y);
+    if (p->caption) {
+        canvas_caption(c, p->area, p->caption, p->tail ? p->tail : "");
+    }
+    if (p->note) {
+        canvas_note(c, p->area, p->note);
+    }
+    c->n_series = 0;
+}
+
+static void write_point(FILE *to, const struct style *s) {
+    fprintf(to, " pt %d ps ", s->point);
+    if (s->size > 0) {
+        fprintf(to, "%.3g*", s->size);
+    }
+    fprintf(to, "%s", s->size < 0 ? "variable" : "point");
+}
+
+void panel_series(struct canvas *c, const struct style *s, const char *data, ...) {
+    static const char *const words[] = {
+        [STYLE_LINE] = "lines",
+        [STYLE_AREA] = "filledcurves",
+        [STYLE_AREA_BELOW] = "filledcurves below",
+        [STYLE_POINTS] = "points",
+        [STYLE_BOTH] = "linespoints",
+        [STYLE_UPRIGHT] = "impulses",
+        [STYLE_VECTOR] = "vectors nohead",
+        [STYLE_BARS] = "yerrorbars pt 7 ps 0",
+        [STYLE_BOXES] = "boxxyerror fc palette",
+    };
+    const bool filled = s->kind == STYLE_AREA || s->kind == STYLE_AREA_BELOW;
+    va_list list;
+    fprintf(c->to, "%s \\\n  ", c->n_series++ == 0 ? "plot" : ",");
+    va_start(list, data);
+    vfprintf(c->to, data, list);
+    va_end(list);
+    fprintf(c->to, " with %s", words[s->kind]);
+    if (s->kind == STYLE_POINTS || s->kind == STYLE_BOTH) {
+        write_point(c->to, s);
+    }
+    if (s->colour) {
+        fprintf(c->to, " %s rgb '%s'", filled ? "fc" : "lc", s->colour);
+    }
+    if (s->width > 0) {
+        fprintf(c->to, " lw %g", s->width);
+    }
+    if (s->dash) {
+        fprintf(c->to, " dt %s", s->dash);
+    }
+}
+
+void panel_close(struct canvas *c) {
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A panel of a picture: axes with texts around them, and series of data within.
+#ifndef JOSTLE_PANEL_H
+#define JOSTLE_PANEL_H
+
+#include "plot/canvas.h"
+
+struct panel {
+    struct area area;  // the axes stand at its sides
+    struct axis x, y;
+    const char *caption, *tail;  // above the panel, as of canvas_caption; NULL: none
+    const char *note;            // in the middle: why the panel is empty; NULL: it is not
+};
+
+// How a series of data is drawn.
+enum style_kind {
+    STYLE_LINE,
+    STYLE_AREA,        // between two curves
+    STYLE_AREA_BELOW,  // between two curves, where the first one is below the second
+    STYLE_POINTS,
+    STYLE_BOTH,     // a line with points
+    STYLE_UPRIGHT,  // an upright line from 0 to each value
+    STYLE_VECTOR,   // a line from a point by a distance
+    STYLE_BARS,     // upright bars between two values
+    STYLE_BOXES,    // boxes whose colours are those of the palette
+};
+struct style {
+    enum style_kind kind;
+    const char *colour;
+    double width;      // of lines; 0: as usual
+    const char *dash;  // in gnuplot's words; NULL: none
+    int point;         // as of struct mark
+    double size;       // of points; 0: as usual; below 0: the third column has it
+};
+
+// Opens a panel. What the series need beside it, such as names for tics, is written next.
+void panel_open(struct canvas *c, const struct panel *p);
+
+// Draws a series over those before. The text says as for printf which data block and which columns:
+// "$rows%d using 1:2". It is made of literals and numbers, see check_script.sh.
+void panel_series(struct canvas *c, const struct style *s, const char *data, ...)
+    __attribute__((format(printf, 3, 4)));
+
+// Ends the panel, which has one series at least.
+void panel_close(struct canvas *c);
+
+#endif
