@@ -17,7 +17,13 @@
 // In bytes. What the library takes before it is asked for again fits into ROOM: half a mebibyte for
 // a file, one for converting what it reads, and some KiB for each object. RESERVE is so large that
 // the C library maps it by itself, away from the pages that core/heap.c has got ready.
-enum { CONVERSION_BUFFER = 16384, ROOM = 2 << 20, RESERVE = 4 << 20, ASK_EVERY = 16 };
+enum {
+    CONVERSION_BUFFER = 16384,
+    HEADER_CACHE = 1 << 18,
+    ROOM = 2 << 20,
+    RESERVE = 4 << 20,
+    ASK_EVERY = 16
+};
 
 // Half as many entries as a node of the file's trees has: of those of groups, which have some ten
 // links, in their leaves, and of those of chunks, of which most datasets have one. The library's
@@ -230,6 +236,21 @@ int h5_descriptor(struct h5 *h) {
                                                                           : *(const int *)handle;
 }
 
+// The library keeps headers of objects in memory up to a size that it counts as in the file. Those
+// of datasets in chunks take twenty times as much once they are decoded, so this size is small.
+static bool set_header_cache(struct h5 *h, hid_t access) {
+    H5AC_cache_config_t c = {.version = H5AC__CURR_CACHE_CONFIG_VERSION};
+    if (h5_failed(h, H5Pget_mdc_config(access, &c))) {
+        return false;
+    }
+    c.set_initial_size = true;
+    c.initial_size = c.min_size = c.max_size = HEADER_CACHE;
+    c.incr_mode = H5C_incr__off;
+    c.flash_incr_mode = H5C_flash_incr__off;
+    c.decr_mode = H5C_decr__off;
+    return !h5_failed(h, H5Pset_mdc_config(access, &c));
+}
+
 // Datasets are written whole or in large blocks: no buffer of the library's between.
 void h5_create(struct h5 *h, const char *path) {
     h->reserve = malloc(RESERVE);
@@ -238,7 +259,7 @@ void h5_create(struct h5 *h, const char *path) {
         return;
     }
     hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
-    if (!h5_failed(h, list) && !h5_failed(h, access) &&
+    if (!h5_failed(h, list) && !h5_failed(h, access) && set_header_cache(h, access) &&
         !h5_failed(h, H5Pset_obj_track_times(list, false)) &&
         !h5_failed(h, H5Pset_sym_k(list, GROUP_NODE, GROUP_LEAF)) &&
         !h5_failed(h, H5Pset_istore_k(list, CHUNK_NODE)) &&
@@ -275,7 +296,8 @@ void h5_unlock(struct h5 *h) {
 void h5_open(struct h5 *h, const char *path, size_t sieve) {
     h->file = -1;
     hid_t access = h5_start(h) ? H5Pcreate(H5P_FILE_ACCESS) : -1;
-    if (!h5_failed(h, access) && !h5_failed(h, H5Pset_fapl_sec2(access)) &&
+    if (!h5_failed(h, access) && set_header_cache(h, access) &&
+        !h5_failed(h, H5Pset_fapl_sec2(access)) &&
         !h5_failed(h, H5Pset_sieve_buf_size(access, sieve))) {
         h->file = H5Fopen(path, H5F_ACC_RDONLY, access);
         if (h5_failed(h, h->file) && strcmp(h->cause, strerror(EAGAIN)) == 0) {

@@ -13,6 +13,9 @@ static const double AT_SAMPLE = 1e-6, AT_TIME = 1e-12;
 // A smaller change of the value, relative to what it is made of, is rounding.
 static const double JUMP = 1e-12;
 
+// Times that differ by less than this share of them are the same.
+static const double SAME_TIME = 8.0 * DBL_EPSILON;
+
 static const struct fields_row list[] = {
     FIELD_ARRAY(struct forcing, ground, FIELD_SIGNALS),
     FIELD_ARRAY(struct forcing, load, FIELD_LOADS),
@@ -115,6 +118,10 @@ bool forcing_turn(struct forcing *f, double t) {
     bool jumps = false;
     double corner = INFINITY;
     struct piece *p = f->ground;
+    if (f->corner > -INFINITY && t >= m->duration * (1.0 - SAME_TIME)) {
+        f->corner = INFINITY;
+        return false;
+    }
     f->sines = false;
     for (int k = 0; k < m->n_ground; k++) {
         f->lines[k] = (struct sloping){.start = t};

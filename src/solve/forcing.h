@@ -48,7 +48,8 @@ void forcing_init(struct forcing *f, const struct model *m);
 // Room for the pieces of a model; false: no memory.
 bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a);
 
-// Replaces the pieces that end at time t by those that begin there. True if a signal jumps.
+// Replaces the pieces that end at time t by those that begin there. True if a signal jumps. At the
+// end of the analysis the pieces stay: what is after it does not count.
 bool forcing_turn(struct forcing *f, double t);
 
 // The lines of ground k at time t, not after the next corner.

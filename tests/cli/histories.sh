@@ -130,3 +130,25 @@ else
     # Twice is twice the time, or more; a half more is for what else the machine does.
     expect "no run is made twice for its histories: $with s of CPU time with them, $without s without" 'awk "BEGIN { exit !($with < 1.5 * $without) }"'
 fi
+
+# The library keeps decoded what it knows of each compressed history, unless it is told not to.
+cat >few.deck <<'END'
+units kN m s
+sweep a range 0.1 1 40
+sweep b values 10mm
+building A -floors 3 -mass 100t -stiffness 50MN/m
+building B -floors 3 -mass 80t -stiffness 20MN/m
+contact A B -gap $b -law linear -k 1e6
+ground sine -amplitude $a -frequency 1 -cycles 2
+step fixed 2ms
+duration 14
+output -histories -interval 50ms -compress 1
+END
+sed 's/^sweep b.*/sweep b range 10mm 20mm 8/' few.deck >many.deck
+read -r few _ < <(python3 "$root/tests/support/peak.py" "$jostle" run few.deck -q)
+read -r many _ < <(python3 "$root/tests/support/peak.py" "$jostle" run many.deck -q)
+if [ -n "${JOSTLE_SANITIZED-}" ]; then
+    skip "320 compressed runs need no more memory than 40" "the sanitizers keep what is freed"
+else
+    expect "320 compressed runs need $many KiB, 40 need $few: 8 MiB more at most" '[ "$many" -lt $((few + 8 * 1024)) ]'
+fi

@@ -138,3 +138,25 @@ sed "s/step fixed 0.2ms/step fixed 5ms/" "$root/input/multistorey.deck" >few.dec
 run "$jostle" run few.deck
 expect "run tells of impacts that few steps cover" '[ $status -eq 0 ] && grep -qE "^jostle: warning: fewer than 10 steps cover [0-9]+ of [0-9]+ impacts; the hardest, of contact A:[1-5]-B:[1-5] at t = [0-9.]+ s, lasted [0-9.]+ s; step fixed [0-9.]+ resolves it$" "$err"'
 expect "and so does the summary" 'grep -qE "^5 contacts, [0-9] hit, [0-9]+ impacts \([0-9]+ of fewer than 10 steps\)" "$out"'
+
+# A load and a record that end with the analysis jump to 0 there, which is after it.
+printf '0\n0.1\n0.2\n0.3\n' >rise.txt
+ending() {
+    cat >ending.deck <<END
+units kN m s
+building A -floors 2 -mass 100t -stiffness 50MN/m
+load A:2 sine -amplitude 4MN -frequency 0.9 -cycles 1.17
+ground record rise.txt -dt \${1.3s / 3} -unit g
+duration 1.3
+step $1
+END
+    "$jostle" run ending.deck -q --force >"$out" 2>"$err" &&
+        "$jostle" show --tsv ending.h5 | awk -F '\t' '$2 == "A" && $3 == "acceleration" && $4 == 2 { print $5 }'
+}
+fixed=$(ending "fixed 0.1ms")
+for integrator in dormand-prince newmark; do
+    adaptive=$(ending "adaptive
+integrator $integrator")
+    expect "$integrator counts nothing after the end of the analysis: $adaptive, with fixed steps $fixed" \
+        'awk "BEGIN { exit !($fixed > 1 && ($adaptive / $fixed - 1)^2 < 1e-6) }"'
+done
