@@ -3,6 +3,14 @@
 
 #include <stdarg.h>
 
+struct style style_line(const char *colour, double width) {
+    return (struct style){STYLE_LINE, .colour = colour, .width = width};
+}
+
+struct style style_points(const char *colour, int point, double size) {
+    return (struct style){STYLE_POINTS, .colour = colour, .point = point, .size = size};
+}
+
 void panel_open(struct canvas *c, const struct panel *p) {
     canvas_panel(c, p->area, c->units, &p->x, &p->y);
     if (p->caption) {
@@ -14,15 +22,15 @@ void panel_open(struct canvas *c, const struct panel *p) {
     c->n_series = 0;
 }
 
-static void write_point(FILE *to, const struct style *s) {
-    fprintf(to, " pt %d ps ", s->point);
-    if (s->size > 0) {
-        fprintf(to, "%.3g*", s->size);
+static void write_point(FILE *to, struct style s) {
+    fprintf(to, " pt %d ps ", s.point);
+    if (s.size > 0) {
+        fprintf(to, "%.3g*", s.size);
     }
-    fprintf(to, "%s", s->size < 0 ? "variable" : "point");
+    fprintf(to, "%s", s.size < 0 ? "variable" : "point");
 }
 
-void panel_series(struct canvas *c, const struct style *s, const char *data, ...) {
+void panel_series(struct canvas *c, struct style s, const char *data, ...) {
     static const char *const words[] = {
         [STYLE_LINE] = "lines",
         [STYLE_AREA] = "filledcurves",
@@ -34,24 +42,24 @@ void panel_series(struct canvas *c, const struct style *s, const char *data, ...
         [STYLE_BARS] = "yerrorbars pt 7 ps 0",
         [STYLE_BOXES] = "boxxyerror fc palette",
     };
-    const bool filled = s->kind == STYLE_AREA || s->kind == STYLE_AREA_BELOW;
+    const bool filled = s.kind == STYLE_AREA || s.kind == STYLE_AREA_BELOW;
     va_list list;
     fprintf(c->to, "%s \\\n  ", c->n_series++ == 0 ? "plot" : ",");
     va_start(list, data);
     vfprintf(c->to, data, list);
     va_end(list);
-    fprintf(c->to, " with %s", words[s->kind]);
-    if (s->kind == STYLE_POINTS || s->kind == STYLE_BOTH) {
+    fprintf(c->to, " with %s", words[s.kind]);
+    if (s.kind == STYLE_POINTS || s.kind == STYLE_BOTH) {
         write_point(c->to, s);
     }
-    if (s->colour) {
-        fprintf(c->to, " %s rgb '%s'", filled ? "fc" : "lc", s->colour);
+    if (s.colour) {
+        fprintf(c->to, " %s rgb '%s'", filled ? "fc" : "lc", s.colour);
     }
-    if (s->width > 0) {
-        fprintf(c->to, " lw %g", s->width);
+    if (s.width > 0) {
+        fprintf(c->to, " lw %g", s.width);
     }
-    if (s->dash) {
-        fprintf(c->to, " dt %s", s->dash);
+    if (s.dash) {
+        fprintf(c->to, " dt %s", s.dash);
     }
 }
 

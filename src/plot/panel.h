@@ -33,12 +33,15 @@ struct style {
     double size;       // of points; 0: as usual; below 0: the third column has it
 };
 
+struct style style_line(const char *colour, double width);
+struct style style_points(const char *colour, int point, double size);
+
 // Opens a panel. What the series need beside it, such as names for tics, is written next.
 void panel_open(struct canvas *c, const struct panel *p);
 
 // Draws a series over those before. The text says as for printf which data block and which columns:
 // "$rows%d using 1:2". It is made of literals and numbers, see check_script.sh.
-void panel_series(struct canvas *c, const struct style *s, const char *data, ...)
+void panel_series(struct canvas *c, struct style s, const char *data, ...)
     __attribute__((format(printf, 3, 4)));
 
 // Ends the panel, which has one series at least.
