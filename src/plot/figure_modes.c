@@ -6,6 +6,7 @@
 
 #include "model/modes.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { BUILDINGS_MAX = SCRIPT_COLOURS, MODES_MAX = 4 };
@@ -98,33 +99,25 @@ static double point_size(const struct view *v, int building) {
     return 1 + 2.5 * (v->n_building - 1 - building) / v->n_building;
 }
 
-static void write_panel(const struct view *v, struct canvas *c, struct area a, int mode) {
+static void draw_panel(const struct view *v, struct canvas *c, struct area a, int mode) {
     char text[32];
-    const struct axis x = {.name = "shape", .unit = "", .span = {-1.1, 1.1}, .step = 1};
-    const struct axis y = {.name = mode > 0     ? NULL
-                                   : v->heights ? "height"
-                                                : "floor",
-                           .unit = v->heights ? NULL : "",
-                           .dimension = dimension_length,
-                           .span = {0, 1.02 * v->top},
-                           .kind = mode > 0 ? AXIS_WITHOUT_NUMBERS : AXIS_FULL,
-                           .step = v->heights ? 0 : 1};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "mode %d", mode + 1);
-    canvas_caption(c, a, text, "");
-    fprintf(c->to, "plot");
+    panel_open(c,
+               &(struct panel){.area = a,
+                               .x = {.name = "shape", .unit = "", .span = {-1.1, 1.1}, .step = 1},
+                               .y = runs_height_axis(mode == 0, v->heights, v->top),
+                               .caption = text});
     for (int k = 0; k < v->n_building * v->s->n; k++) {
         const int run = k / v->n_building, building = k % v->n_building;
-        fprintf(c->to, "%s \\\n  $shapes%d%d using %d:1 with %s lc rgb '%s' dt %s",
-                k > 0 ? "," : "", run, building, mode + 2, v->points ? "linespoints" : "lines",
-                script_colour[building], run > 0 ? "(10,6)" : "solid");
-        if (v->points) {
-            fprintf(c->to, " pt %d ps %.3g*point", run > 0 ? POINT_RING : script_point[building],
-                    point_size(v, building));
-        }
+        panel_series(c,
+                     (struct style){v->points ? STYLE_BOTH : STYLE_LINE,
+                                    .colour = script_colour[building],
+                                    .dash = run > 0 ? "(10,6)" : "solid",
+                                    .point = run > 0 ? POINT_RING : script_point[building],
+                                    .size = point_size(v, building)},
+                     "$shapes%d%d using %d:1", run, building, mode + 2);
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 // Three digits, but no point behind the last one.
@@ -192,7 +185,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double width = 1.0 / (v.n_mode > 2 ? v.n_mode : 3), first = (1 - v.n_mode * width) / 2;
     for (int m = 0; m < v.n_mode; m++) {
         const struct area part = canvas_part(c, first + m * width, first + (m + 1) * width, 0, 1);
-        write_panel(&v, c, canvas_inset(part, 1.1, 1.1, 3.2, 1.8), m);
+        draw_panel(&v, c, canvas_inset(part, 1.1, 1.1, 3.2, 1.8), m);
     }
     return STATUS_OK;
 }

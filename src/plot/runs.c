@@ -241,6 +241,16 @@ struct axis runs_time_axis(const struct runs *s, bool at_foot) {
                          .kind = at_foot ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
 }
 
+struct axis runs_height_axis(bool first, bool heights, double top) {
+    const char *name = heights ? "height" : "floor";
+    return (struct axis){.name = first ? name : NULL,
+                         .unit = heights ? NULL : "",
+                         .dimension = dimension_length,
+                         .span = {0, 1.02 * top},
+                         .kind = first ? AXIS_FULL : AXIS_WITHOUT_NUMBERS,
+                         .step = heights ? 0 : 1};
+}
+
 void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
     for (int k = 0; k < s->n && s->n > 1; k++) {
         const struct mark mark = {.kind = colour && k > 0 ? MARK_DASHED : MARK_LINE,

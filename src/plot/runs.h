@@ -75,6 +75,10 @@ const char *runs_title(const struct runs *s);
 // The axis of the time of all runs, for the panel at the foot of the picture or one above it.
 struct axis runs_time_axis(const struct runs *s, bool at_foot);
 
+// The axis of the height of buildings up to `top`, or of their floors where there are no heights:
+// for the first of the panels beside each other, or one right of it.
+struct axis runs_height_axis(bool first, bool heights, double top);
+
 // The longest duration.
 double runs_duration(const struct runs *s);
 
