@@ -8,6 +8,7 @@
 
 #include "core/safe.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 // Of many impacts the hardest of each of PARTS parts of the duration are kept, for each contact.
@@ -205,26 +206,23 @@ static void write_names(const struct view *v, double em, FILE *to) {
     }
 }
 
-static void write_panel(const struct view *v, struct canvas *c, struct area a) {
-    const struct axis x = {
-        .name = "time", .dimension = dimension_time, .span = {0, runs_duration(v->s)}};
-    const struct axis y = {.name = "floor", .unit = "", .span = {0, v->top}};
+static void draw_panel(const struct view *v, struct canvas *c) {
+    const struct area a = canvas_inset(c->area, 4.8, names_width(v), 3.2, 0.7);
     const double em = (a.top - a.bottom) / v->top;  // of one floor
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    panel_open(c, &(struct panel){.area = a,
+                                  .x = runs_time_axis(v->s, true),
+                                  .y = {.name = "floor", .unit = "", .span = {0, v->top}}});
     write_floors(v, em, c->to);
     if (v->n > 1) {
         write_names(v, em, c->to);
     }
-    fprintf(c->to, "plot");
     for (int k = 0; k < v->s->n; k++) {
-        fprintf(
-            c->to,
-            "%s \\\n  $impacts%d using 1:2:($3*point) with points pt %d ps variable lc rgb '%s'",
-            k > 0 ? "," : "", k, k > 0 ? POINT_RING : POINT_DISC,
-            k > 0 ? script_colour[1] : "#700072b2");
+        panel_series(c,
+                     style_points(k > 0 ? script_colour[1] : "#700072b2",
+                                  k > 0 ? POINT_RING : POINT_DISC, -1),
+                     "$impacts%d using 1:2:($3*point)", k);
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 // What the sizes of points stand for, in one power of ten.
@@ -294,8 +292,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     }
     if (status == STATUS_OK) {
         write_head(&v, c);
-        write_panel(&v, c,
-                    canvas_inset(canvas_part(c, 0, 1, 0, 1), 4.8, names_width(&v), 3.2, 0.7));
+        draw_panel(&v, c);
     }
     return status;
 }
