@@ -138,23 +138,22 @@ static void write_limits(const struct view *v, const struct study_picture *p, st
     }
 }
 
-static void write_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
+static void draw_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
     const struct axis x = study_demand_axis(&v->demand, v->s, v->span);
     const struct axis y = study_abscissa_axis(v->s);
-    study_panel(c, v->s, 3.2, &x, &y);
+    study_panel(c, 3.2, &x, &y);
     write_limits(v, p, c);
-    fprintf(c->to, "plot $samples using 1:2 with lines lc rgb '%s' lw 0.8", record_colour);
+    panel_series(c, style_line(record_colour, 0.8), "$samples using 1:2");
     for (int i = CURVES - 1; v->s->n_sample > 1 && i >= 0; i--) {
-        fprintf(c->to, ", \\\n  $percentiles using %d:1 with lines lc rgb '%s' lw 1.8 dt %s", i + 2,
-                curve_colour[i], curve_dash[i]);
+        struct style line = style_line(curve_colour[i], 1.8);
+        line.dash = curve_dash[i];
+        panel_series(c, line, "$percentiles using %d:1", i + 2);
     }
     if (v->crosses) {
-        fprintf(c->to, ", \\\n  $failures using 1:2 with points pt %d ps point lc rgb '#000000'",
-                POINT_CROSS);
+        panel_series(c, style_points("#000000", POINT_CROSS, 0), "$failures using 1:2");
     }
-    study_hit_plot(v->s, c->to);
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    study_hit_series(v->s, c);
+    panel_close(c);
 }
 
 static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
@@ -177,7 +176,7 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
              s->edp.quantity->reduction == EDP_SUM ? "all" : "the largest");
     study_head(c, s, text);
     write_legend(&v, p, c);
-    write_panel(&v, p, c);
+    draw_panel(&v, p, c);
     return STATUS_OK;
 }
 
