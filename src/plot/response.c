@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "plot/legend.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 // More records than this are grey lines without names.
@@ -171,12 +172,6 @@ static struct axis acceleration_axis(const struct response_sheet *sheet) {
         .name = "pseudo-acceleration", .unit = "g", .span = span_with_room(span, 0)};
 }
 
-static void write_line(FILE *to, const char **comma, int at, const char *colour, double width) {
-    fprintf(to, "%s \\\n  $spectra using 1:%d with lines lw %g lc rgb '%s'", *comma, at, width,
-            colour);
-    *comma = ",";
-}
-
 // The ends of the periods at which the target was compared, where they are within the picture.
 static void write_match(const struct response_sheet *sheet, struct span shown, FILE *to) {
     const double end[] = {sheet->match.low, sheet->match.high};
@@ -190,56 +185,60 @@ static void write_match(const struct response_sheet *sheet, struct span shown, F
     }
 }
 
-static void write_plot(const struct response_sheet *sheet, FILE *to) {
+static void draw_line(struct canvas *c, int at, const char *colour, double width) {
+    panel_series(c, style_line(colour, width), "$spectra using 1:%d", at);
+}
+
+// Of several damping ratios the means; of one the records, with mean and band where they are many.
+static void draw_series(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
-    const char *comma = "";
-    fprintf(to, "plot");
+    const int n = s->n_record;
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
-        write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, d),
-                   script_colour[d % SCRIPT_COLOURS], 1.2);
+        draw_line(c, column(s, n + SPECTRA_MEAN, d), script_colour[d % SCRIPT_COLOURS], 1.2);
     }
-    if (s->n_damping == 1 && s->n_record == 1) {
-        write_line(to, &comma, column(s, 0, 0), script_colour[0], 1.2);
+    if (s->n_damping == 1 && n == 1) {
+        draw_line(c, column(s, 0, 0), script_colour[0], 1.2);
     } else if (s->n_damping == 1) {
-        fprintf(to, " \\\n  $spectra using 1:%d:%d with filledcurves fc rgb '%s'",
-                column(s, s->n_record + SPECTRA_P16, 0), column(s, s->n_record + SPECTRA_P84, 0),
-                band_colour);
-        comma = ",";
-        for (int r = 0; r < s->n_record; r++) {
-            write_line(to, &comma, column(s, r, 0),
-                       s->n_record > NAMED_MAX ? other_colour : record_colour[r], 0.7);
+        panel_series(c, (struct style){STYLE_AREA, .colour = band_colour}, "$spectra using 1:%d:%d",
+                     column(s, n + SPECTRA_P16, 0), column(s, n + SPECTRA_P84, 0));
+        for (int r = 0; r < n; r++) {
+            draw_line(c, column(s, r, 0), n > NAMED_MAX ? other_colour : record_colour[r], 0.7);
         }
-        write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, 0), mean_colour, 1.6);
+        draw_line(c, column(s, n + SPECTRA_MEAN, 0), mean_colour, 1.6);
     }
     if (sheet->target) {
-        write_line(to, &comma, target_column(s), target_colour, 1.6);
-        fprintf(to, " dt (10,6)");
+        struct style line = style_line(target_colour, 1.6);
+        line.dash = "(10,6)";
+        panel_series(c, line, "$spectra using 1:%d", target_column(s));
     }
-    fprintf(to, "\n");
 }
 
 int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e) {
-    const struct figure_head head = {
-        .name = "spectrum", .doc = "elastic response spectra", .version = sheet->version};
-    char title[256], subtitle[256];
     struct unit_system si;
+    unit_system_init(&si);
+    const struct figure_head head = {.name = "spectrum",
+                                     .doc = "elastic response spectra",
+                                     .version = sheet->version,
+                                     .units = &si};
+    char title[256], subtitle[256];
     struct canvas c;
     int status = figure_open(&head, to, &c, e);
     if (status != STATUS_OK) {
         return status;
     }
-    unit_system_init(&si);
     write_data(sheet, c.data);
     write_title(sheet, title, sizeof title);
     write_subtitle(sheet, subtitle, sizeof subtitle);
     canvas_head(&c, title, subtitle);
     write_legend(sheet, &c);
-    const struct axis x = period_axis(sheet->spectra), y = acceleration_axis(sheet);
-    canvas_panel(&c, canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7), &si, &x, &y);
-    write_match(sheet, x.span, c.to);
-    write_plot(sheet, c.to);
-    canvas_panel_end(&c);
+    const struct panel p = {.area = canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7),
+                            .x = period_axis(sheet->spectra),
+                            .y = acceleration_axis(sheet)};
+    panel_open(&c, &p);
+    write_match(sheet, p.x.span, c.to);
+    draw_series(sheet, &c);
+    panel_close(&c);
     figure_close(&c);
     return STATUS_OK;
 }
