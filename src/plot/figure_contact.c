@@ -124,13 +124,10 @@ static double largest_row(const struct impact *p, const struct data *d, double *
 
 // The largest force of each impact that the rows miss, thinned to the hardest of equal parts of the
 // duration.
-static int write_peaks(struct view *v, int run, int contact, const struct data *d, const char *name,
-                       FILE *to, struct error *e) {
+static void write_peaks(struct view *v, int run, int contact, const struct data *d,
+                        const char *name, FILE *to) {
     const struct report *r = v->s->r[run];
-    long *hardest = malloc(PEAKS_MAX * sizeof *hardest);
-    if (!hardest) {
-        return error_no_memory(e);
-    }
+    long hardest[PEAKS_MAX];
     runs_hardest_of_parts(r, contact, PEAKS_MAX, hardest);
     script_block(to, name, "time of an impact, its largest force");
     fputs("NaN NaN\n", to);
@@ -143,8 +140,6 @@ static int write_peaks(struct view *v, int run, int contact, const struct data *
         }
     }
     fprintf(to, "EOD\n");
-    free(hardest);
-    return STATUS_OK;
 }
 
 // The rows of the hardest impact from closure on, with its ends and its peak where they are known.
@@ -196,7 +191,7 @@ static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct
         span_join(&v->force, force);
         span_add(&v->force, r->contact[i].peak.force);
         snprintf(name, sizeof name, "peaks%d%d", run, strip);
-        status = write_peaks(v, run, i, &d, name, to, e);
+        write_peaks(v, run, i, &d, name, to);
     }
     if (status == STATUS_OK && i == v->contact[run] && v->impact[run] >= 0) {
         write_pulse(v, run, &d, to);

@@ -5,7 +5,6 @@
 //
 // The right floor is drawn where the left one sees it: x_left - delta = x_right + gap.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "plot/figure.h"
@@ -94,13 +93,9 @@ static int read_run(struct view *v, int run, struct error *e) {
 }
 
 // The hardest impact of each of MARKS_MAX parts of the duration, on the curve of `column`.
-static int write_marks(const struct view *v, int run, int column, const char *name, FILE *to,
-                       struct error *e) {
+static void write_marks(const struct view *v, int run, int column, const char *name, FILE *to) {
     const struct report *r = v->s->r[run];
-    long *hardest = malloc(MARKS_MAX * sizeof *hardest);
-    if (!hardest) {
-        return error_no_memory(e);
-    }
+    long hardest[MARKS_MAX];
     runs_hardest_of_parts(r, v->contact[run], MARKS_MAX, hardest);
     script_block(to, name, "time displacement force");
     fputs("NaN NaN NaN\n", to);
@@ -112,8 +107,6 @@ static int write_marks(const struct view *v, int run, int column, const char *na
         }
     }
     fprintf(to, "EOD\n");
-    free(hardest);
-    return STATUS_OK;
 }
 
 static const char *side_name(const struct view *v, int side) {
@@ -300,12 +293,15 @@ static int write_data(const struct view *v, FILE *to, struct error *e) {
         snprintf(name, sizeof name, "rows%d", k);
         status =
             data_write(&v->data[k], name, "time left right ground_left ground_right", BINS, to, e);
-        for (int side = 0; side < 2 && v->s->n > 1 && status == STATUS_OK; side++) {
+        for (int side = 0; side < 2 && v->s->n > 1; side++) {
             snprintf(name, sizeof name, "marks%d%d", k, side);
-            status = write_marks(v, k, LEFT + side, name, to, e);
+            write_marks(v, k, LEFT + side, name, to);
         }
     }
-    return status == STATUS_OK && v->s->n == 1 ? write_marks(v, 0, LEFT, "marks0", to, e) : status;
+    if (v->s->n == 1) {
+        write_marks(v, 0, LEFT, "marks0", to);
+    }
+    return status;
 }
 
 // Whether the ground moves below what is shown.

@@ -3,7 +3,6 @@
 // its own, the bands stand above each other from left to right of the row. Where some impact has no
 // force, impulses are shown.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/safe.h"
@@ -113,12 +112,9 @@ static void write_impact(const struct view *v, const struct report *r, long i, F
     }
 }
 
-static int write_data(const struct view *v, int run, FILE *to, struct error *e) {
+static void write_data(const struct view *v, int run, FILE *to) {
     const struct report *r = v->s->r[run];
-    long *hardest = malloc(PARTS * sizeof *hardest);
-    if (!hardest) {
-        return error_no_memory(e);
-    }
+    long hardest[PARTS];
     fprintf(to, "$impacts%d << EOD\n# time place size %s floor\nNaN NaN NaN NaN NaN\n", run,
             v->impulse ? "impulse" : "force");
     for (int contact = 0; contact < r->n_contact; contact++) {
@@ -130,8 +126,6 @@ static int write_data(const struct view *v, int run, FILE *to, struct error *e) 
         }
     }
     fprintf(to, "EOD\n");
-    free(hardest);
-    return STATUS_OK;
 }
 
 static void band_name(const struct band *band, char *text, size_t size) {
@@ -283,18 +277,16 @@ static void write_head(const struct view *v, struct canvas *c) {
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    (void)e;
     struct view v = {.s = s};
-    int status = STATUS_OK;
     collect(&v);
     find_largest(&v);
-    for (int k = 0; k < s->n && status == STATUS_OK; k++) {
-        status = write_data(&v, k, c->data, e);
+    for (int k = 0; k < s->n; k++) {
+        write_data(&v, k, c->data);
     }
-    if (status == STATUS_OK) {
-        write_head(&v, c);
-        draw_panel(&v, c);
-    }
-    return status;
+    write_head(&v, c);
+    draw_panel(&v, c);
+    return STATUS_OK;
 }
 
 const struct figure figure_impacts = {

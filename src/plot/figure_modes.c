@@ -23,14 +23,6 @@ static const struct report_building *shown(const struct view *v, int run, int k)
     return &v->s->r[run]->building[k];
 }
 
-static double level(const struct view *v, const struct report_building *b, int floors) {
-    double sum = 0;
-    for (int i = 0; i < floors; i++) {
-        sum += v->heights ? b->height[i] : 1;
-    }
-    return sum;
-}
-
 static struct view choose(const struct runs *s, const struct canvas *c) {
     const struct report *r = s->r[0];
     struct view v = {.s = s,
@@ -47,7 +39,7 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
     v.n_mode = v.n_mode < MODES_MAX ? v.n_mode : MODES_MAX;
     for (int k = 0; k < s->n * v.n_building; k++) {
         const struct report_building *b = shown(&v, k / v.n_building, k % v.n_building);
-        v.top = fmax(v.top, level(&v, b, b->n_floor));
+        v.top = fmax(v.top, runs_level(b, b->n_floor, v.heights));
     }
     return v;
 }
@@ -79,7 +71,7 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
         const bool known = are_its_periods(b, omega);
         fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);
         for (int i = -1; i < n; i++) {
-            fprintf(to, "%.7g", level(v, b, i + 1));
+            fprintf(to, "%.7g", runs_level(b, i + 1, v->heights));
             for (int m = 0; m < v->n_mode; m++) {
                 const double at_base = omega[m < n ? m : 0] > 0 ? 0 : (double)NAN;
                 const double value =

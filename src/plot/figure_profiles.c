@@ -106,14 +106,13 @@ static double drawn_value(const struct selection *s, const struct report_buildin
     return value_of(b, p, i) / (ratio ? b->height[i] / 100 : 1);
 }
 
-// The accelerations of the floors that were hit, with their levels or rows, from `first` on.
-static void write_hit(const struct selection *s, int run, int k, double first, FILE *to) {
+// The accelerations of the floors that were hit, with their levels, or with the `row`.
+static void write_hit(const struct selection *s, int run, int k, double row, FILE *to) {
     const struct report_building *b = shown(s, run, k);
-    double level = first;
     fprintf(to, "$hit%d%d << EOD\n# level acceleration, of floors that were hit\nNaN NaN\n", run,
             k);
     for (int i = 0; i < b->n_floor; i++) {
-        level += s->rows ? 0 : s->heights ? b->height[i] : 1;
+        const double level = s->rows ? row : runs_level(b, i + 1, s->heights);
         if (report_floor_was_hit(s->s->r[run], b->name, i + 1)) {
             fprintf(to, "%.9g %.9g\n", level, b->peak[PEAK_ACCELERATION][i]);
         }
@@ -138,24 +137,17 @@ static void write_row(const struct selection *s, int run, int k, FILE *to) {
 
 static void write_building(const struct selection *s, int run, int k, FILE *to) {
     const struct report_building *b = shown(s, run, k);
-    double level = 0;
     fprintf(to, "$floors%d%d << EOD\n# level displacement acceleration\n0 %s NaN\n", run, k,
             b->stiffness[0] > 0 ? "0" : "NaN");
     for (int i = 0; i < b->n_floor; i++) {
-        level += s->heights ? b->height[i] : 1;
-        fprintf(to, "%.9g %.9g %.9g\n", level, b->peak[PEAK_DISPLACEMENT][i],
-                b->peak[PEAK_ACCELERATION][i]);
+        fprintf(to, "%.9g %.9g %.9g\n", runs_level(b, i + 1, s->heights),
+                b->peak[PEAK_DISPLACEMENT][i], b->peak[PEAK_ACCELERATION][i]);
     }
     fprintf(to, "EOD\n$storeys%d%d << EOD\n# level drift shear, both ends of each storey\n", run,
             k);
-    level = 0;
-    for (int i = 0; i < b->n_floor; i++) {
-        const double height = s->heights ? b->height[i] : 1;
-        const double drift = drawn_value(s, b, &profiles[1], i);
-        const double shear = drawn_value(s, b, &profiles[3], i);
-        fprintf(to, "%.9g %.9g %.9g\n%.9g %.9g %.9g\n", level, drift, shear, level + height, drift,
-                shear);
-        level += height;
+    for (int i = 0; i < 2 * b->n_floor; i++) {
+        fprintf(to, "%.9g %.9g %.9g\n", runs_level(b, (i + 1) / 2, s->heights),
+                drawn_value(s, b, &profiles[1], i / 2), drawn_value(s, b, &profiles[3], i / 2));
     }
     fprintf(to, "EOD\n");
     write_hit(s, run, k, 0, to);
@@ -176,11 +168,7 @@ static double top_level(const struct selection *s) {
     double top = 0;
     for (int k = 0; k < s->n * s->s->n; k++) {
         const struct report_building *b = shown(s, k / s->n, k % s->n);
-        double level = 0;
-        for (int i = 0; i < b->n_floor; i++) {
-            level += s->heights ? b->height[i] : 1;
-        }
-        top = fmax(top, level);
+        top = fmax(top, runs_level(b, b->n_floor, s->heights));
     }
     return top;
 }
@@ -196,6 +184,7 @@ static struct axis value_axis(const struct selection *s, const struct profile *p
 
 // A curve for each building; those of one floor have a row instead, a line from 0 with a point.
 static void draw_series(const struct selection *s, const struct profile *p, struct canvas *c) {
+    const char *data = p->storeys ? "storeys" : "floors";
     for (int k = 0; k < s->n * s->s->n; k++) {
         const int run = k / s->n, building = k % s->n;
         const bool points = s->rows || (s->points && !p->storeys);
@@ -205,14 +194,13 @@ static void draw_series(const struct selection *s, const struct profile *p, stru
         line.dash = run > 0 ? "(10,6)" : "solid";
         if (s->rows) {
             line.kind = STYLE_VECTOR;
-            panel_series(c, line, "$%s%d%d using (0):1:%d:(0)", p->storeys ? "storeys" : "floors",
-                         run, building, p->column);
+            panel_series(c, line, "$%s%d%d using (0):1:%d:(0)", data, run, building, p->column);
         } else if (points) {
             point.kind = STYLE_BOTH;
             point.dash = line.dash;
         }
-        panel_series(c, points ? point : line, "$%s%d%d using %d:1",
-                     p->storeys ? "storeys" : "floors", run, building, p->column);
+        panel_series(c, points ? point : line, "$%s%d%d using %d:1", data, run, building,
+                     p->column);
     }
     // Large rings around the accelerations of floors that were hit.
     for (int k = 0; p->peak == PEAK_ACCELERATION && s->hit && k < s->n * s->s->n; k++) {

@@ -85,12 +85,6 @@ int runs_init(struct runs *s, const struct result_file *first, const struct resu
     return match(s, e);
 }
 
-int runs_data(const struct runs *s, int run, int n_column, struct data *d, struct error *e) {
-    *d = (struct data){.n_row = 0};
-    const int status = result_check_memory(s->file[run], n_column, e);
-    return status == STATUS_OK ? data_create(d, s->r[run]->n_row, n_column, e) : status;
-}
-
 static int read_one(const struct result_file *file, const struct history *h, double *to,
                     struct error *e) {
     switch (h->kind) {
@@ -112,7 +106,11 @@ static int read_one(const struct result_file *file, const struct history *h, dou
 
 int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
               struct error *e) {
-    int status = runs_data(s, run, n, d, e);
+    *d = (struct data){.n_row = 0};
+    int status = result_check_memory(s->file[run], n, e);
+    if (status == STATUS_OK) {
+        status = data_create(d, s->r[run]->n_row, n, e);
+    }
     for (int i = 0; i < n && status == STATUS_OK; i++) {
         status = h[i].index < 0 ? STATUS_OK : read_one(s->file[run], &h[i], d->column[i], e);
     }
@@ -224,6 +222,14 @@ int runs_building(const struct report *r, const char *name) {
         }
     }
     return -1;
+}
+
+double runs_level(const struct report_building *b, int floors, bool heights) {
+    double level = 0;
+    for (int i = 0; i < floors; i++) {
+        level += heights ? b->height[i] : 1;
+    }
+    return level;
 }
 
 const char *runs_title(const struct runs *s) {

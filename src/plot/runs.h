@@ -45,9 +45,6 @@ struct history {
 int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
               struct error *e);
 
-// Columns of zeros for histories of a run. Errors as of runs_read.
-int runs_data(const struct runs *s, int run, int n_column, struct data *d, struct error *e);
-
 // True if all runs hold all these histories, bits of enum field.
 bool runs_have(const struct runs *s, unsigned fields);
 
@@ -67,6 +64,9 @@ void runs_hardest_of_parts(const struct report *r, int contact, int parts, long 
 
 // The building called `name`; -1: a wall.
 int runs_building(const struct report *r, const char *name);
+
+// Of so many floors of the building: their height, or where there are no heights their number.
+double runs_level(const struct report_building *b, int floors, bool heights);
 
 // The first run's title, or its deck where it has none. Before the title of one run of a study,
 // its number.
