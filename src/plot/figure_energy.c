@@ -90,11 +90,11 @@ static void write_head(const struct runs *s, const struct view *v, struct canvas
     canvas_head(c, runs_title(s), text);
     for (int p = 0; p < PARTS; p++) {
         if (v->part[p]) {
-            legend_add(&l, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
+            legend_add(&l, style_area(parts[p].colour),
                        parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name, "");
         }
     }
-    legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = curve.colour},
+    legend_add(&l, style_line(curve.colour, 0),
                s->r[0]->initial_energy > 0 ? "initial + input" : "input", "");
     legend_write(&l, c);
 }

@@ -263,12 +263,11 @@ static void add_sides(const struct view *v, struct legend *l) {
         write_floor_name(v, side, floor, sizeof floor);
         snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
         if (hit || v->building[side] >= 0) {
-            legend_add(l, (struct mark){.kind = MARK_LINE, .colour = script_colour[side]},
-                       side_name(v, side), tail);
+            legend_add(l, style_line(script_colour[side], 0), side_name(v, side), tail);
         }
     }
     if (hit) {
-        legend_add(l, (struct mark){.kind = MARK_AREA, .colour = gap_colour}, "gap", "");
+        legend_add(l, style_area(gap_colour), "gap", "");
     }
 }
 
@@ -280,8 +279,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
         add_sides(v, &l);
     }
     if (v->contact[0] >= 0) {
-        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = "#000000", .size = 0.8},
-                   "impacts", "");
+        legend_add(&l, style_points("#000000", POINT_DISC, 0.8), "impacts", "");
     }
     legend_write(&l, c);
 }

@@ -218,17 +218,14 @@ static void write_head(const struct view *v, struct canvas *c) {
     }
     canvas_head(c, runs_title(v->s), text);
     if (v->impact[0] >= 0) {
-        legend_add(&l,
-                   (struct mark){
-                       .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
-                   "largest force, penetration", "");
+        legend_add(&l, style_points("#404040", POINT_CROSS, 1.3), "largest force, penetration", "");
     }
     if (v->rows[0] > 0 && v->s->n == 1) {
         legend_add(&l,
-                   (struct mark){.kind = v->rows[0] < LOOP_ROWS ? MARK_POINT : MARK_LINE,
-                                 .colour = script_colour[0],
-                                 .size = 0.8,
-                                 .point = POINT_DISC},
+                   (struct style){.kind = v->rows[0] < LOOP_ROWS ? STYLE_POINTS : STYLE_LINE,
+                                  .colour = script_colour[0],
+                                  .size = 0.8,
+                                  .point = POINT_DISC},
                    "hardest impact, at rows", "");
     }
     runs_legend(v->s, NULL, &l);

@@ -138,10 +138,10 @@ static void add_entry(const struct view *v, struct legend *l, int k) {
     }
     const bool line = b->n_floor > 1 || b->stiffness[0] > 0;
     legend_add(l,
-               (struct mark){.kind = line ? MARK_LINE : MARK_POINT,
-                             .colour = script_colour[k],
-                             .size = point_size(v, k),
-                             .point = v->points ? script_point[k] : 0},
+               (struct style){.kind = line ? STYLE_LINE : STYLE_POINTS,
+                              .colour = script_colour[k],
+                              .size = point_size(v, k),
+                              .point = v->points ? script_point[k] : 0},
                b->name, text);
 }
 

@@ -267,17 +267,14 @@ static void write_legend(const struct selection *s, struct canvas *c) {
         const struct report_building *b = shown(s, 0, k);
         const bool line = b->n_floor > 1 || b->stiffness[0] > 0;
         legend_add(&l,
-                   (struct mark){.kind = line ? MARK_LINE : MARK_POINT,
-                                 .colour = script_colour[k],
-                                 .size = 1.2,
-                                 .point = s->points ? script_point[k] : 0},
+                   (struct style){.kind = line ? STYLE_LINE : STYLE_POINTS,
+                                  .colour = script_colour[k],
+                                  .size = 1.2,
+                                  .point = s->points ? script_point[k] : 0},
                    b->name, "");
     }
     if (s->hit) {
-        legend_add(&l,
-                   (struct mark){
-                       .kind = MARK_POINT, .colour = "#808080", .size = 2.8, .point = POINT_RING},
-                   report_hit_name, "");
+        legend_add(&l, style_points("#808080", POINT_RING, 2.8), report_hit_name, "");
     }
     runs_legend(s->s, "#808080", &l);
     legend_write(&l, c);

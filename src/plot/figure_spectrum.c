@@ -181,7 +181,7 @@ static void write_head(const struct view *v, struct canvas *c) {
             name = v->n_ground > 1 ? name : "";
             snprintf(text, sizeof text, "%sground", name[0] ? ", " : "");
         }
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)}, name, text);
+        legend_add(&l, style_line(colour(v, i), 0), name, text);
     }
     runs_legend(v->s, "#000000", &l);
     legend_write(&l, c);

@@ -114,12 +114,10 @@ static void write_head(const struct impact_figure *f, struct canvas *c) {
     }
     struct legend l = {0};
     for (int k = 0; k < f->n_curve; k++) {
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                   f->curve[k].name, "");
+        legend_add(&l, style_line(script_colour[k], 0), f->curve[k].name, "");
     }
     if (f->n_sample > 0) {
-        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = sample_colour, .size = 0.8},
-                   "measured", "");
+        legend_add(&l, style_points(sample_colour, POINT_DISC, 0.8), "measured", "");
     }
     legend_write(&l, c);
 }

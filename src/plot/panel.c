@@ -7,6 +7,10 @@ struct style style_line(const char *colour, double width) {
     return (struct style){STYLE_LINE, .colour = colour, .width = width};
 }
 
+struct style style_area(const char *colour) {
+    return (struct style){STYLE_AREA, .colour = colour};
+}
+
 struct style style_points(const char *colour, int point, double size) {
     return (struct style){STYLE_POINTS, .colour = colour, .point = point, .size = size};
 }

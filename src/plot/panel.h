@@ -24,16 +24,20 @@ enum style_kind {
     STYLE_BARS,     // upright bars between two values
     STYLE_BOXES,    // boxes whose colours are those of the palette
 };
+// Points by gnuplot's numbers, which mean the same on all terminals used.
+enum style_point { POINT_CROSS = 2, POINT_RING = 6, POINT_DISC = 7 };
+// The look of a series, and of its sample in the legend.
 struct style {
     enum style_kind kind;
     const char *colour;
     double width;      // of lines; 0: as usual
-    const char *dash;  // in gnuplot's words; NULL: none
-    int point;         // as of struct mark
+    const char *dash;  // "(10,6)" or "solid"; NULL: none
+    int point;         // enum style_point, or of script_point; 0: a disc, on a line none
     double size;       // of points; 0: as usual; below 0: the third column has it
 };
 
 struct style style_line(const char *colour, double width);
+struct style style_area(const char *colour);
 struct style style_points(const char *colour, int point, double size);
 
 // Opens a panel. What the series need beside it, such as names for tics, is written next.

@@ -15,7 +15,7 @@ enum { NAMED_MAX = 6 };
 static const char band_colour[] = "#d8d8d8";
 static const char other_colour[] = "#a0a0a0";
 static const char mean_colour[] = "#000000";
-static const char target_colour[] = "#c00000";
+static const struct style target = {STYLE_LINE, "#c00000", 1.6, "(10,6)", 0, 0};
 static const char *const record_colour[NAMED_MAX] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
 };
@@ -107,7 +107,7 @@ static void write_records(const struct response_sheet *sheet, struct legend *l) 
     char text[128];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
-        legend_add(l, (struct mark){.kind = MARK_LINE, .colour = other_colour}, text, "");
+        legend_add(l, style_line(other_colour, 0), text, "");
         return;
     }
     for (int r = 0; r < s->n_record; r++) {
@@ -115,8 +115,7 @@ static void write_records(const struct response_sheet *sheet, struct legend *l) 
         if (!sheet->target) {
             snprintf(text, sizeof text, ": %.2g g", sheet->intensity[r].pga / sheet->gravity);
         }
-        legend_add(l, (struct mark){.kind = MARK_LINE, .colour = record_colour[r]}, sheet->name[r],
-                   text);
+        legend_add(l, style_line(record_colour[r], 0), sheet->name[r], text);
     }
 }
 
@@ -125,17 +124,17 @@ static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
     struct legend l = {0};
     if (s->n_damping == 1 && s->n_record > 1) {
         write_records(sheet, &l);
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = mean_colour}, "mean", "");
-        legend_add(&l, (struct mark){.kind = MARK_AREA, .colour = band_colour}, "16 to 84 %", "");
+        legend_add(&l, style_line(mean_colour, 0), "mean", "");
+        legend_add(&l, style_area(band_colour), "16 to 84 %", "");
     }
     if (sheet->target) {
-        legend_add(&l, (struct mark){.kind = MARK_DASHED, .colour = target_colour}, "target", "");
+        legend_add(&l, target, "target", "");
     }
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
         char text[64];
         snprintf(text, sizeof text, "%g %% damping", 100.0 * s->damping[d]);
         const char *colour = script_colour[d % SCRIPT_COLOURS];
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = colour}, text, "");
+        legend_add(&l, style_line(colour, 0), text, "");
     }
     legend_write(&l, c);
 }
@@ -180,7 +179,7 @@ static void write_match(const struct response_sheet *sheet, struct span shown, F
             fprintf(to,
                     "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
                     "lw 1 dt (2,4)\n",
-                    end[i], end[i], target_colour);
+                    end[i], end[i], target.colour);
         }
     }
 }
@@ -199,7 +198,7 @@ static void draw_series(const struct response_sheet *sheet, struct canvas *c) {
     if (s->n_damping == 1 && n == 1) {
         draw_line(c, column(s, 0, 0), script_colour[0], 1.2);
     } else if (s->n_damping == 1) {
-        panel_series(c, (struct style){STYLE_AREA, .colour = band_colour}, "$spectra using 1:%d:%d",
+        panel_series(c, style_area(band_colour), "$spectra using 1:%d:%d",
                      column(s, n + SPECTRA_P16, 0), column(s, n + SPECTRA_P84, 0));
         for (int r = 0; r < n; r++) {
             draw_line(c, column(s, r, 0), n > NAMED_MAX ? other_colour : record_colour[r], 0.7);
@@ -207,9 +206,7 @@ static void draw_series(const struct response_sheet *sheet, struct canvas *c) {
         draw_line(c, column(s, n + SPECTRA_MEAN, 0), mean_colour, 1.6);
     }
     if (sheet->target) {
-        struct style line = style_line(target_colour, 1.6);
-        line.dash = "(10,6)";
-        panel_series(c, line, "$spectra using 1:%d", target_column(s));
+        panel_series(c, target, "$spectra using 1:%d", target_column(s));
     }
 }
 

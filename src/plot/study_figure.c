@@ -120,10 +120,7 @@ void study_head(struct canvas *c, const struct suite *s, const char *what) {
 
 void study_hit_legend(const struct suite *s, struct legend *l) {
     if (s->n_hit > 0) {
-        legend_add(l,
-                   (struct mark){
-                       .kind = MARK_POINT, .colour = "#808080", .size = 2.8, .point = POINT_RING},
-                   report_hit_name, "");
+        legend_add(l, style_points("#808080", POINT_RING, 2.8), report_hit_name, "");
     }
 }
 

@@ -100,10 +100,10 @@ static void write_legend(const struct view *v, struct canvas *c) {
                  group[0] && v->p->n_limit == 1 ? "" : "> ",
                  group[0] && v->p->n_limit == 1 ? "" : limit, fitted ? "" : " (no curve)");
         legend_add(&l,
-                   (struct mark){.kind = fitted ? MARK_LINE : MARK_POINT,
-                                 .colour = script_colour[i],
-                                 .size = mark_size(v, i),
-                                 .point = script_point[i]},
+                   (struct style){.kind = fitted ? STYLE_LINE : STYLE_POINTS,
+                                  .colour = script_colour[i],
+                                  .size = mark_size(v, i),
+                                  .point = script_point[i]},
                    "", text);
     }
     legend_write(&l, c);

@@ -96,7 +96,7 @@ static int write_hit(const struct view *v, FILE *to, struct error *e) {
 static void write_legend(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const bool points = has_points(s);
-    struct mark mark = {.kind = points ? MARK_POINT : MARK_LINE};
+    struct style mark = {.kind = points ? STYLE_POINTS : STYLE_LINE};
     struct legend l = {0};
     char text[128] = "median";
     for (int g = 0; g < s->n_group && (v->band || s->n_group > 1); g++) {
@@ -109,8 +109,8 @@ static void write_legend(const struct view *v, struct canvas *c) {
     }
     if (v->band) {
         legend_add(&l,
-                   (struct mark){.kind = points ? MARK_LINE : MARK_AREA,
-                                 .colour = points ? script_colour[0] : band_colour},
+                   (struct style){.kind = points ? STYLE_LINE : STYLE_AREA,
+                                  .colour = points ? script_colour[0] : band_colour},
                    "16 to 84 %", "");
     }
     study_hit_legend(s, &l);
@@ -170,7 +170,7 @@ static void draw_panel(const struct view *v, struct canvas *c) {
         panel_series(c, (struct style){STYLE_BARS, .colour = script_colour[0], .width = 1},
                      "$group0 using 1:2:3:4");
     } else if (v->band) {
-        panel_series(c, (struct style){STYLE_AREA, .colour = band_colour}, "$group0 using 1:3:4");
+        panel_series(c, style_area(band_colour), "$group0 using 1:3:4");
     }
     for (int g = 0; g < s->n_group; g++) {
         struct style median = style_points(script_colour[g], script_point[g], 0);
