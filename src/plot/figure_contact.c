@@ -343,7 +343,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     v.all = all_spans(&v);
     const struct axis force = {.name = "force", .dimension = dimension_force, .span = v.all};
     canvas_upright(c, canvas_inset(canvas_part(&strips, 0, right, 0, 1), 5.8, 0.5, 0.2, 1.6),
-                   &s->r[0]->units, &force);
+                   &force);
     for (int i = 0; i < v.n; i++) {
         draw_strip(&v, &strips, right, i);
     }

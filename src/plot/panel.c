@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot/panel.h"
 
+#include <math.h>
 #include <stdarg.h>
+
+#include "plot/script.h"
 
 struct style style_line(const char *colour, double width) {
     return (struct style){STYLE_LINE, .colour = colour, .width = width};
@@ -16,12 +19,21 @@ struct style style_points(const char *colour, int point, double size) {
 }
 
 void panel_open(struct canvas *c, const struct panel *p) {
-    canvas_panel(c, p->area, c->units, &p->x, &p->y);
+    const struct area *a = &p->area;
+    canvas_axes(c, *a, &p->x, &p->y);
     if (p->caption) {
-        canvas_caption(c, p->area, p->caption, p->tail ? p->tail : "");
+        const char *tail = p->tail ? p->tail : "";
+        char cut[256], text[320];
+        script_shorten(p->caption, a->right - a->left + 1 - script_width(tail), cut, sizeof cut);
+        snprintf(text, sizeof text, "%s%s", cut, tail);
+        canvas_label(c, text, INFINITY);
+        canvas_place(c, a->left, a->top + 0.65);
+        fprintf(c->to, " left\n");
     }
     if (p->note) {
-        canvas_note(c, p->area, p->note);
+        canvas_label(c, p->note, a->right - a->left);
+        canvas_place(c, (a->left + a->right) / 2, (a->bottom + a->top) / 2);
+        fprintf(c->to, " center textcolor rgb '#606060'\n");
     }
     c->n_series = 0;
 }
@@ -68,6 +80,5 @@ void panel_series(struct canvas *c, struct style s, const char *data, ...) {
 }
 
 void panel_close(struct canvas *c) {
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    fprintf(c->to, "\nunset label\nunset arrow\nunset object\n");
 }

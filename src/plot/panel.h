@@ -8,7 +8,7 @@
 struct panel {
     struct area area;  // the axes stand at its sides
     struct axis x, y;
-    const char *caption, *tail;  // above the panel, as of canvas_caption; NULL: none
+    const char *caption, *tail;  // above it, the middle of the caption may be left out; NULL: none
     const char *note;            // in the middle: why the panel is empty; NULL: it is not
 };
 

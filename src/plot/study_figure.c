@@ -155,7 +155,7 @@ void study_panel(struct canvas *c, double bottom, const struct axis *x, const st
     p.y.name = NULL;
     panel_open(c, &p);
     p.area.left -= 0.6;
-    canvas_upright(c, p.area, c->units, y);
+    canvas_upright(c, p.area, y);
 }
 
 void study_foot(const struct canvas *c, const char *text) {
