@@ -216,14 +216,6 @@ static struct span strip_span(const struct view *v, int strip) {
     return span_with_room(span, NAN);
 }
 
-static struct span all_spans(const struct view *v) {
-    struct span all = span_none;
-    for (int i = 0; i < v->n; i++) {
-        span_join(&all, strip_span(v, i));
-    }
-    return all;
-}
-
 // Why a strip is empty; NULL: it is not.
 static const char *empty_reason(const struct view *v, int strip) {
     if (v->strip[strip] >= v->s->r[0]->n_contact || v->pushed[strip]) {
@@ -320,13 +312,13 @@ static void write_head(const struct view *v, struct canvas *c) {
         snprintf(text, sizeof text, "%s%s%s%s", contacts, between,
                  r->n_link > 0 ? "link forces" : "", peaks);
     }
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     runs_legend(v->s, NULL, &l);
     legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
-    struct view v = {.s = s, .force = span_none};
+    struct view v = {.s = s, .force = span_none, .all = span_none};
     int status = STATUS_OK;
     choose(&v);
     for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
@@ -340,7 +332,9 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double right = zoom ? 0.62 : 1;
     struct canvas strips = *c;
     strips.area.bottom += 3.2;
-    v.all = all_spans(&v);
+    for (int i = 0; i < v.n; i++) {
+        span_join(&v.all, strip_span(&v, i));
+    }
     const struct axis force = {.name = "force", .dimension = dimension_force, .span = v.all};
     canvas_upright(c, canvas_inset(canvas_part(&strips, 0, right, 0, 1), 5.8, 0.5, 0.2, 1.6),
                    &force);

@@ -87,7 +87,7 @@ static void write_head(const struct runs *s, const struct view *v, struct canvas
     struct legend l = {0};
     char text[256];
     write_subtitle(s, text, sizeof text);
-    canvas_head(c, runs_title(s), text);
+    canvas_head(c, s->title, text);
     for (int p = 0; p < PARTS; p++) {
         if (v->part[p]) {
             legend_add(&l, style_area(parts[p].colour),

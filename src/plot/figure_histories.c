@@ -351,7 +351,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     }
     if (status == STATUS_OK) {
         write_subtitle(&v, subtitle, sizeof subtitle);
-        canvas_head(c, runs_title(s), subtitle);
+        canvas_head(c, s->title, subtitle);
         write_legend(&v, c);
         draw_panels(&v, c);
     }

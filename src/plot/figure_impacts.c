@@ -259,7 +259,7 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
 static void write_head(const struct view *v, struct canvas *c) {
     char text[160];
     write_subtitle(v, text, sizeof text);
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     struct legend l = {0};
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
         legend_add(&l, style_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 2),

@@ -216,7 +216,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     if (v->impact[0] >= 0 && v->rows[0] < 10) {
         text = "forces against deformations; output -every 1 gives whole contact loops";
     }
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     if (v->impact[0] >= 0) {
         legend_add(&l, style_points("#404040", POINT_CROSS, 1.3), "largest force, penetration", "");
     }

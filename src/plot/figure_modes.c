@@ -154,7 +154,7 @@ static void write_head(const struct view *v, struct canvas *c) {
                  "mode shapes of the first %d of %d buildings, and their first periods",
                  v->n_building, n);
     }
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     struct legend l = {0};
     for (int k = 0; k < v->n_building; k++) {
         add_entry(v, &l, k);

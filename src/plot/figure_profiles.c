@@ -290,7 +290,7 @@ static void write_head(const struct selection *s, struct canvas *c) {
     } else {
         snprintf(text, sizeof text, "peaks over all steps; %s", kinds);
     }
-    canvas_head(c, runs_title(s->s), text);
+    canvas_head(c, s->s->title, text);
     write_legend(s, c);
 }
 

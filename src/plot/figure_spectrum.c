@@ -172,7 +172,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     char text[160];
     snprintf(text, sizeof text, "floor response spectra, %g %% damping, of rows every %.4g %s",
              100 * damping_ratio, v->dt, r->units.time_name);
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     for (int i = 0; i < v->n; i++) {
         const struct owner *p = &v->series[i];
         const char *name = r->building[p->building].name;

@@ -232,10 +232,6 @@ double runs_level(const struct report_building *b, int floors, bool heights) {
     return level;
 }
 
-const char *runs_title(const struct runs *s) {
-    return s->title;
-}
-
 double runs_duration(const struct runs *s) {
     return s->n == 1 ? s->r[0]->duration : fmax(s->r[0]->duration, s->r[1]->duration);
 }

@@ -13,7 +13,9 @@ struct runs {
     const struct result_file *file[RUNS_MAX];  // borrowed
     const struct report *r[RUNS_MAX];          // borrowed
     char name[RUNS_MAX][64];                   // the files, as short as tells them apart
-    const char *title;                         // of pictures; in the arena of the first run
+    // The first run's title, or its deck where it has none; before the title of one run of a study,
+    // its number. In the arena of the first run.
+    const char *title;
     // Called by figures that take their time; NULL: nothing to tell.
     void (*tell)(void *context, long n_done, long n);
     void *context;
@@ -67,10 +69,6 @@ int runs_building(const struct report *r, const char *name);
 
 // Of so many floors of the building: their height, or where there are no heights their number.
 double runs_level(const struct report_building *b, int floors, bool heights);
-
-// The first run's title, or its deck where it has none. Before the title of one run of a study,
-// its number.
-const char *runs_title(const struct runs *s);
 
 // The axis of the time of all runs, for the panel at the foot of the picture or one above it.
 struct axis runs_time_axis(const struct runs *s, bool at_foot);
