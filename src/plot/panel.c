@@ -39,7 +39,7 @@ void panel_open(struct canvas *c, const struct panel *p) {
 }
 
 static void write_point(FILE *to, struct style s) {
-    fprintf(to, " pt %d ps ", s.point);
+    fprintf(to, " pt %d ps ", s.point > 0 ? s.point : POINT_DISC);
     if (s.size > 0) {
         fprintf(to, "%.3g*", s.size);
     }

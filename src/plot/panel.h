@@ -8,7 +8,7 @@
 struct panel {
     struct area area;  // the axes stand at its sides
     struct axis x, y;
-    const char *caption, *tail;  // above it, the middle of the caption may be left out; NULL: none
+    const char *caption, *tail;  // above it; a long caption loses its middle; NULL: none
     const char *note;            // in the middle: why the panel is empty; NULL: it is not
 };
 
@@ -40,15 +40,17 @@ struct style style_line(const char *colour, double width);
 struct style style_area(const char *colour);
 struct style style_points(const char *colour, int point, double size);
 
-// Opens a panel. What the series need beside it, such as names for tics, is written next.
+// Draws the axes and texts of a panel. Other commands for it, such as tics with names, follow
+// before its first series.
 void panel_open(struct canvas *c, const struct panel *p);
 
-// Draws a series over those before. The text says as for printf which data block and which columns:
-// "$rows%d using 1:2". It is made of literals and numbers, see check_script.sh.
+// Draws a series over those before it. `data` is the format of a data block and its columns, such
+// as
+// "$rows%d using 1:2"; its arguments are literals and numbers, as check_script.sh demands.
 void panel_series(struct canvas *c, struct style s, const char *data, ...)
     __attribute__((format(printf, 3, 4)));
 
-// Ends the panel, which has one series at least.
+// Ends the panel. It must have a series.
 void panel_close(struct canvas *c);
 
 #endif
