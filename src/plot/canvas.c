@@ -17,7 +17,7 @@ void canvas_place(const struct canvas *c, double x, double y) {
     fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
 }
 
-static void write_label(const struct canvas *c, const char *text, double width) {
+void canvas_label(const struct canvas *c, const char *text, double width) {
     char cut[512];
     script_cut(text, width, cut, sizeof cut);
     fprintf(c->to, "set label ");
@@ -27,17 +27,17 @@ static void write_label(const struct canvas *c, const char *text, double width) 
 void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     struct area *a = &c->area;
     if (c->kind == CANVAS_BLOCK) {
-        write_label(c, subtitle, (a->right - a->left) / BOLD);
+        canvas_label(c, subtitle, (a->right - a->left) / BOLD);
         canvas_place(c, a->left, a->top - 0.7);
         fprintf(c->to, " left font block_font\n");
         a->top -= 1.5;
         return;
     }
-    write_label(c, title, c->width / 1.25);
+    canvas_label(c, title, c->width / 1.25);
     canvas_place(c, c->width / 2, a->top - 1);
     fprintf(c->to, " center font title_font\n");
     const bool fits = script_width(subtitle) <= c->width;
-    write_label(c, subtitle, fits ? c->width : c->width / SMALL);
+    canvas_label(c, subtitle, fits ? c->width : c->width / SMALL);
     canvas_place(c, c->width / 2, a->top - 2.5);
     fprintf(c->to, " center%s\n", fits ? "" : small_font);
     a->top -= 3.3;
@@ -95,13 +95,12 @@ static void axis_text(const struct axis *axis, const char *name, const struct un
 
 // The name of an axis across; the brief one where the other would run into those beside, and a
 // small one where that would.
-static void write_across(const struct canvas *c, struct area a, const struct unit_system *units,
-                         const struct axis *axis) {
+static void write_across(const struct canvas *c, struct area a, const struct axis *axis) {
     char text[160];
-    axis_text(axis, axis->name, units, text, sizeof text);
+    axis_text(axis, axis->name, c->units, text, sizeof text);
     const double room = a.right - a.left + 2;
     if (axis->brief && script_width(text) > room) {
-        axis_text(axis, axis->brief, units, text, sizeof text);
+        axis_text(axis, axis->brief, c->units, text, sizeof text);
     }
     fprintf(c->to, "set label ");
     safe_put(c->to, SAFE_GNUPLOT, text);
@@ -235,10 +234,9 @@ static void write_upright(const struct canvas *c, const char *text, double x, st
     fprintf(c->to, " center rotate by 90%s\n", font);
 }
 
-void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
-                    const struct axis *axis) {
+void canvas_upright(const struct canvas *c, struct area a, const struct axis *axis) {
     char text[160], name[160], g[32];
-    axis_text(axis, axis->name, units, text, sizeof text);
+    axis_text(axis, axis->name, c->units, text, sizeof text);
     const char *unit = strstr(text, " [");
     const bool fits = !unit || script_width(text) <= a.top - a.bottom;
     if (fits) {
@@ -246,13 +244,13 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
         return;
     }
     snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
-    axis_in_g(axis, units, g, sizeof g);
+    axis_in_g(axis, c->units, g, sizeof g);
     write_upright(c, name, a.left - 5.35, a, "");
     write_upright(c, unit + 1, a.left - 4.05, a, g[0] ? small_font : "");
 }
 
-void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,
-                  const struct axis *x, const struct axis *y) {
+void canvas_axes(const struct canvas *c, struct area a, const struct axis *x,
+                 const struct axis *y) {
     fprintf(c->to,
             "unset logscale\nset lmargin at screen %.4f\nset rmargin at screen %.4f\n"
             "set bmargin at screen %.4f\nset tmargin at screen %.4f\n",
@@ -260,29 +258,9 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
     write_scale(c, 'x', x, a.right - a.left, 0);
     write_scale(c, 'y', y, a.top - a.bottom, 1.5);
     if (x->name) {
-        write_across(c, a, units, x);
+        write_across(c, a, x);
     }
     if (y->name) {
-        canvas_upright(c, a, units, y);
+        canvas_upright(c, a, y);
     }
-}
-
-void canvas_caption(const struct canvas *c, struct area a, const char *name, const char *tail) {
-    char cut[256], text[320];
-    script_shorten(name, a.right - a.left + 1 - script_width(tail), cut, sizeof cut);
-    snprintf(text, sizeof text, "%s%s", cut, tail);
-    fprintf(c->to, "set label ");
-    safe_put(c->to, SAFE_GNUPLOT, text);
-    canvas_place(c, a.left, a.top + 0.65);
-    fprintf(c->to, " left\n");
-}
-
-void canvas_note(const struct canvas *c, struct area a, const char *text) {
-    write_label(c, text, a.right - a.left);
-    canvas_place(c, (a.left + a.right) / 2, (a.bottom + a.top) / 2);
-    fprintf(c->to, " center textcolor rgb '#606060'\n");
-}
-
-void canvas_panel_end(const struct canvas *c) {
-    fprintf(c->to, "unset label\nunset arrow\nunset object\n");
 }

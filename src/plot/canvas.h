@@ -52,27 +52,17 @@ struct axis {
     double step;  // between tics at least; 0: any
 };
 
-// Opens a panel whose axes stand at the sides of `a`; the plot command follows. Nothing is left
-// from panels before.
-void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,
-                  const struct axis *x, const struct axis *y);
+// Axes at the sides of `a`. Nothing is left of the scales of panels before.
+void canvas_axes(const struct canvas *c, struct area a, const struct axis *x, const struct axis *y);
+
+// The command for a label without its place; what is wider than `width` em is cut.
+void canvas_label(const struct canvas *c, const char *text, double width);
 
 // " at screen X,Y" of a label at a point in em.
 void canvas_place(const struct canvas *c, double x, double y);
 
 // The name of an upright axis beside `a`, for several panels above each other. The unit takes a
 // second line where there is no room.
-void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
-                    const struct axis *axis);
-
-// A text above the upper left corner of the panel to be plotted: a name, whose middle is left out
-// where there is little room, and what is told behind it.
-void canvas_caption(const struct canvas *c, struct area a, const char *name, const char *tail);
-
-// A text in the middle of a panel that is otherwise empty: why it is.
-void canvas_note(const struct canvas *c, struct area a, const char *text);
-
-// Behind the plot command: takes away what belongs to that panel.
-void canvas_panel_end(const struct canvas *c);
+void canvas_upright(const struct canvas *c, struct area a, const struct axis *axis);
 
 #endif

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "plot/data.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { STRIPS_MAX = 6, BINS = 500, PEAKS_MAX = 500 };
@@ -124,13 +124,10 @@ static double largest_row(const struct impact *p, const struct data *d, double *
 
 // The largest force of each impact that the rows miss, thinned to the hardest of equal parts of the
 // duration.
-static int write_peaks(struct view *v, int run, int contact, const struct data *d, const char *name,
-                       FILE *to, struct error *e) {
+static void write_peaks(struct view *v, int run, int contact, const struct data *d,
+                        const char *name, FILE *to) {
     const struct report *r = v->s->r[run];
-    long *hardest = malloc(PEAKS_MAX * sizeof *hardest);
-    if (!hardest) {
-        return error_no_memory(e);
-    }
+    long hardest[PEAKS_MAX];
     runs_hardest_of_parts(r, contact, PEAKS_MAX, hardest);
     script_block(to, name, "time of an impact, its largest force");
     fputs("NaN NaN\n", to);
@@ -143,18 +140,6 @@ static int write_peaks(struct view *v, int run, int contact, const struct data *
         }
     }
     fprintf(to, "EOD\n");
-    free(hardest);
-    return STATUS_OK;
-}
-
-static int read_force(const struct runs *s, int run, int i, struct data *d, struct error *e) {
-    const int n = s->r[run]->n_contact;
-    int status = result_time(s->file[run], d->column[0], e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    return i < n ? result_contact_history(s->file[run], FIELD_FORCE, i, d->column[1], e)
-                 : result_link_history(s->file[run], FIELD_FORCE, i - n, d->column[1], e);
 }
 
 // The rows of the hardest impact from closure on, with its ends and its peak where they are known.
@@ -185,27 +170,28 @@ static void write_pulse(struct view *v, int run, const struct data *d, FILE *to)
 static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct error *e) {
     const int i = index_in(v, run, v->strip[strip]);
     const struct report *r = v->s->r[run];
+    const bool is_contact = i < r->n_contact;
+    const struct history h[] = {{.kind = HISTORY_TIME},
+                                {is_contact ? HISTORY_CONTACT : HISTORY_LINK, FIELD_FORCE,
+                                 is_contact ? i : i - r->n_contact, 0}};
     char name[32];
     struct data d;
     if (i < 0) {
         return STATUS_OK;
     }
-    int status = runs_data(v->s, run, 2, &d, e);
-    if (status == STATUS_OK) {
-        status = read_force(v->s, run, i, &d, e);
-    }
+    int status = runs_read(v->s, run, h, 2, &d, e);
     if (status == STATUS_OK) {
         snprintf(name, sizeof name, "force%d%d", run, strip);
         status = data_write(&d, name, "time force", BINS, to, e);
     }
-    if (status == STATUS_OK && i < r->n_contact) {
+    if (status == STATUS_OK && is_contact) {
         struct span force = {0, 0};
         data_span(&d, 1, &force);
         v->pushed[strip] |= force.low < force.high || r->contact[i].peak.force > 0;
         span_join(&v->force, force);
         span_add(&v->force, r->contact[i].peak.force);
         snprintf(name, sizeof name, "peaks%d%d", run, strip);
-        status = write_peaks(v, run, i, &d, name, to, e);
+        write_peaks(v, run, i, &d, name, to);
     }
     if (status == STATUS_OK && i == v->contact[run] && v->impact[run] >= 0) {
         write_pulse(v, run, &d, to);
@@ -230,14 +216,6 @@ static struct span strip_span(const struct view *v, int strip) {
     return span_with_room(span, NAN);
 }
 
-static struct span all_spans(const struct view *v) {
-    struct span all = span_none;
-    for (int i = 0; i < v->n; i++) {
-        span_join(&all, strip_span(v, i));
-    }
-    return all;
-}
-
 // Why a strip is empty; NULL: it is not.
 static const char *empty_reason(const struct view *v, int strip) {
     if (v->strip[strip] >= v->s->r[0]->n_contact || v->pushed[strip]) {
@@ -246,45 +224,38 @@ static const char *empty_reason(const struct view *v, int strip) {
     return is_active(v, v->strip[strip]) ? "rigid impacts have no force" : "never closed";
 }
 
-static void write_strip(const struct view *v, struct canvas *c, struct area a, int strip) {
+// The runs that have the contact or link, in the strip `strip` from above.
+static void draw_strip(const struct view *v, struct canvas *c, double right, int strip) {
     const bool last = strip == v->n - 1;
-    const char *empty = empty_reason(v, strip);
+    const double top = 1 - (double)strip / v->n, bottom = 1 - (strip + 1.0) / v->n;
     char text[320];
-    const struct axis x = {.name = last ? "time" : NULL,
-                           .dimension = dimension_time,
-                           .span = {0, runs_duration(v->s)},
-                           .kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
-    const struct axis y = {.dimension = dimension_force,
-                           .span = strip_span(v, strip),
-                           .scale = v->all,
-                           .kind = empty ? AXIS_WITHOUT_NUMBERS : AXIS_FULL};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "%s%s", v->strip[strip] < v->s->r[0]->n_contact ? "" : "link ",
              link_of(v->s->r[0], v->strip[strip])->name);
-    canvas_caption(c, a, text, "");
-    if (empty) {
-        canvas_note(c, a, empty);
-    }
-    const char *before = "plot";
+    struct panel p = {
+        .area = canvas_inset(canvas_part(c, 0, right, bottom, top), 5.8, 0.5, 0.2, 1.6),
+        .x = runs_time_axis(v->s, last),
+        .y = {.dimension = dimension_force, .span = strip_span(v, strip), .scale = v->all},
+        .caption = text,
+        .note = empty_reason(v, strip)};
+    p.y.kind = p.note ? AXIS_WITHOUT_NUMBERS : AXIS_FULL;
+    panel_open(c, &p);
     for (int k = 0; k < v->s->n; k++) {
+        const char *colour = script_colour[k];
         const int i = index_in(v, k, v->strip[strip]);
-        if (i < 0) {
-            continue;
+        if (i >= 0) {
+            panel_series(c, style_line(colour, 0.8), "$force%d%d using 1:2", k, strip);
         }
-        fprintf(c->to, "%s \\\n  $force%d%d using 1:2 with lines lc rgb '%s' lw 0.8", before, k,
-                strip, script_colour[k]);
-        before = ",";
-        if (i < v->s->r[k]->n_contact) {
-            fprintf(c->to, ", \\\n  $peaks%d%d using 1:2 with impulses lc rgb '%s'", k, strip,
-                    script_colour[k]);
+        if (i >= 0 && i < v->s->r[k]->n_contact) {
+            panel_series(c, (struct style){STYLE_UPRIGHT, .colour = colour}, "$peaks%d%d using 1:2",
+                         k, strip);
         }
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
-static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
-    struct span force = v->force, time = span_none;
+// The hardest impact of each run.
+static void draw_pulse(const struct view *v, struct canvas *c, double left) {
+    struct span time = span_none;
     char text[320];
     for (int k = 0; k < v->s->n; k++) {
         if (v->impact[k] >= 0) {
@@ -292,25 +263,26 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
             span_add(&time, p->t_end - p->t_start);
         }
     }
-    const struct axis x = {
-        .name = "time from closure", .dimension = dimension_time, .span = span_with_room(time, 0)};
-    const struct axis y = {
-        .dimension = dimension_force, .span = span_with_room(force, 0), .scale = v->all};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "hardest: %s", link_of(v->s->r[0], v->contact[0])->name);
-    canvas_caption(c, a, text, "");
-    const char *before = "plot";
+    panel_open(
+        c, &(struct panel){.area = canvas_inset(canvas_part(c, left, 1, 0, 1), 4.4, 0.5, 3.4, 1.6),
+                           .x = {.name = "time from closure",
+                                 .dimension = dimension_time,
+                                 .span = span_with_room(time, 0)},
+                           .y = {.dimension = dimension_force,
+                                 .span = span_with_room(v->force, 0),
+                                 .scale = v->all},
+                           .caption = text});
     for (int k = 0; k < v->s->n; k++) {
         if (v->impact[k] >= 0) {
-            fprintf(c->to,
-                    "%s \\\n  $pulse%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s'%s",
-                    before, k, k > 0 ? POINT_RING : POINT_DISC, script_colour[k],
-                    v->rows[k] < PULSE_ROWS ? " dt (2,4)" : "");
-            before = ",";
+            panel_series(c,
+                         (struct style){STYLE_BOTH, .colour = script_colour[k],
+                                        .dash = v->rows[k] < PULSE_ROWS ? "(2,4)" : NULL,
+                                        .point = k > 0 ? POINT_RING : POINT_DISC, .size = 0.8},
+                         "$pulse%d using 1:2", k);
         }
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 // True if bodies met under a law without a force.
@@ -340,13 +312,13 @@ static void write_head(const struct view *v, struct canvas *c) {
         snprintf(text, sizeof text, "%s%s%s%s", contacts, between,
                  r->n_link > 0 ? "link forces" : "", peaks);
     }
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     runs_legend(v->s, NULL, &l);
     legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
-    struct view v = {.s = s, .force = span_none};
+    struct view v = {.s = s, .force = span_none, .all = span_none};
     int status = STATUS_OK;
     choose(&v);
     for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
@@ -360,17 +332,17 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double right = zoom ? 0.62 : 1;
     struct canvas strips = *c;
     strips.area.bottom += 3.2;
-    v.all = all_spans(&v);
+    for (int i = 0; i < v.n; i++) {
+        span_join(&v.all, strip_span(&v, i));
+    }
     const struct axis force = {.name = "force", .dimension = dimension_force, .span = v.all};
     canvas_upright(c, canvas_inset(canvas_part(&strips, 0, right, 0, 1), 5.8, 0.5, 0.2, 1.6),
-                   &s->r[0]->units, &force);
+                   &force);
     for (int i = 0; i < v.n; i++) {
-        const struct area part =
-            canvas_part(&strips, 0, right, 1 - (i + 1.0) / v.n, 1 - (double)i / v.n);
-        write_strip(&v, c, canvas_inset(part, 5.8, 0.5, 0.2, 1.6), i);
+        draw_strip(&v, &strips, right, i);
     }
     if (zoom) {
-        write_zoom(&v, c, canvas_inset(canvas_part(c, right, 1, 0, 1), 4.4, 0.5, 3.4, 1.6));
+        draw_pulse(&v, c, right);
     }
     return STATUS_OK;
 }

@@ -87,14 +87,14 @@ static void write_head(const struct runs *s, const struct view *v, struct canvas
     struct legend l = {0};
     char text[256];
     write_subtitle(s, text, sizeof text);
-    canvas_head(c, runs_title(s), text);
+    canvas_head(c, s->title, text);
     for (int p = 0; p < PARTS; p++) {
         if (v->part[p]) {
-            legend_add(&l, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
+            legend_add(&l, style_area(parts[p].colour),
                        parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name, "");
         }
     }
-    legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = curve.colour},
+    legend_add(&l, style_line(curve.colour, 0),
                s->r[0]->initial_energy > 0 ? "initial + input" : "input", "");
     legend_write(&l, c);
 }
@@ -117,18 +117,18 @@ static void draw_run(const struct runs *s, const struct view *v, int run, struct
     for (int p = 0; p < PARTS; p++) {
         const struct style part = {STYLE_AREA, .colour = parts[p].colour};
         if (p == 0) {
-            panel_series(c, &part, "$energy%d using 1:(0):2", run);
+            panel_series(c, part, "$energy%d using 1:(0):2", run);
         } else {
-            panel_series(c, &part, "$energy%d using 1:($%d):%d", run, p + 1, p + 2);
+            panel_series(c, part, "$energy%d using 1:($%d):%d", run, p + 1, p + 2);
         }
     }
-    panel_series(c, &curve, "$energy%d using 1:%d", run, TOTAL + 1);
+    panel_series(c, curve, "$energy%d using 1:%d", run, TOTAL + 1);
     panel_close(c);
     panel_open(
         c, &(struct panel){.area = canvas_inset(canvas_part(c, x0, x1, 0, 0.36), 0, 0.8, 3.2, 0.6),
                            .x = runs_time_axis(s, true),
                            .y = energy_axis("residual", v->residual, run)});
-    panel_series(c, &curve, "$energy%d using 1:%d", run, RESIDUAL + 1);
+    panel_series(c, curve, "$energy%d using 1:%d", run, RESIDUAL + 1);
     panel_close(c);
 }
 

@@ -5,11 +5,10 @@
 //
 // The right floor is drawn where the left one sees it: x_left - delta = x_right + gap.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "plot/data.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { BINS = 200, MARKS_MAX = 400 };
@@ -55,24 +54,6 @@ static void choose_floors(struct view *v) {
     }
 }
 
-// Displacement of and ground below one side; those of a wall are zero.
-static int read_side(struct view *v, int run, int side, struct error *e) {
-    const int building = v->building[side];
-    double **column = v->data[run].column;
-    if (building < 0) {
-        return STATUS_OK;
-    }
-    int status = result_floor_history(v->s->file[run], FIELD_DISPLACEMENT, building, v->floor[side],
-                                      column[LEFT + side], e);
-    if (status == STATUS_OK && !isnan(v->level[side])) {
-        status = runs_move_to_level(v->s, run, building, v->floor[side], v->weight[side],
-                                    column[LEFT + side], v->data[run].n_row, e);
-    }
-    return status == STATUS_OK
-               ? result_ground(v->s->file[run], building, column[GROUND_LEFT + side], e)
-               : status;
-}
-
 // The right side as the left one sees it: by the penetration where the file has it, which holds for
 // different grounds too; otherwise by the displacements.
 static int shift_right(struct view *v, struct error *e) {
@@ -89,14 +70,21 @@ static int shift_right(struct view *v, struct error *e) {
     return status;
 }
 
+// The displacements of both sides and the grounds below them; those of a wall are zero.
 static int read_run(struct view *v, int run, struct error *e) {
     struct data *d = &v->data[run];
-    int status = runs_data(v->s, run, N_COLUMN, d, e);
-    if (status == STATUS_OK) {
-        status = result_time(v->s->file[run], d->column[TIME], e);
+    struct history h[N_COLUMN] = {{.kind = HISTORY_TIME}};
+    for (int side = 0; side < 2; side++) {
+        h[LEFT + side] =
+            (struct history){HISTORY_FLOOR, FIELD_DISPLACEMENT, v->building[side], v->floor[side]};
+        h[GROUND_LEFT + side] = (struct history){HISTORY_GROUND, 0, v->building[side], 0};
     }
+    int status = runs_read(v->s, run, h, N_COLUMN, d, e);
     for (int side = 0; side < 2 && status == STATUS_OK; side++) {
-        status = read_side(v, run, side, e);
+        if (v->building[side] >= 0 && !isnan(v->level[side])) {
+            status = runs_move_to_level(v->s, run, v->building[side], v->floor[side],
+                                        v->weight[side], d->column[LEFT + side], d->n_row, e);
+        }
     }
     if (status == STATUS_OK && v->s->n == 1 && v->contact[0] >= 0) {
         status = shift_right(v, e);
@@ -105,13 +93,9 @@ static int read_run(struct view *v, int run, struct error *e) {
 }
 
 // The hardest impact of each of MARKS_MAX parts of the duration, on the curve of `column`.
-static int write_marks(const struct view *v, int run, int column, const char *name, FILE *to,
-                       struct error *e) {
+static void write_marks(const struct view *v, int run, int column, const char *name, FILE *to) {
     const struct report *r = v->s->r[run];
-    long *hardest = malloc(MARKS_MAX * sizeof *hardest);
-    if (!hardest) {
-        return error_no_memory(e);
-    }
+    long hardest[MARKS_MAX];
     runs_hardest_of_parts(r, v->contact[run], MARKS_MAX, hardest);
     script_block(to, name, "time displacement force");
     fputs("NaN NaN NaN\n", to);
@@ -123,8 +107,6 @@ static int write_marks(const struct view *v, int run, int column, const char *na
         }
     }
     fprintf(to, "EOD\n");
-    free(hardest);
-    return STATUS_OK;
 }
 
 static const char *side_name(const struct view *v, int side) {
@@ -191,67 +173,57 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     }
 }
 
-static struct axis time_axis(const struct view *v, enum axis_kind kind) {
-    return (struct axis){.name = kind == AXIS_FULL ? "time" : NULL,
-                         .dimension = dimension_time,
-                         .span = {0, runs_duration(v->s)},
-                         .kind = kind};
+static struct axis displacement_axis(const char *name, struct span span) {
+    return (struct axis){
+        .name = name, .dimension = dimension_length, .span = span_with_room(span, NAN)};
 }
 
 // Both floors with the gap between them.
-static void write_facing(const struct view *v, struct canvas *c, struct area a,
-                         enum axis_kind kind) {
+static void draw_facing(const struct view *v, struct canvas *c, struct area a, bool at_foot) {
     struct span span = span_none;
-    const bool two = v->contact[0] >= 0 || v->building[1] >= 0;
+    const bool hit = v->contact[0] >= 0, two = hit || v->building[1] >= 0;
     data_span(&v->data[0], LEFT, &span);
     if (two) {
         data_span(&v->data[0], RIGHT, &span);
     }
-    const struct axis x = time_axis(v, kind);
-    const struct axis y = {
-        .name = "displacement", .dimension = dimension_length, .span = span_with_room(span, NAN)};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    fprintf(c->to, "plot \\\n");
-    if (v->contact[0] >= 0) {
-        fprintf(c->to, "  $rows0 using 1:2:3 with filledcurves below fc rgb '%s', \\\n",
-                gap_colour);
+    panel_open(c, &(struct panel){.area = a,
+                                  .x = runs_time_axis(v->s, at_foot),
+                                  .y = displacement_axis("displacement", span)});
+    if (hit) {
+        panel_series(c, (struct style){STYLE_AREA_BELOW, .colour = gap_colour},
+                     "$rows0 using 1:2:3");
     }
     if (two) {
-        fprintf(c->to, "  $rows0 using 1:3 with lines lc rgb '%s', \\\n", script_colour[1]);
+        panel_series(c, style_line(script_colour[1], 0), "$rows0 using 1:3");
     }
-    fprintf(c->to, "  $rows0 using 1:2 with lines lc rgb '%s'", script_colour[0]);
-    if (v->contact[0] >= 0) {
-        fprintf(c->to, ", \\\n  $marks0 using 1:2 with points pt %d ps 0.8*point lc rgb '#000000'",
-                POINT_DISC);
+    panel_series(c, style_line(script_colour[0], 0), "$rows0 using 1:2");
+    if (hit) {
+        panel_series(c, style_points("#000000", POINT_DISC, 0.8), "$marks0 using 1:2");
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 // One floor in both runs.
-static void write_floor(const struct view *v, struct canvas *c, struct area a, int side) {
+static void draw_floor(const struct view *v, struct canvas *c, struct area a, int side) {
     struct span span = span_none;
     char floor[48];
     for (int k = 0; k < v->s->n; k++) {
         data_span(&v->data[k], LEFT + side, &span);
     }
-    const struct axis x = time_axis(v, AXIS_WITHOUT_NUMBERS);
-    const struct axis y = {
-        .name = "displ.", .dimension = dimension_length, .span = span_with_room(span, NAN)};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     write_floor_name(v, side, floor, sizeof floor);
-    canvas_caption(c, a, side_name(v, side), floor);
-    fprintf(c->to, "plot");
+    panel_open(c, &(struct panel){.area = a,
+                                  .x = runs_time_axis(v->s, false),
+                                  .y = displacement_axis("displ.", span),
+                                  .caption = side_name(v, side),
+                                  .tail = floor});
     for (int k = 0; k < v->s->n; k++) {
-        fprintf(c->to, "%s \\\n  $rows%d using 1:%d with lines lc rgb '%s'", k > 0 ? "," : "", k,
-                LEFT + side + 1, script_colour[k]);
+        panel_series(c, style_line(script_colour[k], 0), "$rows%d using 1:%d", k, LEFT + side + 1);
     }
     for (int k = 0; k < v->s->n && v->contact[0] >= 0; k++) {
-        fprintf(c->to, ", \\\n  $marks%d%d using 1:2 with points pt %d ps 0.9*point lc rgb '%s'", k,
-                side, k > 0 ? POINT_RING : POINT_DISC, script_colour[k]);
+        panel_series(c, style_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 0.9),
+                     "$marks%d%d using 1:2", k, side);
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 static bool same(const struct data *p, int i, const struct data *q, int j) {
@@ -260,7 +232,7 @@ static bool same(const struct data *p, int i, const struct data *q, int j) {
 }
 
 // The grounds under both sides, or of both runs; one where they are the same.
-static void write_ground(const struct view *v, struct canvas *c, struct area a) {
+static void draw_ground(const struct view *v, struct canvas *c, struct area a) {
     const int other = v->s->n - 1;
     const int first = v->building[0] >= 0 ? GROUND_LEFT : GROUND_RIGHT;
     const int second = v->s->n > 1 || v->building[1] < 0 ? first : GROUND_RIGHT;
@@ -269,19 +241,18 @@ static void write_ground(const struct view *v, struct canvas *c, struct area a) 
     data_span(&v->data[0], first, &span);
     data_span(&v->data[other], second, &span);
     span_add(&span, 0);
-    const struct axis x = time_axis(v, AXIS_FULL);
-    const struct axis y = {.name = v->s->n > 1 ? "ground" : "ground acc.",
-                           .dimension = dimension_acceleration,
-                           .span = span_with_room(span, NAN)};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    fprintf(c->to, "plot $rows0 using 1:%d with lines lc rgb '%s' lw 0.7", first + 1,
-            one ? dark : script_colour[0]);
+    panel_open(c, &(struct panel){.area = a,
+                                  .x = runs_time_axis(v->s, true),
+                                  .y = {.name = v->s->n > 1 ? "ground" : "ground acc.",
+                                        .dimension = dimension_acceleration,
+                                        .span = span_with_room(span, NAN)}});
+    struct style line = style_line(one ? dark : script_colour[0], 0.7);
+    panel_series(c, line, "$rows0 using 1:%d", first + 1);
     if (!one) {
-        fprintf(c->to, ", \\\n  $rows%d using 1:%d with lines lc rgb '%s' lw 0.7", other,
-                second + 1, script_colour[1]);
+        line.colour = script_colour[1];
+        panel_series(c, line, "$rows%d using 1:%d", other, second + 1);
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 // Both sides, the right one as the left one sees it.
@@ -292,12 +263,11 @@ static void add_sides(const struct view *v, struct legend *l) {
         write_floor_name(v, side, floor, sizeof floor);
         snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
         if (hit || v->building[side] >= 0) {
-            legend_add(l, (struct mark){.kind = MARK_LINE, .colour = script_colour[side]},
-                       side_name(v, side), tail);
+            legend_add(l, style_line(script_colour[side], 0), side_name(v, side), tail);
         }
     }
     if (hit) {
-        legend_add(l, (struct mark){.kind = MARK_AREA, .colour = gap_colour}, "gap", "");
+        legend_add(l, style_area(gap_colour), "gap", "");
     }
 }
 
@@ -309,8 +279,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
         add_sides(v, &l);
     }
     if (v->contact[0] >= 0) {
-        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = "#000000", .size = 0.8},
-                   "impacts", "");
+        legend_add(&l, style_points("#000000", POINT_DISC, 0.8), "impacts", "");
     }
     legend_write(&l, c);
 }
@@ -322,12 +291,15 @@ static int write_data(const struct view *v, FILE *to, struct error *e) {
         snprintf(name, sizeof name, "rows%d", k);
         status =
             data_write(&v->data[k], name, "time left right ground_left ground_right", BINS, to, e);
-        for (int side = 0; side < 2 && v->s->n > 1 && status == STATUS_OK; side++) {
+        for (int side = 0; side < 2 && v->s->n > 1; side++) {
             snprintf(name, sizeof name, "marks%d%d", k, side);
-            status = write_marks(v, k, LEFT + side, name, to, e);
+            write_marks(v, k, LEFT + side, name, to);
         }
     }
-    return status == STATUS_OK && v->s->n == 1 ? write_marks(v, 0, LEFT, "marks0", to, e) : status;
+    if (v->s->n == 1) {
+        write_marks(v, 0, LEFT, "marks0", to);
+    }
+    return status;
 }
 
 // Whether the ground moves below what is shown.
@@ -340,30 +312,30 @@ static bool has_ground(const struct view *v) {
     return span.low < span.high;
 }
 
-static void write_panels(const struct view *v, struct canvas *c) {
-    if (v->s->n == 1 && !has_ground(v)) {
-        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 1), 7, 0.5, 3.2, 0.7), AXIS_FULL);
-        return;
-    }
-    if (v->s->n == 1) {
-        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0.38, 1), 7, 0.5, 0.5, 0.7),
-                     AXIS_WITHOUT_NUMBERS);
-        write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.38), 7, 0.5, 3.2, 0.5));
-        return;
-    }
+static void draw_panels(const struct view *v, struct canvas *c) {
     int shown[2], n = 0;
     for (int side = 0; side < 2; side++) {
         if (v->building[side] >= 0) {
             shown[n++] = side;
         }
     }
-    const double height = 0.68 / n;
-    for (int i = 0; i < n; i++) {
-        const double top = 1 - i * height;
-        write_floor(v, c, canvas_inset(canvas_part(c, 0, 1, top - height, top), 7, 0.5, 0, 1.8),
-                    shown[i]);
+    if (v->s->n == 1) {
+        const bool ground = has_ground(v);
+        draw_facing(v, c,
+                    canvas_inset(canvas_part(c, 0, 1, ground ? 0.38 : 0, 1), 7, 0.5,
+                                 ground ? 0.5 : 3.2, 0.7),
+                    !ground);
+        if (ground) {
+            draw_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.38), 7, 0.5, 3.2, 0.5));
+        }
+        return;
     }
-    write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.32), 7, 0.5, 3.2, 0.5));
+    for (int i = 0; i < n; i++) {
+        const double height = 0.68 / n, top = 1 - i * height;
+        draw_floor(v, c, canvas_inset(canvas_part(c, 0, 1, top - height, top), 7, 0.5, 0, 1.8),
+                   shown[i]);
+    }
+    draw_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.32), 7, 0.5, 3.2, 0.5));
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
@@ -379,9 +351,9 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     }
     if (status == STATUS_OK) {
         write_subtitle(&v, subtitle, sizeof subtitle);
-        canvas_head(c, runs_title(s), subtitle);
+        canvas_head(c, s->title, subtitle);
         write_legend(&v, c);
-        write_panels(&v, c);
+        draw_panels(&v, c);
     }
     for (int k = 0; k < s->n; k++) {
         data_free(&v.data[k]);

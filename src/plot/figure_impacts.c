@@ -3,11 +3,11 @@
 // its own, the bands stand above each other from left to right of the row. Where some impact has no
 // force, impulses are shown.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/safe.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 // Of many impacts the hardest of each of PARTS parts of the duration are kept, for each contact.
@@ -112,12 +112,9 @@ static void write_impact(const struct view *v, const struct report *r, long i, F
     }
 }
 
-static int write_data(const struct view *v, int run, FILE *to, struct error *e) {
+static void write_data(const struct view *v, int run, FILE *to) {
     const struct report *r = v->s->r[run];
-    long *hardest = malloc(PARTS * sizeof *hardest);
-    if (!hardest) {
-        return error_no_memory(e);
-    }
+    long hardest[PARTS];
     fprintf(to, "$impacts%d << EOD\n# time place size %s floor\nNaN NaN NaN NaN NaN\n", run,
             v->impulse ? "impulse" : "force");
     for (int contact = 0; contact < r->n_contact; contact++) {
@@ -129,8 +126,6 @@ static int write_data(const struct view *v, int run, FILE *to, struct error *e) 
         }
     }
     fprintf(to, "EOD\n");
-    free(hardest);
-    return STATUS_OK;
 }
 
 static void band_name(const struct band *band, char *text, size_t size) {
@@ -205,26 +200,23 @@ static void write_names(const struct view *v, double em, FILE *to) {
     }
 }
 
-static void write_panel(const struct view *v, struct canvas *c, struct area a) {
-    const struct axis x = {
-        .name = "time", .dimension = dimension_time, .span = {0, runs_duration(v->s)}};
-    const struct axis y = {.name = "floor", .unit = "", .span = {0, v->top}};
+static void draw_panel(const struct view *v, struct canvas *c) {
+    const struct area a = canvas_inset(c->area, 4.8, names_width(v), 3.2, 0.7);
     const double em = (a.top - a.bottom) / v->top;  // of one floor
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    panel_open(c, &(struct panel){.area = a,
+                                  .x = runs_time_axis(v->s, true),
+                                  .y = {.name = "floor", .unit = "", .span = {0, v->top}}});
     write_floors(v, em, c->to);
     if (v->n > 1) {
         write_names(v, em, c->to);
     }
-    fprintf(c->to, "plot");
     for (int k = 0; k < v->s->n; k++) {
-        fprintf(
-            c->to,
-            "%s \\\n  $impacts%d using 1:2:($3*point) with points pt %d ps variable lc rgb '%s'",
-            k > 0 ? "," : "", k, k > 0 ? POINT_RING : POINT_DISC,
-            k > 0 ? script_colour[1] : "#700072b2");
+        panel_series(c,
+                     style_points(k > 0 ? script_colour[1] : "#700072b2",
+                                  k > 0 ? POINT_RING : POINT_DISC, -1),
+                     "$impacts%d using 1:2:($3*point)", k);
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 // What the sizes of points stand for, in one power of ten.
@@ -241,10 +233,7 @@ static void add_sizes(const struct view *v, struct legend *l) {
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
         snprintf(text, sizeof text, "%.6g%s%s %s", shown[i] / pow(10, exponent),
                  power[0] ? "\u00b7" : "", power, unit);
-        legend_add(
-            l,
-            (struct mark){.kind = MARK_POINT, .colour = "#707070", .size = point_size(v, shown[i])},
-            text, "");
+        legend_add(l, style_points("#707070", POINT_DISC, point_size(v, shown[i])), text, "");
     }
 }
 
@@ -270,14 +259,10 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
 static void write_head(const struct view *v, struct canvas *c) {
     char text[160];
     write_subtitle(v, text, sizeof text);
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     struct legend l = {0};
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        legend_add(&l,
-                   (struct mark){.kind = MARK_POINT,
-                                 .colour = script_colour[k],
-                                 .size = 2,
-                                 .point = k > 0 ? POINT_RING : POINT_DISC},
+        legend_add(&l, style_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 2),
                    v->s->name[k], "");
     }
     add_sizes(v, &l);
@@ -285,19 +270,16 @@ static void write_head(const struct view *v, struct canvas *c) {
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    (void)e;
     struct view v = {.s = s};
-    int status = STATUS_OK;
     collect(&v);
     find_largest(&v);
-    for (int k = 0; k < s->n && status == STATUS_OK; k++) {
-        status = write_data(&v, k, c->data, e);
+    for (int k = 0; k < s->n; k++) {
+        write_data(&v, k, c->data);
     }
-    if (status == STATUS_OK) {
-        write_head(&v, c);
-        write_panel(&v, c,
-                    canvas_inset(canvas_part(c, 0, 1, 0, 1), 4.8, names_width(&v), 3.2, 0.7));
-    }
-    return status;
+    write_head(&v, c);
+    draw_panel(&v, c);
+    return STATUS_OK;
 }
 
 const struct figure figure_impacts = {

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "plot/data.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { BINS = 800, IMPACTS_MAX = 12, LOOP_ROWS = 3 };
@@ -121,19 +121,12 @@ static void write_largest(const struct report *r, int contact, int run, FILE *to
 
 static int write_contact_data(struct view *v, int run, FILE *to, struct error *e) {
     const struct report *r = v->s->r[run];
-    const struct result_file *file = v->s->file[run];
     const int contact = v->contact[run];
+    const struct history h[] = {{.kind = HISTORY_TIME},
+                                {HISTORY_CONTACT, FIELD_PENETRATION, contact, 0},
+                                {HISTORY_CONTACT, FIELD_FORCE, contact, 0}};
     struct data d;
-    int status = runs_data(v->s, run, 3, &d, e);
-    if (status == STATUS_OK) {
-        status = result_time(file, d.column[0], e);
-    }
-    if (status == STATUS_OK) {
-        status = result_contact_history(file, FIELD_PENETRATION, contact, d.column[1], e);
-    }
-    if (status == STATUS_OK) {
-        status = result_contact_history(file, FIELD_FORCE, contact, d.column[2], e);
-    }
+    int status = runs_read(v->s, run, h, 3, &d, e);
     if (status == STATUS_OK) {
         fprintf(to, "$loops%d << EOD\n# penetration force, an impact a block\nNaN NaN\n\n", run);
         for (long i = 0; i < r->n_impact; i++) {
@@ -154,21 +147,13 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
 }
 
 static int write_storey_data(struct view *v, int run, int k, FILE *to, struct error *e) {
-    const struct result_file *file = v->s->file[run];
+    const int building = v->building[k], storey = v->storey[k];
+    const struct history h[] = {{.kind = HISTORY_TIME},
+                                {HISTORY_FLOOR, FIELD_DRIFT, building, storey},
+                                {HISTORY_FLOOR, FIELD_STOREY_SHEAR, building, storey}};
     char name[32];
     struct data d;
-    int status = runs_data(v->s, run, 3, &d, e);
-    if (status == STATUS_OK) {
-        status = result_time(file, d.column[0], e);
-    }
-    if (status == STATUS_OK) {
-        status =
-            result_floor_history(file, FIELD_DRIFT, v->building[k], v->storey[k], d.column[1], e);
-    }
-    if (status == STATUS_OK) {
-        status = result_floor_history(file, FIELD_STOREY_SHEAR, v->building[k], v->storey[k],
-                                      d.column[2], e);
-    }
+    int status = runs_read(v->s, run, h, 3, &d, e);
     if (status == STATUS_OK) {
         snprintf(name, sizeof name, "storey%d%d", run, k);
         status = data_write(&d, name, "time drift shear", BINS, to, e);
@@ -179,53 +164,50 @@ static int write_storey_data(struct view *v, int run, int k, FILE *to, struct er
     return status;
 }
 
-static void write_contact(const struct view *v, struct canvas *c, struct area a) {
-    const struct axis x = {
-        .name = "penetration", .dimension = dimension_length, .span = span_with_room(v->x[0], 0)};
-    const struct axis y = {.name = "contact force",
-                           .dimension = dimension_force,
-                           .span = span_with_room(v->y[0], 0),
-                           .scale = v->all_y};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    canvas_caption(c, a, v->s->r[0]->contact[v->contact[0]].name, "");
-    fprintf(c->to, "plot");
-    const char *before = "";
-    for (int k = 0; k < v->s->n; k++) {
-        if (v->impact[k] >= 0) {
-            fprintf(c->to,
-                    "%s \\\n  $loops%d using 1:2 with lines lc rgb '%s' lw 0.5, \\\n"
-                    "  $hardest%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s' lw "
-                    "1.3, \\\n"
-                    "  $largest%d using 1:2 with points pt %d ps 1.3*point lc rgb '%s'",
-                    before, k, script_colour[k], k, k > 0 ? POINT_RING : POINT_DISC,
-                    script_colour[k], k, POINT_CROSS, k > 0 ? script_colour[k] : "#404040");
-            before = ",";
-        }
-    }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+// Panel 0 is that of the contact, those behind it are of storeys.
+static struct panel panel_of(const struct view *v, int i, struct area a) {
+    const double from = i == 0 ? 0 : (double)NAN;
+    return (struct panel){.area = a,
+                          .x = {.name = i == 0 ? "penetration" : "drift",
+                                .dimension = dimension_length,
+                                .span = span_with_room(v->x[i], from),
+                                .scale = i == 0 ? span_none : v->all_x},
+                          .y = {.name = i == 0 ? "contact force" : "storey shear",
+                                .dimension = dimension_force,
+                                .span = span_with_room(v->y[i], from),
+                                .scale = v->all_y}};
 }
 
-static void write_storey(const struct view *v, struct canvas *c, struct area a, int k) {
-    char storey[32];
-    const struct axis x = {.name = "drift",
-                           .dimension = dimension_length,
-                           .span = span_with_room(v->x[1 + k], NAN),
-                           .scale = v->all_x};
-    const struct axis y = {.name = "storey shear",
-                           .dimension = dimension_force,
-                           .span = span_with_room(v->y[1 + k], NAN),
-                           .scale = v->all_y};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
-    canvas_caption(c, a, v->s->r[0]->building[v->building[k]].name, storey);
-    fprintf(c->to, "plot");
-    for (int run = 0; run < v->s->n; run++) {
-        fprintf(c->to, "%s \\\n  $storey%d%d using 2:3 with lines lc rgb '%s' lw 0.7",
-                run > 0 ? "," : "", run, k, script_colour[run]);
+static void draw_contact(const struct view *v, struct canvas *c, struct area a) {
+    struct panel p = panel_of(v, 0, a);
+    p.caption = v->s->r[0]->contact[v->contact[0]].name;
+    panel_open(c, &p);
+    for (int k = 0; k < v->s->n; k++) {
+        const char *colour = script_colour[k];
+        if (v->impact[k] >= 0) {
+            panel_series(c, style_line(colour, 0.5), "$loops%d using 1:2", k);
+            panel_series(c,
+                         (struct style){STYLE_BOTH, .colour = colour, .width = 1.3,
+                                        .point = k > 0 ? POINT_RING : POINT_DISC, .size = 0.8},
+                         "$hardest%d using 1:2", k);
+            panel_series(c, style_points(k > 0 ? colour : "#404040", POINT_CROSS, 1.3),
+                         "$largest%d using 1:2", k);
+        }
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
+}
+
+static void draw_storey(const struct view *v, struct canvas *c, struct area a, int k) {
+    struct panel p = panel_of(v, 1 + k, a);
+    char storey[32];
+    snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
+    p.caption = v->s->r[0]->building[v->building[k]].name;
+    p.tail = storey;
+    panel_open(c, &p);
+    for (int run = 0; run < v->s->n; run++) {
+        panel_series(c, style_line(script_colour[run], 0.7), "$storey%d%d using 2:3", run, k);
+    }
+    panel_close(c);
 }
 
 static void write_head(const struct view *v, struct canvas *c) {
@@ -234,19 +216,16 @@ static void write_head(const struct view *v, struct canvas *c) {
     if (v->impact[0] >= 0 && v->rows[0] < 10) {
         text = "forces against deformations; output -every 1 gives whole contact loops";
     }
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     if (v->impact[0] >= 0) {
-        legend_add(&l,
-                   (struct mark){
-                       .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
-                   "largest force, penetration", "");
+        legend_add(&l, style_points("#404040", POINT_CROSS, 1.3), "largest force, penetration", "");
     }
     if (v->rows[0] > 0 && v->s->n == 1) {
         legend_add(&l,
-                   (struct mark){.kind = v->rows[0] < LOOP_ROWS ? MARK_POINT : MARK_LINE,
-                                 .colour = script_colour[0],
-                                 .size = 0.8,
-                                 .point = POINT_DISC},
+                   (struct style){.kind = v->rows[0] < LOOP_ROWS ? STYLE_POINTS : STYLE_LINE,
+                                  .colour = script_colour[0],
+                                  .size = 0.8,
+                                  .point = POINT_DISC},
                    "hardest impact, at rows", "");
     }
     runs_legend(v->s, NULL, &l);
@@ -266,29 +245,21 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
     return status;
 }
 
-// Penetrations are apart from the drifts, and mostly far smaller.
-static void join(struct view *v) {
-    v->all_x = v->all_y = span_none;
-    for (int i = 0; i < PANELS_MAX; i++) {
-        span_join(&v->all_y, v->y[i]);
-        if (i > 0) {
-            span_join(&v->all_x, v->x[i]);
-        }
-    }
-}
-
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
-    struct view v = {.s = s};
+    struct view v = {.s = s, .all_x = span_none, .all_y = span_none};
     for (int i = 0; i < PANELS_MAX; i++) {
-        v.x[i] = span_none;
-        v.y[i] = span_none;
+        v.x[i] = v.y[i] = span_none;
     }
     choose(&v);
     int status = write_data(&v, c->data, e);
     if (status != STATUS_OK) {
         return status;
     }
-    join(&v);
+    // Penetrations are apart from the drifts, and mostly far smaller.
+    for (int i = 0; i < PANELS_MAX; i++) {
+        span_join(&v.all_y, v.y[i]);
+        span_join(&v.all_x, i > 0 ? v.x[i] : span_none);
+    }
     write_head(&v, c);
     const bool contact = v.contact[0] >= 0;
     const int n = contact + v.n_storey;
@@ -296,9 +267,9 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
         const struct area a =
             canvas_inset(canvas_part(c, (double)i / n, (i + 1.0) / n, 0, 1), 5.6, 0.8, 3.2, 1.8);
         if (contact && i == 0) {
-            write_contact(&v, c, a);
+            draw_contact(&v, c, a);
         } else {
-            write_storey(&v, c, a, i - contact);
+            draw_storey(&v, c, a, i - contact);
         }
     }
     return STATUS_OK;

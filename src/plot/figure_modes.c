@@ -6,6 +6,7 @@
 
 #include "model/modes.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { BUILDINGS_MAX = SCRIPT_COLOURS, MODES_MAX = 4 };
@@ -20,14 +21,6 @@ struct view {
 
 static const struct report_building *shown(const struct view *v, int run, int k) {
     return &v->s->r[run]->building[k];
-}
-
-static double level(const struct view *v, const struct report_building *b, int floors) {
-    double sum = 0;
-    for (int i = 0; i < floors; i++) {
-        sum += v->heights ? b->height[i] : 1;
-    }
-    return sum;
 }
 
 static struct view choose(const struct runs *s, const struct canvas *c) {
@@ -46,7 +39,7 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
     v.n_mode = v.n_mode < MODES_MAX ? v.n_mode : MODES_MAX;
     for (int k = 0; k < s->n * v.n_building; k++) {
         const struct report_building *b = shown(&v, k / v.n_building, k % v.n_building);
-        v.top = fmax(v.top, level(&v, b, b->n_floor));
+        v.top = fmax(v.top, runs_level(b, b->n_floor, v.heights));
     }
     return v;
 }
@@ -78,7 +71,7 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
         const bool known = are_its_periods(b, omega);
         fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);
         for (int i = -1; i < n; i++) {
-            fprintf(to, "%.7g", level(v, b, i + 1));
+            fprintf(to, "%.7g", runs_level(b, i + 1, v->heights));
             for (int m = 0; m < v->n_mode; m++) {
                 const double at_base = omega[m < n ? m : 0] > 0 ? 0 : (double)NAN;
                 const double value =
@@ -98,33 +91,25 @@ static double point_size(const struct view *v, int building) {
     return 1 + 2.5 * (v->n_building - 1 - building) / v->n_building;
 }
 
-static void write_panel(const struct view *v, struct canvas *c, struct area a, int mode) {
+static void draw_panel(const struct view *v, struct canvas *c, struct area a, int mode) {
     char text[32];
-    const struct axis x = {.name = "shape", .unit = "", .span = {-1.1, 1.1}, .step = 1};
-    const struct axis y = {.name = mode > 0     ? NULL
-                                   : v->heights ? "height"
-                                                : "floor",
-                           .unit = v->heights ? NULL : "",
-                           .dimension = dimension_length,
-                           .span = {0, 1.02 * v->top},
-                           .kind = mode > 0 ? AXIS_WITHOUT_NUMBERS : AXIS_FULL,
-                           .step = v->heights ? 0 : 1};
-    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "mode %d", mode + 1);
-    canvas_caption(c, a, text, "");
-    fprintf(c->to, "plot");
+    panel_open(c,
+               &(struct panel){.area = a,
+                               .x = {.name = "shape", .unit = "", .span = {-1.1, 1.1}, .step = 1},
+                               .y = runs_height_axis(mode == 0, v->heights, v->top),
+                               .caption = text});
     for (int k = 0; k < v->n_building * v->s->n; k++) {
         const int run = k / v->n_building, building = k % v->n_building;
-        fprintf(c->to, "%s \\\n  $shapes%d%d using %d:1 with %s lc rgb '%s' dt %s",
-                k > 0 ? "," : "", run, building, mode + 2, v->points ? "linespoints" : "lines",
-                script_colour[building], run > 0 ? "(10,6)" : "solid");
-        if (v->points) {
-            fprintf(c->to, " pt %d ps %.3g*point", run > 0 ? POINT_RING : script_point[building],
-                    point_size(v, building));
-        }
+        panel_series(c,
+                     (struct style){v->points ? STYLE_BOTH : STYLE_LINE,
+                                    .colour = script_colour[building],
+                                    .dash = run > 0 ? "(10,6)" : "solid",
+                                    .point = run > 0 ? POINT_RING : script_point[building],
+                                    .size = point_size(v, building)},
+                     "$shapes%d%d using %d:1", run, building, mode + 2);
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 // Three digits, but no point behind the last one.
@@ -153,10 +138,10 @@ static void add_entry(const struct view *v, struct legend *l, int k) {
     }
     const bool line = b->n_floor > 1 || b->stiffness[0] > 0;
     legend_add(l,
-               (struct mark){.kind = line ? MARK_LINE : MARK_POINT,
-                             .colour = script_colour[k],
-                             .size = point_size(v, k),
-                             .point = v->points ? script_point[k] : 0},
+               (struct style){.kind = line ? STYLE_LINE : STYLE_POINTS,
+                              .colour = script_colour[k],
+                              .size = point_size(v, k),
+                              .point = v->points ? script_point[k] : 0},
                b->name, text);
 }
 
@@ -169,7 +154,7 @@ static void write_head(const struct view *v, struct canvas *c) {
                  "mode shapes of the first %d of %d buildings, and their first periods",
                  v->n_building, n);
     }
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     struct legend l = {0};
     for (int k = 0; k < v->n_building; k++) {
         add_entry(v, &l, k);
@@ -192,7 +177,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double width = 1.0 / (v.n_mode > 2 ? v.n_mode : 3), first = (1 - v.n_mode * width) / 2;
     for (int m = 0; m < v.n_mode; m++) {
         const struct area part = canvas_part(c, first + m * width, first + (m + 1) * width, 0, 1);
-        write_panel(&v, c, canvas_inset(part, 1.1, 1.1, 3.2, 1.8), m);
+        draw_panel(&v, c, canvas_inset(part, 1.1, 1.1, 3.2, 1.8), m);
     }
     return STATUS_OK;
 }

@@ -60,7 +60,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     if (s->n > 1) {
         snprintf(text, sizeof text, "%s and %s", s->name[0], s->name[1]);
     }
-    canvas_head(c, runs_title(s), text);
+    canvas_head(c, s->title, text);
     double total = 0, above = 0;
     for (int i = 0; i < STRIPS; i++) {
         total += strip_height(s, &strips[i]);

@@ -8,22 +8,23 @@
 
 #include "core/safe.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { BUILDINGS_MAX = SCRIPT_COLOURS, PANELS = 4 };
 
-struct panel {
+struct profile {
     enum peak peak;
     const char *name, *brief;
     const struct dimension *dimension;
-    const char *data;  // name of its data blocks: floors or storeys
-    int column;
+    bool storeys;  // of storeys, not of floors
+    int column;    // of the data blocks
 };
-static const struct panel panels[PANELS] = {
-    {PEAK_DISPLACEMENT, "displacement", "displ.", &dimension_length, "floors", 2},
-    {PEAK_DRIFT, "storey drift", "drift", &dimension_length, "storeys", 2},
-    {PEAK_ACCELERATION, "acceleration", "accel.", &dimension_acceleration, "floors", 3},
-    {PEAK_SHEAR, "storey shear", "shear", &dimension_force, "storeys", 3},
+static const struct profile profiles[PANELS] = {
+    {PEAK_DISPLACEMENT, "displacement", "displ.", &dimension_length, false, 2},
+    {PEAK_DRIFT, "storey drift", "drift", &dimension_length, true, 2},
+    {PEAK_ACCELERATION, "acceleration", "accel.", &dimension_acceleration, false, 3},
+    {PEAK_SHEAR, "storey shear", "shear", &dimension_force, true, 3},
 };
 
 struct selection {
@@ -40,19 +41,15 @@ struct selection {
 
 static const double NAME_WIDTH = 9, ROW_HEIGHT = 1.4;  // [em]
 
-static bool is_of_storeys(const struct panel *p) {
-    return p->data[0] == 's';
-}
-
 // Of floor i or the storey below it; NAN where a free body has none.
-static double value_of(const struct report_building *b, const struct panel *p, int i) {
-    return is_of_storeys(p) && b->stiffness[i] == 0 ? (double)NAN : b->peak[p->peak][i];
+static double value_of(const struct report_building *b, const struct profile *p, int i) {
+    return p->storeys && b->stiffness[i] == 0 ? (double)NAN : b->peak[p->peak][i];
 }
 
 static double largest_drift(const struct report_building *b) {
     double value = 0;
     for (int i = 0; i < b->n_floor; i++) {
-        value = fmax(value, value_of(b, &panels[1], i));
+        value = fmax(value, value_of(b, &profiles[1], i));
     }
     return value;
 }
@@ -104,33 +101,23 @@ static const struct report_building *shown(const struct selection *s, int run, i
 
 // Drifts are in percent where there are heights.
 static double drawn_value(const struct selection *s, const struct report_building *b,
-                          const struct panel *p, int i) {
+                          const struct profile *p, int i) {
     const bool ratio = p->peak == PEAK_DRIFT && s->heights;
     return value_of(b, p, i) / (ratio ? b->height[i] / 100 : 1);
 }
 
-// The accelerations of the floors that were hit, with their levels or rows, from `first` on.
-static void write_hit(const struct selection *s, int run, int k, double first, FILE *to) {
+// The accelerations of the floors that were hit, with their levels, or with the `row`.
+static void write_hit(const struct selection *s, int run, int k, double row, FILE *to) {
     const struct report_building *b = shown(s, run, k);
-    double level = first;
     fprintf(to, "$hit%d%d << EOD\n# level acceleration, of floors that were hit\nNaN NaN\n", run,
             k);
     for (int i = 0; i < b->n_floor; i++) {
-        level += s->rows ? 0 : s->heights ? b->height[i] : 1;
+        const double level = s->rows ? row : runs_level(b, i + 1, s->heights);
         if (report_floor_was_hit(s->s->r[run], b->name, i + 1)) {
             fprintf(to, "%.9g %.9g\n", level, b->peak[PEAK_ACCELERATION][i]);
         }
     }
     fprintf(to, "EOD\n");
-}
-
-// Large rings around the accelerations of floors that were hit.
-static void plot_hit(const struct selection *s, const struct panel *p, FILE *to) {
-    for (int k = 0; p->peak == PEAK_ACCELERATION && s->hit && k < s->n * s->s->n; k++) {
-        fprintf(to, ", \\\n  $hit%d%d using 2:1 with points pt %d ps 2.8*point lc rgb '%s'",
-                k / s->n, k % s->n, POINT_RING, script_colour[k % s->n]);
-    }
-    fprintf(to, "\n");
 }
 
 // Of a building of one floor. Rows count upwards; a second run stands below the first.
@@ -139,7 +126,7 @@ static void write_row(const struct selection *s, int run, int k, FILE *to) {
     const double row = s->n - k + (s->s->n > 1 ? 0.15 - 0.3 * run : 0);
     double value[PANELS];
     for (int i = 0; i < PANELS; i++) {
-        value[i] = drawn_value(s, b, &panels[i], 0);
+        value[i] = drawn_value(s, b, &profiles[i], 0);
     }
     fprintf(to, "$floors%d%d << EOD\n# row displacement acceleration\n%.9g %.9g %.9g\nEOD\n", run,
             k, row, value[0], value[2]);
@@ -150,30 +137,23 @@ static void write_row(const struct selection *s, int run, int k, FILE *to) {
 
 static void write_building(const struct selection *s, int run, int k, FILE *to) {
     const struct report_building *b = shown(s, run, k);
-    double level = 0;
     fprintf(to, "$floors%d%d << EOD\n# level displacement acceleration\n0 %s NaN\n", run, k,
             b->stiffness[0] > 0 ? "0" : "NaN");
     for (int i = 0; i < b->n_floor; i++) {
-        level += s->heights ? b->height[i] : 1;
-        fprintf(to, "%.9g %.9g %.9g\n", level, b->peak[PEAK_DISPLACEMENT][i],
-                b->peak[PEAK_ACCELERATION][i]);
+        fprintf(to, "%.9g %.9g %.9g\n", runs_level(b, i + 1, s->heights),
+                b->peak[PEAK_DISPLACEMENT][i], b->peak[PEAK_ACCELERATION][i]);
     }
     fprintf(to, "EOD\n$storeys%d%d << EOD\n# level drift shear, both ends of each storey\n", run,
             k);
-    level = 0;
-    for (int i = 0; i < b->n_floor; i++) {
-        const double height = s->heights ? b->height[i] : 1;
-        const double drift = drawn_value(s, b, &panels[1], i);
-        const double shear = drawn_value(s, b, &panels[3], i);
-        fprintf(to, "%.9g %.9g %.9g\n%.9g %.9g %.9g\n", level, drift, shear, level + height, drift,
-                shear);
-        level += height;
+    for (int i = 0; i < 2 * b->n_floor; i++) {
+        fprintf(to, "%.9g %.9g %.9g\n", runs_level(b, (i + 1) / 2, s->heights),
+                drawn_value(s, b, &profiles[1], i / 2), drawn_value(s, b, &profiles[3], i / 2));
     }
     fprintf(to, "EOD\n");
     write_hit(s, run, k, 0, to);
 }
 
-static struct span panel_span(const struct selection *s, const struct panel *p) {
+static struct span panel_span(const struct selection *s, const struct profile *p) {
     struct span span = span_none;
     for (int k = 0; k < s->n * s->s->n; k++) {
         const struct report_building *b = shown(s, k / s->n, k % s->n);
@@ -188,16 +168,12 @@ static double top_level(const struct selection *s) {
     double top = 0;
     for (int k = 0; k < s->n * s->s->n; k++) {
         const struct report_building *b = shown(s, k / s->n, k % s->n);
-        double level = 0;
-        for (int i = 0; i < b->n_floor; i++) {
-            level += s->heights ? b->height[i] : 1;
-        }
-        top = fmax(top, level);
+        top = fmax(top, runs_level(b, b->n_floor, s->heights));
     }
     return top;
 }
 
-static struct axis value_axis(const struct selection *s, const struct panel *p) {
+static struct axis value_axis(const struct selection *s, const struct profile *p) {
     const bool ratio = p->peak == PEAK_DRIFT && s->heights;
     return (struct axis){.name = ratio ? "drift / height" : p->name,
                          .brief = ratio ? NULL : p->brief,
@@ -206,39 +182,44 @@ static struct axis value_axis(const struct selection *s, const struct panel *p) 
                          .span = panel_span(s, p)};
 }
 
-static void plot_profiles(const struct selection *s, const struct panel *p, bool points, FILE *to) {
-    fprintf(to, "plot");
+// A curve for each building; those of one floor have a row instead, a line from 0 with a point.
+static void draw_series(const struct selection *s, const struct profile *p, struct canvas *c) {
+    const char *data = p->storeys ? "storeys" : "floors";
     for (int k = 0; k < s->n * s->s->n; k++) {
         const int run = k / s->n, building = k % s->n;
-        fprintf(to, "%s \\\n  $%s%d%d using %d:1 with %s lc rgb '%s' dt %s", k > 0 ? "," : "",
-                p->data, run, building, p->column, points ? "linespoints" : "lines",
-                script_colour[building], run > 0 ? "(10,6)" : "solid");
-        if (points) {
-            fprintf(to, " pt %d ps 1.2*point", run > 0 ? POINT_RING : script_point[building]);
+        const bool points = s->rows || (s->points && !p->storeys);
+        struct style line = style_line(script_colour[building], s->rows ? 1.5 : 0);
+        struct style point = style_points(
+            line.colour, run > 0 ? POINT_RING : script_point[building], s->rows ? 1.8 : 1.2);
+        line.dash = run > 0 ? "(10,6)" : "solid";
+        if (s->rows) {
+            line.kind = STYLE_VECTOR;
+            panel_series(c, line, "$%s%d%d using (0):1:%d:(0)", data, run, building, p->column);
+        } else if (points) {
+            point.kind = STYLE_BOTH;
+            point.dash = line.dash;
         }
+        panel_series(c, points ? point : line, "$%s%d%d using %d:1", data, run, building,
+                     p->column);
     }
-    plot_hit(s, p, to);
+    // Large rings around the accelerations of floors that were hit.
+    for (int k = 0; p->peak == PEAK_ACCELERATION && s->hit && k < s->n * s->s->n; k++) {
+        panel_series(c, style_points(script_colour[k % s->n], POINT_RING, 2.8),
+                     "$hit%d%d using 2:1", k / s->n, k % s->n);
+    }
+    panel_close(c);
 }
 
 // The panel `at` of `n` beside each other.
-static void write_panel(const struct selection *s, const struct panel *p, int at, int n,
-                        struct canvas *c) {
-    const struct axis x = value_axis(s, p);
-    const struct axis y = {.name = at > 0       ? NULL
-                                   : s->heights ? "height"
-                                                : "floor",
-                           .unit = s->heights ? NULL : "",
-                           .dimension = dimension_length,
-                           .span = {0, 1.02 * top_level(s)},
-                           .kind = at > 0 ? AXIS_WITHOUT_NUMBERS : AXIS_FULL,
-                           .step = s->heights ? 0 : 1};
+static void draw_panel(const struct selection *s, const struct profile *p, int at, int n,
+                       struct canvas *c) {
     struct canvas within = *c;
     within.area.left += 4.2;
-    const struct area a = canvas_inset(canvas_part(&within, (double)at / n, (at + 1.0) / n, 0, 1),
-                                       1.1, 1.1, 3.2, 0.5);
-    canvas_panel(c, a, &s->s->r[0]->units, &x, &y);
-    plot_profiles(s, p, s->points && !is_of_storeys(p), c->to);
-    canvas_panel_end(c);
+    const struct area part = canvas_part(&within, (double)at / n, (at + 1.0) / n, 0, 1);
+    panel_open(c, &(struct panel){.area = canvas_inset(part, 1.1, 1.1, 3.2, 0.5),
+                                  .x = value_axis(s, p),
+                                  .y = runs_height_axis(at == 0, s->heights, top_level(s))});
+    draw_series(s, p, c);
 }
 
 static void write_names(const struct selection *s, FILE *to) {
@@ -253,23 +234,9 @@ static void write_names(const struct selection *s, FILE *to) {
     fprintf(to, ")\n");
 }
 
-static void plot_rows(const struct selection *s, const struct panel *p, FILE *to) {
-    fprintf(to, "plot");
-    for (int k = 0; k < s->n * s->s->n; k++) {
-        const int run = k / s->n, building = k % s->n;
-        fprintf(to,
-                "%s \\\n  $%s%d%d using (0):1:%d:(0) with vectors nohead lc rgb '%s' lw 1.5 dt %s, "
-                "\\\n  $%s%d%d using %d:1 with points pt %d ps 1.8*point lc rgb '%s'",
-                k > 0 ? "," : "", p->data, run, building, p->column, script_colour[building],
-                run > 0 ? "(10,6)" : "solid", p->data, run, building, p->column,
-                run > 0 ? POINT_RING : script_point[building], script_colour[building]);
-    }
-    plot_hit(s, p, to);
-}
-
 // Panel `at` of `n`, two above each other where there is room.
-static void write_rows(const struct selection *s, const struct panel *p, int at, int n,
-                       struct canvas *c) {
+static void draw_rows(const struct selection *s, const struct profile *p, int at, int n,
+                      struct canvas *c) {
     struct canvas within = *c;
     double names = 0;
     for (int k = 0; k < s->n; k++) {
@@ -283,14 +250,14 @@ static void write_rows(const struct selection *s, const struct panel *p, int at,
         canvas_inset(canvas_part(&within, (double)column / across, (column + 1.0) / across,
                                  1 - (line + 1.0) / lines, 1 - (double)line / lines),
                      1.1, 1.1, 3.2, 0.5);
-    const struct axis x = value_axis(s, p);
-    const struct axis y = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
-    canvas_panel(c, a, &s->s->r[0]->units, &x, &y);
+    panel_open(c, &(struct panel){
+                      .area = a,
+                      .x = value_axis(s, p),
+                      .y = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1}});
     if (column == 0) {
         write_names(s, c->to);
     }
-    plot_rows(s, p, c->to);
-    canvas_panel_end(c);
+    draw_series(s, p, c);
 }
 
 // Rows have their names beside them; a free body has a point on each panel, but no line.
@@ -300,17 +267,14 @@ static void write_legend(const struct selection *s, struct canvas *c) {
         const struct report_building *b = shown(s, 0, k);
         const bool line = b->n_floor > 1 || b->stiffness[0] > 0;
         legend_add(&l,
-                   (struct mark){.kind = line ? MARK_LINE : MARK_POINT,
-                                 .colour = script_colour[k],
-                                 .size = 1.2,
-                                 .point = s->points ? script_point[k] : 0},
+                   (struct style){.kind = line ? STYLE_LINE : STYLE_POINTS,
+                                  .colour = script_colour[k],
+                                  .size = 1.2,
+                                  .point = s->points ? script_point[k] : 0},
                    b->name, "");
     }
     if (s->hit) {
-        legend_add(&l,
-                   (struct mark){
-                       .kind = MARK_POINT, .colour = "#808080", .size = 2.8, .point = POINT_RING},
-                   report_hit_name, "");
+        legend_add(&l, style_points("#808080", POINT_RING, 2.8), report_hit_name, "");
     }
     runs_legend(s->s, "#808080", &l);
     legend_write(&l, c);
@@ -326,7 +290,7 @@ static void write_head(const struct selection *s, struct canvas *c) {
     } else {
         snprintf(text, sizeof text, "peaks over all steps; %s", kinds);
     }
-    canvas_head(c, runs_title(s->s), text);
+    canvas_head(c, s->s->title, text);
     write_legend(s, c);
 }
 
@@ -340,8 +304,8 @@ static int draw(const struct runs *runs, struct canvas *c, struct error *e) {
     write_head(&s, c);
     const int n = s.storeys ? PANELS : PANELS - 2;
     for (int i = 0, at = 0; i < PANELS; i++) {
-        if (s.storeys || !is_of_storeys(&panels[i])) {
-            (s.rows ? write_rows : write_panel)(&s, &panels[i], at++, n, c);
+        if (s.storeys || !profiles[i].storeys) {
+            (s.rows ? draw_rows : draw_panel)(&s, &profiles[i], at++, n, c);
         }
     }
     return STATUS_OK;

@@ -6,8 +6,8 @@
 
 #include "core/arena.h"
 #include "jostle/spectrum.h"
-#include "plot/data.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { PERIODS = 100, SERIES_MAX = 6 };
@@ -17,13 +17,13 @@ static const double first_period = 0.02, last_period = 5;  // [s]
 static const char *const ground_colour[] = {"#808080", "#b8b8b8"};
 
 // A floor, or a ground.
-struct series {
+struct owner {
     int building, floor;  // from 0; floor -1: the ground
 };
 
 struct view {
     const struct runs *s;
-    struct series series[SERIES_MAX];
+    struct owner series[SERIES_MAX];
     int n;
     int n_ground;  // of them, the last ones
     double dt;     // of the first run's rows
@@ -40,7 +40,7 @@ static void add(struct view *v, int building, int floor) {
             return;
         }
     }
-    v->series[v->n++] = (struct series){building, floor};
+    v->series[v->n++] = (struct owner){building, floor};
 }
 
 // The ground below each of the two buildings, one where they are the same; none that is at rest.
@@ -48,13 +48,10 @@ static int add_grounds(struct view *v, const int *building, struct error *e) {
     bool moves[2] = {false, false}, differ = false;
     int status = STATUS_OK;
     for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
+        const struct history h[] = {{HISTORY_GROUND, 0, building[0], 0},
+                                    {HISTORY_GROUND, 0, building[1], 0}};
         struct data d;
-        status = runs_data(v->s, run, 2, &d, e);
-        for (int side = 0; side < 2 && status == STATUS_OK; side++) {
-            if (building[side] >= 0) {
-                status = result_ground(v->s->file[run], building[side], d.column[side], e);
-            }
-        }
+        status = runs_read(v->s, run, h, 2, &d, e);
         for (size_t i = 0; i < d.n_row && status == STATUS_OK; i++) {
             moves[0] |= d.column[0][i] != 0;
             moves[1] |= d.column[1][i] != 0;
@@ -137,25 +134,15 @@ static void write_spectrum(struct view *v, int run, int series, const struct sig
     fprintf(to, "EOD\n");
 }
 
-static int read_series(const struct view *v, int run, int series, struct data *d, struct error *e) {
-    const struct series *p = &v->series[series];
-    int status = result_time(v->s->file[run], d->column[0], e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    return p->floor < 0 ? result_ground(v->s->file[run], p->building, d->column[1], e)
-                        : result_floor_history(v->s->file[run], FIELD_ACCELERATION, p->building,
-                                               p->floor, d->column[1], e);
-}
-
 static int write_series(struct view *v, int run, int series, FILE *to, struct error *e) {
+    const struct owner *p = &v->series[series];
+    const struct history h[] = {
+        {.kind = HISTORY_TIME},
+        {p->floor < 0 ? HISTORY_GROUND : HISTORY_FLOOR, FIELD_ACCELERATION, p->building, p->floor}};
     struct data d;
     struct signal ground;
     size_t n = 0;
-    int status = runs_data(v->s, run, 2, &d, e);
-    if (status == STATUS_OK) {
-        status = read_series(v, run, series, &d, e);
-    }
+    int status = runs_read(v->s, run, h, 2, &d, e);
     if (status == STATUS_OK) {
         status = even_rows(v->s, run, &d, &n, e);
     }
@@ -185,40 +172,38 @@ static void write_head(const struct view *v, struct canvas *c) {
     char text[160];
     snprintf(text, sizeof text, "floor response spectra, %g %% damping, of rows every %.4g %s",
              100 * damping_ratio, v->dt, r->units.time_name);
-    canvas_head(c, runs_title(v->s), text);
+    canvas_head(c, v->s->title, text);
     for (int i = 0; i < v->n; i++) {
-        const struct series *p = &v->series[i];
+        const struct owner *p = &v->series[i];
         const char *name = r->building[p->building].name;
         snprintf(text, sizeof text, ", floor %d", p->floor + 1);
         if (p->floor < 0) {
             name = v->n_ground > 1 ? name : "";
             snprintf(text, sizeof text, "%sground", name[0] ? ", " : "");
         }
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)}, name, text);
+        legend_add(&l, style_line(colour(v, i), 0), name, text);
     }
     runs_legend(v->s, "#000000", &l);
     legend_write(&l, c);
 }
 
-static void write_panel(const struct view *v, struct canvas *c) {
+static void draw_panel(const struct view *v, struct canvas *c) {
     const double second = 1 / v->s->r[0]->units.time;
-    const struct axis x = {.name = "period",
-                           .dimension = dimension_time,
-                           .span = {second * first_period, second * last_period},
-                           .kind = AXIS_LOGARITHMIC};
-    const struct axis y = {.name = "pseudo-acceleration",
-                           .dimension = dimension_acceleration,
-                           .span = span_with_room(v->acceleration, 0)};
-    canvas_panel(c, canvas_inset(canvas_part(c, 0, 1, 0, 1), 5.8, 0.9, 3.2, 0.7),
-                 &v->s->r[0]->units, &x, &y);
-    fprintf(c->to, "plot");
+    panel_open(c, &(struct panel){.area = canvas_inset(c->area, 5.8, 0.9, 3.2, 0.7),
+                                  .x = {.name = "period",
+                                        .dimension = dimension_time,
+                                        .span = {second * first_period, second * last_period},
+                                        .kind = AXIS_LOGARITHMIC},
+                                  .y = {.name = "pseudo-acceleration",
+                                        .dimension = dimension_acceleration,
+                                        .span = span_with_room(v->acceleration, 0)}});
     for (int k = 0; k < v->n * v->s->n; k++) {
         const int run = k / v->n, i = k % v->n;
-        fprintf(c->to, "%s \\\n  $spectrum%d%d using 1:2 with lines lc rgb '%s' dt %s",
-                k > 0 ? "," : "", run, i, colour(v, i), run > 0 ? "(10,6)" : "solid");
+        struct style line = style_line(colour(v, i), 0);
+        line.dash = run > 0 ? "(10,6)" : "solid";
+        panel_series(c, line, "$spectrum%d%d using 1:2", run, i);
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
@@ -229,7 +214,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     }
     if (status == STATUS_OK) {
         write_head(&v, c);
-        write_panel(&v, c);
+        draw_panel(&v, c);
     }
     return status;
 }

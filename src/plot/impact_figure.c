@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "plot/legend.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 enum { SAMPLES_SHOWN = 1500 };  // pairs of a smallest and a largest one
@@ -113,12 +114,10 @@ static void write_head(const struct impact_figure *f, struct canvas *c) {
     }
     struct legend l = {0};
     for (int k = 0; k < f->n_curve; k++) {
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                   f->curve[k].name, "");
+        legend_add(&l, style_line(script_colour[k], 0), f->curve[k].name, "");
     }
     if (f->n_sample > 0) {
-        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = sample_colour, .size = 0.8},
-                   "measured", "");
+        legend_add(&l, style_points(sample_colour, POINT_DISC, 0.8), "measured", "");
     }
     legend_write(&l, c);
 }
@@ -128,17 +127,18 @@ static struct axis axis_of(const char *name, const struct scale *s, struct span 
         .name = name, .unit = s->unit, .span = {span.low / s->size, span.high / s->size}};
 }
 
-// `column` of the data against the force.
-static void write_plot(const struct impact_figure *f, int column, FILE *to) {
-    fprintf(to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\nplot \\\n");
+// A panel of the force against `column` of the data.
+static void draw_panel(const struct impact_figure *f, const struct panel *p, int column,
+                       struct canvas *c) {
+    panel_open(c, p);
+    fprintf(c->to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\n");
     if (f->n_sample > 0 && column == 1) {
-        fprintf(to, "  $measured using 1:2 with points pt %d ps 0.8*point lc rgb '%s', \\\n",
-                POINT_DISC, sample_colour);
+        panel_series(c, style_points(sample_colour, POINT_DISC, 0.8), "$measured using 1:2");
     }
-    for (int c = 0; c < f->n_curve; c++) {
-        fprintf(to, "  $curve%d using %d:2 with lines lc rgb '%s'%s\n", c, column, script_colour[c],
-                c + 1 < f->n_curve ? ", \\" : "");
+    for (int k = 0; k < f->n_curve; k++) {
+        panel_series(c, style_line(script_colour[k], 0), "$curve%d using %d:2", k, column);
     }
+    panel_close(c);
 }
 
 // The numbers of the impact in the units of the axes below.
@@ -155,38 +155,34 @@ static void write_captions(const struct impact_figure *f, const struct scales *s
              i->max_penetration / s->length.size, s->length.unit);
 }
 
-static void write_panels(const struct impact_figure *f, const struct extent *x,
-                         const struct scales *s, struct canvas *c) {
-    struct unit_system si;
-    unit_system_init(&si);
-    struct axis force =
-        axis_of("contact force", &s->force, span_with_room(x->force, x->force.low < 0 ? NAN : 0));
-    const struct axis time = axis_of("time", &s->time, span_with_room(x->time, x->time.low));
-    const struct axis depth = axis_of("penetration", &s->length, span_with_room(x->depth, 0));
+static void draw_panels(const struct impact_figure *f, const struct extent *x,
+                        const struct scales *s, struct canvas *c) {
     const double top = f->impact ? 1.6 : 0.7;
     char over_time[128] = "", over_depth[128] = "";
     if (f->impact) {
         write_captions(f, s, over_time, over_depth, sizeof over_time);
     }
     c->area.left += 5.8;
-    const struct area left = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top);
-    const struct area right = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
-    canvas_panel(c, left, &si, &time, &force);
-    canvas_caption(c, left, over_time, "");
-    write_plot(f, 1, c->to);
-    canvas_panel_end(c);
-    force.name = NULL;
-    force.kind = AXIS_WITHOUT_NUMBERS;
-    canvas_panel(c, right, &si, &depth, &force);
-    canvas_caption(c, right, over_depth, "");
-    write_plot(f, 3, c->to);
-    canvas_panel_end(c);
+    struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top),
+                      .x = axis_of("time", &s->time, span_with_room(x->time, x->time.low)),
+                      .y = axis_of("contact force", &s->force,
+                                   span_with_room(x->force, x->force.low < 0 ? NAN : 0)),
+                      .caption = over_time};
+    draw_panel(f, &p, 1, c);
+    p.area = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
+    p.x = axis_of("penetration", &s->length, span_with_room(x->depth, 0));
+    p.y.name = NULL;
+    p.y.kind = AXIS_WITHOUT_NUMBERS;
+    p.caption = over_depth;
+    draw_panel(f, &p, 3, c);
 }
 
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e) {
+    struct unit_system si;
+    unit_system_init(&si);
     const struct figure_head head = {
-        .name = "impact", .doc = "force of isolated impacts", .version = f->version};
+        .name = "impact", .doc = "force of isolated impacts", .version = f->version, .units = &si};
     const struct extent x = extent_of(f);
     const struct scales s = scales_of(&x);
     struct canvas canvas;
@@ -199,7 +195,7 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
     }
     if (status == STATUS_OK) {
         write_head(f, &canvas);
-        write_panels(f, &x, &s, &canvas);
+        draw_panels(f, &x, &s, &canvas);
         figure_close(&canvas);
     }
     return status;

@@ -16,7 +16,7 @@ static const double MARK = 2.1;     // a mark with its distance from the name
 static const double BETWEEN = 1.6;  // entries
 static const double NAME = 4;       // that is left of a long name
 
-void legend_add(struct legend *l, struct mark mark, const char *name, const char *tail) {
+void legend_add(struct legend *l, struct style mark, const char *name, const char *tail) {
     assert(l->n < LEGEND_MAX);
     struct legend_entry *entry = &l->entry[l->n++];
     entry->mark = mark;
@@ -64,8 +64,8 @@ static int find_columns(const struct legend *l, double width) {
 }
 
 // A line. Dashes are lines of their own: gnuplot's svg terminal draws dashed arrows solid.
-static void write_line(const struct canvas *c, struct mark mark, double x, double y) {
-    const bool dashed = mark.kind == MARK_DASHED;
+static void write_line(const struct canvas *c, struct style mark, double x, double y) {
+    const bool dashed = mark.dash && mark.dash[0] == '(';  // not "solid"
     const double length = dashed ? 0.4 : 1.6;
     for (double at = 0; at + length < 1.65; at += 0.6) {
         fprintf(c->to,
@@ -74,32 +74,26 @@ static void write_line(const struct canvas *c, struct mark mark, double x, doubl
     }
 }
 
-static void write_point(const struct canvas *c, struct mark mark, double x, double y) {
+static void write_point(const struct canvas *c, struct style mark, double x, double y) {
     fprintf(c->to, "set label ''");
     canvas_place(c, x + 0.8, y);
     fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
             mark.point > 0 ? mark.point : POINT_DISC, mark.size > 0 ? mark.size : 1, mark.colour);
 }
 
-static void write_mark(const struct canvas *c, struct mark mark, double x, double y) {
-    switch (mark.kind) {
-        case MARK_LINE:
-        case MARK_DASHED:
-            write_line(c, mark, x, y);
-            if (mark.point > 0) {
-                write_point(c, mark, x, y);
-            }
-            break;
-        case MARK_AREA:
-            fprintf(c->to,
-                    "set object rectangle from screen %.4f,%.4f rto screen %.4f,%.4f "
-                    "fc rgb '%s' fs solid noborder\n",
-                    x / c->width, (y - 0.35) / c->height, 1.6 / c->width, 0.7 / c->height,
-                    mark.colour);
-            break;
-        case MARK_POINT:
-            write_point(c, mark, x, y);
-            break;
+static void write_mark(const struct canvas *c, struct style mark, double x, double y) {
+    if (mark.kind == STYLE_AREA) {
+        fprintf(c->to,
+                "set object rectangle from screen %.4f,%.4f rto screen %.4f,%.4f "
+                "fc rgb '%s' fs solid noborder\n",
+                x / c->width, (y - 0.35) / c->height, 1.6 / c->width, 0.7 / c->height, mark.colour);
+        return;
+    }
+    if (mark.kind != STYLE_POINTS) {
+        write_line(c, mark, x, y);
+    }
+    if (mark.kind == STYLE_POINTS || mark.point > 0) {
+        write_point(c, mark, x, y);
     }
 }
 

@@ -3,22 +3,11 @@
 #ifndef JOSTLE_LEGEND_H
 #define JOSTLE_LEGEND_H
 
-#include "plot/canvas.h"
-
-// What stands for the data.
-enum mark_kind { MARK_LINE, MARK_DASHED, MARK_AREA, MARK_POINT };
-// Points by gnuplot's numbers, which mean the same on all terminals used.
-enum mark_point { POINT_CROSS = 2, POINT_RING = 6, POINT_DISC = 7 };
-struct mark {
-    enum mark_kind kind;
-    const char *colour;
-    double size;  // of points; 0: as usual
-    int point;    // enum mark_point, or of script_point; 0: a disc, on a line none
-};
+#include "plot/panel.h"
 
 enum { LEGEND_MAX = 16 };
 struct legend_entry {
-    struct mark mark;
+    struct style mark;
     char name[128], tail[128];
 };
 struct legend {
@@ -26,9 +15,9 @@ struct legend {
     struct legend_entry entry[LEGEND_MAX];
 };
 
-// Adds an entry: a name, whose middle is left out where there is little room, and what is always
-// told behind it.
-void legend_add(struct legend *l, struct mark mark, const char *name, const char *tail);
+// Adds an entry: a sample of the style, a line, points or an area, a name, whose middle is left out
+// where there is little room, and what is always told behind it.
+void legend_add(struct legend *l, struct style mark, const char *name, const char *tail);
 
 // Writes the entries beside each other, in columns where they need more lines than one, and takes
 // their room from the top of the canvas's area. Drawn with the first panel.

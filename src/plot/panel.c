@@ -1,28 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot/panel.h"
 
+#include <math.h>
 #include <stdarg.h>
 
+#include "plot/script.h"
+
+struct style style_line(const char *colour, double width) {
+    return (struct style){STYLE_LINE, .colour = colour, .width = width};
+}
+
+struct style style_area(const char *colour) {
+    return (struct style){STYLE_AREA, .colour = colour};
+}
+
+struct style style_points(const char *colour, int point, double size) {
+    return (struct style){STYLE_POINTS, .colour = colour, .point = point, .size = size};
+}
+
 void panel_open(struct canvas *c, const struct panel *p) {
-    canvas_panel(c, p->area, c->units, &p->x, &p->y);
+    const struct area *a = &p->area;
+    canvas_axes(c, *a, &p->x, &p->y);
     if (p->caption) {
-        canvas_caption(c, p->area, p->caption, p->tail ? p->tail : "");
+        const char *tail = p->tail ? p->tail : "";
+        char cut[256], text[320];
+        script_shorten(p->caption, a->right - a->left + 1 - script_width(tail), cut, sizeof cut);
+        snprintf(text, sizeof text, "%s%s", cut, tail);
+        canvas_label(c, text, INFINITY);
+        canvas_place(c, a->left, a->top + 0.65);
+        fprintf(c->to, " left\n");
     }
     if (p->note) {
-        canvas_note(c, p->area, p->note);
+        canvas_label(c, p->note, a->right - a->left);
+        canvas_place(c, (a->left + a->right) / 2, (a->bottom + a->top) / 2);
+        fprintf(c->to, " center textcolor rgb '#606060'\n");
     }
     c->n_series = 0;
 }
 
-static void write_point(FILE *to, const struct style *s) {
-    fprintf(to, " pt %d ps ", s->point);
-    if (s->size > 0) {
-        fprintf(to, "%.3g*", s->size);
+static void write_point(FILE *to, struct style s) {
+    fprintf(to, " pt %d ps ", s.point > 0 ? s.point : POINT_DISC);
+    if (s.size > 0) {
+        fprintf(to, "%.3g*", s.size);
     }
-    fprintf(to, "%s", s->size < 0 ? "variable" : "point");
+    fprintf(to, "%s", s.size < 0 ? "variable" : "point");
 }
 
-void panel_series(struct canvas *c, const struct style *s, const char *data, ...) {
+void panel_series(struct canvas *c, struct style s, const char *data, ...) {
     static const char *const words[] = {
         [STYLE_LINE] = "lines",
         [STYLE_AREA] = "filledcurves",
@@ -34,28 +58,27 @@ void panel_series(struct canvas *c, const struct style *s, const char *data, ...
         [STYLE_BARS] = "yerrorbars pt 7 ps 0",
         [STYLE_BOXES] = "boxxyerror fc palette",
     };
-    const bool filled = s->kind == STYLE_AREA || s->kind == STYLE_AREA_BELOW;
+    const bool filled = s.kind == STYLE_AREA || s.kind == STYLE_AREA_BELOW;
     va_list list;
     fprintf(c->to, "%s \\\n  ", c->n_series++ == 0 ? "plot" : ",");
     va_start(list, data);
     vfprintf(c->to, data, list);
     va_end(list);
-    fprintf(c->to, " with %s", words[s->kind]);
-    if (s->kind == STYLE_POINTS || s->kind == STYLE_BOTH) {
+    fprintf(c->to, " with %s", words[s.kind]);
+    if (s.kind == STYLE_POINTS || s.kind == STYLE_BOTH) {
         write_point(c->to, s);
     }
-    if (s->colour) {
-        fprintf(c->to, " %s rgb '%s'", filled ? "fc" : "lc", s->colour);
+    if (s.colour) {
+        fprintf(c->to, " %s rgb '%s'", filled ? "fc" : "lc", s.colour);
     }
-    if (s->width > 0) {
-        fprintf(c->to, " lw %g", s->width);
+    if (s.width > 0) {
+        fprintf(c->to, " lw %g", s.width);
     }
-    if (s->dash) {
-        fprintf(c->to, " dt %s", s->dash);
+    if (s.dash) {
+        fprintf(c->to, " dt %s", s.dash);
     }
 }
 
 void panel_close(struct canvas *c) {
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    fprintf(c->to, "\nunset label\nunset arrow\nunset object\n");
 }

@@ -8,7 +8,7 @@
 struct panel {
     struct area area;  // the axes stand at its sides
     struct axis x, y;
-    const char *caption, *tail;  // above the panel, as of canvas_caption; NULL: none
+    const char *caption, *tail;  // above it; a long caption loses its middle; NULL: none
     const char *note;            // in the middle: why the panel is empty; NULL: it is not
 };
 
@@ -24,24 +24,33 @@ enum style_kind {
     STYLE_BARS,     // upright bars between two values
     STYLE_BOXES,    // boxes whose colours are those of the palette
 };
+// Points by gnuplot's numbers, which mean the same on all terminals used.
+enum style_point { POINT_CROSS = 2, POINT_RING = 6, POINT_DISC = 7 };
+// The look of a series, and of its sample in the legend.
 struct style {
     enum style_kind kind;
     const char *colour;
     double width;      // of lines; 0: as usual
-    const char *dash;  // in gnuplot's words; NULL: none
-    int point;         // as of struct mark
+    const char *dash;  // "(10,6)" or "solid"; NULL: none
+    int point;         // enum style_point, or of script_point; 0: a disc, on a line none
     double size;       // of points; 0: as usual; below 0: the third column has it
 };
 
-// Opens a panel. What the series need beside it, such as names for tics, is written next.
+struct style style_line(const char *colour, double width);
+struct style style_area(const char *colour);
+struct style style_points(const char *colour, int point, double size);
+
+// Draws the axes and texts of a panel. Other commands for it, such as tics with names, follow
+// before its first series.
 void panel_open(struct canvas *c, const struct panel *p);
 
-// Draws a series over those before. The text says as for printf which data block and which columns:
-// "$rows%d using 1:2". It is made of literals and numbers, see check_script.sh.
-void panel_series(struct canvas *c, const struct style *s, const char *data, ...)
+// Draws a series over those before it. `data` is the format of a data block and its columns, such
+// as
+// "$rows%d using 1:2"; its arguments are literals and numbers, as check_script.sh demands.
+void panel_series(struct canvas *c, struct style s, const char *data, ...)
     __attribute__((format(printf, 3, 4)));
 
-// Ends the panel, which has one series at least.
+// Ends the panel. It must have a series.
 void panel_close(struct canvas *c);
 
 #endif

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "plot/panel.h"
+
 enum { SHADES = 64 };
 
 // Five colours of viridis (Smith and van der Walt 2015), whose lightness rises evenly.
@@ -50,35 +52,36 @@ static struct axis period_axis(const struct pounding_map *map, const char *name)
 
 int pounding_map_write(const struct pounding_map *map, const struct figure_files *to,
                        struct error *e) {
-    const struct figure_head head = {
-        .name = "pounding", .doc = "pounding force spectrum", .version = map->version};
+    const struct figure_head head = {.name = "pounding",
+                                     .doc = "pounding force spectrum",
+                                     .version = map->version,
+                                     .units = map->units};
     struct canvas c;
     int status = figure_open(&head, to, &c, e);
     if (status != STATUS_OK) {
         return status;
     }
     const struct span force = write_data(map, c.data);
-    const struct axis left = period_axis(map, "T1, period of the left structure");
-    const struct axis right = period_axis(map, "T2, period of the right structure");
-    const struct axis none = {.span = {0, 1}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
-    const struct axis shade = {
-        .name = "largest contact force", .dimension = dimension_force, .span = force};
     canvas_head(&c, map->title, map->subtitle);
-    const struct area boxes = canvas_inset(c.area, 5.8, 9.5, 3.2, 0.7);
-    const struct area scale = {c.area.right - 2, c.area.right - 0.5, boxes.bottom, boxes.top};
-    canvas_panel(&c, boxes, map->units, &left, &right);
+    struct panel p = {.area = canvas_inset(c.area, 5.8, 9.5, 3.2, 0.7),
+                      .x = period_axis(map, "T1, period of the left structure"),
+                      .y = period_axis(map, "T2, period of the right structure")};
+    panel_open(&c, &p);
+    fprintf(c.to, "%sset cbrange [0:%.9g]\n", palette, force.high);
     // Each box reaches a little under the next one, lest the page shows between them.
-    fprintf(c.to,
-            "%sset cbrange [0:%.9g]\n"
-            "plot $forces using 1:2:3:($4*1.01):5:($6*1.01):7 with boxxyerror fc palette\n",
-            palette, force.high);
-    canvas_panel_end(&c);
-    canvas_panel(&c, scale, map->units, &none, &shade);
-    fprintf(c.to,
-            "unset xtics\n"
-            "plot $shades using (0.5):3:(0):(1):1:($2+%.9g):3 with boxxyerror fc palette\n",
-            force.high / SHADES);
-    canvas_panel_end(&c);
+    panel_series(&c, (struct style){.kind = STYLE_BOXES},
+                 "$forces using 1:2:3:($4*1.01):5:($6*1.01):7");
+    panel_close(&c);
+    p.area.left = c.area.right - 2;
+    p.area.right = c.area.right - 0.5;
+    p.x = (struct axis){.span = {0, 1}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
+    p.y =
+        (struct axis){.name = "largest contact force", .dimension = dimension_force, .span = force};
+    panel_open(&c, &p);
+    fprintf(c.to, "unset xtics\n");
+    panel_series(&c, (struct style){.kind = STYLE_BOXES},
+                 "$shades using (0.5):3:(0):(1):1:($2+%.9g):3", force.high / SHADES);
+    panel_close(&c);
     figure_close(&c);
     return STATUS_OK;
 }

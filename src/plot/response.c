@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "plot/legend.h"
+#include "plot/panel.h"
 #include "plot/script.h"
 
 // More records than this are grey lines without names.
@@ -14,7 +15,7 @@ enum { NAMED_MAX = 6 };
 static const char band_colour[] = "#d8d8d8";
 static const char other_colour[] = "#a0a0a0";
 static const char mean_colour[] = "#000000";
-static const char target_colour[] = "#c00000";
+static const struct style target = {STYLE_LINE, "#c00000", 1.6, "(10,6)", 0, 0};
 static const char *const record_colour[NAMED_MAX] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
 };
@@ -106,7 +107,7 @@ static void write_records(const struct response_sheet *sheet, struct legend *l) 
     char text[128];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
-        legend_add(l, (struct mark){.kind = MARK_LINE, .colour = other_colour}, text, "");
+        legend_add(l, style_line(other_colour, 0), text, "");
         return;
     }
     for (int r = 0; r < s->n_record; r++) {
@@ -114,8 +115,7 @@ static void write_records(const struct response_sheet *sheet, struct legend *l) 
         if (!sheet->target) {
             snprintf(text, sizeof text, ": %.2g g", sheet->intensity[r].pga / sheet->gravity);
         }
-        legend_add(l, (struct mark){.kind = MARK_LINE, .colour = record_colour[r]}, sheet->name[r],
-                   text);
+        legend_add(l, style_line(record_colour[r], 0), sheet->name[r], text);
     }
 }
 
@@ -124,17 +124,17 @@ static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
     struct legend l = {0};
     if (s->n_damping == 1 && s->n_record > 1) {
         write_records(sheet, &l);
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = mean_colour}, "mean", "");
-        legend_add(&l, (struct mark){.kind = MARK_AREA, .colour = band_colour}, "16 to 84 %", "");
+        legend_add(&l, style_line(mean_colour, 0), "mean", "");
+        legend_add(&l, style_area(band_colour), "16 to 84 %", "");
     }
     if (sheet->target) {
-        legend_add(&l, (struct mark){.kind = MARK_DASHED, .colour = target_colour}, "target", "");
+        legend_add(&l, target, "target", "");
     }
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
         char text[64];
         snprintf(text, sizeof text, "%g %% damping", 100.0 * s->damping[d]);
         const char *colour = script_colour[d % SCRIPT_COLOURS];
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = colour}, text, "");
+        legend_add(&l, style_line(colour, 0), text, "");
     }
     legend_write(&l, c);
 }
@@ -171,12 +171,6 @@ static struct axis acceleration_axis(const struct response_sheet *sheet) {
         .name = "pseudo-acceleration", .unit = "g", .span = span_with_room(span, 0)};
 }
 
-static void write_line(FILE *to, const char **comma, int at, const char *colour, double width) {
-    fprintf(to, "%s \\\n  $spectra using 1:%d with lines lw %g lc rgb '%s'", *comma, at, width,
-            colour);
-    *comma = ",";
-}
-
 // The ends of the periods at which the target was compared, where they are within the picture.
 static void write_match(const struct response_sheet *sheet, struct span shown, FILE *to) {
     const double end[] = {sheet->match.low, sheet->match.high};
@@ -185,61 +179,63 @@ static void write_match(const struct response_sheet *sheet, struct span shown, F
             fprintf(to,
                     "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
                     "lw 1 dt (2,4)\n",
-                    end[i], end[i], target_colour);
+                    end[i], end[i], target.colour);
         }
     }
 }
 
-static void write_plot(const struct response_sheet *sheet, FILE *to) {
+static void draw_line(struct canvas *c, int at, const char *colour, double width) {
+    panel_series(c, style_line(colour, width), "$spectra using 1:%d", at);
+}
+
+// Of several damping ratios the means; of one the records, with mean and band where they are many.
+static void draw_series(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
-    const char *comma = "";
-    fprintf(to, "plot");
+    const int n = s->n_record;
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
-        write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, d),
-                   script_colour[d % SCRIPT_COLOURS], 1.2);
+        draw_line(c, column(s, n + SPECTRA_MEAN, d), script_colour[d % SCRIPT_COLOURS], 1.2);
     }
-    if (s->n_damping == 1 && s->n_record == 1) {
-        write_line(to, &comma, column(s, 0, 0), script_colour[0], 1.2);
+    if (s->n_damping == 1 && n == 1) {
+        draw_line(c, column(s, 0, 0), script_colour[0], 1.2);
     } else if (s->n_damping == 1) {
-        fprintf(to, " \\\n  $spectra using 1:%d:%d with filledcurves fc rgb '%s'",
-                column(s, s->n_record + SPECTRA_P16, 0), column(s, s->n_record + SPECTRA_P84, 0),
-                band_colour);
-        comma = ",";
-        for (int r = 0; r < s->n_record; r++) {
-            write_line(to, &comma, column(s, r, 0),
-                       s->n_record > NAMED_MAX ? other_colour : record_colour[r], 0.7);
+        panel_series(c, style_area(band_colour), "$spectra using 1:%d:%d",
+                     column(s, n + SPECTRA_P16, 0), column(s, n + SPECTRA_P84, 0));
+        for (int r = 0; r < n; r++) {
+            draw_line(c, column(s, r, 0), n > NAMED_MAX ? other_colour : record_colour[r], 0.7);
         }
-        write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, 0), mean_colour, 1.6);
+        draw_line(c, column(s, n + SPECTRA_MEAN, 0), mean_colour, 1.6);
     }
     if (sheet->target) {
-        write_line(to, &comma, target_column(s), target_colour, 1.6);
-        fprintf(to, " dt (10,6)");
+        panel_series(c, target, "$spectra using 1:%d", target_column(s));
     }
-    fprintf(to, "\n");
 }
 
 int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e) {
-    const struct figure_head head = {
-        .name = "spectrum", .doc = "elastic response spectra", .version = sheet->version};
-    char title[256], subtitle[256];
     struct unit_system si;
+    unit_system_init(&si);
+    const struct figure_head head = {.name = "spectrum",
+                                     .doc = "elastic response spectra",
+                                     .version = sheet->version,
+                                     .units = &si};
+    char title[256], subtitle[256];
     struct canvas c;
     int status = figure_open(&head, to, &c, e);
     if (status != STATUS_OK) {
         return status;
     }
-    unit_system_init(&si);
     write_data(sheet, c.data);
     write_title(sheet, title, sizeof title);
     write_subtitle(sheet, subtitle, sizeof subtitle);
     canvas_head(&c, title, subtitle);
     write_legend(sheet, &c);
-    const struct axis x = period_axis(sheet->spectra), y = acceleration_axis(sheet);
-    canvas_panel(&c, canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7), &si, &x, &y);
-    write_match(sheet, x.span, c.to);
-    write_plot(sheet, c.to);
-    canvas_panel_end(&c);
+    const struct panel p = {.area = canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7),
+                            .x = period_axis(sheet->spectra),
+                            .y = acceleration_axis(sheet)};
+    panel_open(&c, &p);
+    write_match(sheet, p.x.span, c.to);
+    draw_series(sheet, &c);
+    panel_close(&c);
     figure_close(&c);
     return STATUS_OK;
 }

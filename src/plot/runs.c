@@ -85,12 +85,6 @@ int runs_init(struct runs *s, const struct result_file *first, const struct resu
     return match(s, e);
 }
 
-int runs_data(const struct runs *s, int run, int n_column, struct data *d, struct error *e) {
-    *d = (struct data){.n_row = 0};
-    const int status = result_check_memory(s->file[run], n_column, e);
-    return status == STATUS_OK ? data_create(d, s->r[run]->n_row, n_column, e) : status;
-}
-
 static int read_one(const struct result_file *file, const struct history *h, double *to,
                     struct error *e) {
     switch (h->kind) {
@@ -112,7 +106,11 @@ static int read_one(const struct result_file *file, const struct history *h, dou
 
 int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
               struct error *e) {
-    int status = runs_data(s, run, n, d, e);
+    *d = (struct data){.n_row = 0};
+    int status = result_check_memory(s->file[run], n, e);
+    if (status == STATUS_OK) {
+        status = data_create(d, s->r[run]->n_row, n, e);
+    }
     for (int i = 0; i < n && status == STATUS_OK; i++) {
         status = h[i].index < 0 ? STATUS_OK : read_one(s->file[run], &h[i], d->column[i], e);
     }
@@ -226,8 +224,12 @@ int runs_building(const struct report *r, const char *name) {
     return -1;
 }
 
-const char *runs_title(const struct runs *s) {
-    return s->title;
+double runs_level(const struct report_building *b, int floors, bool heights) {
+    double level = 0;
+    for (int i = 0; i < floors; i++) {
+        level += heights ? b->height[i] : 1;
+    }
+    return level;
 }
 
 double runs_duration(const struct runs *s) {
@@ -241,10 +243,20 @@ struct axis runs_time_axis(const struct runs *s, bool at_foot) {
                          .kind = at_foot ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
 }
 
+struct axis runs_height_axis(bool first, bool heights, double top) {
+    const char *name = heights ? "height" : "floor";
+    return (struct axis){.name = first ? name : NULL,
+                         .unit = heights ? NULL : "",
+                         .dimension = dimension_length,
+                         .span = {0, 1.02 * top},
+                         .kind = first ? AXIS_FULL : AXIS_WITHOUT_NUMBERS,
+                         .step = heights ? 0 : 1};
+}
+
 void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
     for (int k = 0; k < s->n && s->n > 1; k++) {
-        const struct mark mark = {.kind = colour && k > 0 ? MARK_DASHED : MARK_LINE,
-                                  .colour = colour ? colour : script_colour[k]};
+        struct style mark = style_line(colour ? colour : script_colour[k], 0);
+        mark.dash = colour && k > 0 ? "(10,6)" : NULL;
         legend_add(l, mark, s->name[k], "");
     }
 }

@@ -13,7 +13,9 @@ struct runs {
     const struct result_file *file[RUNS_MAX];  // borrowed
     const struct report *r[RUNS_MAX];          // borrowed
     char name[RUNS_MAX][64];                   // the files, as short as tells them apart
-    const char *title;                         // of pictures; in the arena of the first run
+    // The first run's title, or its deck where it has none; before the title of one run of a study,
+    // its number. In the arena of the first run.
+    const char *title;
     // Called by figures that take their time; NULL: nothing to tell.
     void (*tell)(void *context, long n_done, long n);
     void *context;
@@ -45,9 +47,6 @@ struct history {
 int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
               struct error *e);
 
-// Columns of zeros for histories of a run. Errors as of runs_read.
-int runs_data(const struct runs *s, int run, int n_column, struct data *d, struct error *e);
-
 // True if all runs hold all these histories, bits of enum field.
 bool runs_have(const struct runs *s, unsigned fields);
 
@@ -68,12 +67,15 @@ void runs_hardest_of_parts(const struct report *r, int contact, int parts, long 
 // The building called `name`; -1: a wall.
 int runs_building(const struct report *r, const char *name);
 
-// The first run's title, or its deck where it has none. Before the title of one run of a study,
-// its number.
-const char *runs_title(const struct runs *s);
+// Of so many floors of the building: their height, or where there are no heights their number.
+double runs_level(const struct report_building *b, int floors, bool heights);
 
 // The axis of the time of all runs, for the panel at the foot of the picture or one above it.
 struct axis runs_time_axis(const struct runs *s, bool at_foot);
+
+// The axis of the height of buildings up to `top`, or of their floors where there are no heights:
+// for the first of the panels beside each other, or one right of it.
+struct axis runs_height_axis(bool first, bool heights, double top);
 
 // The longest duration.
 double runs_duration(const struct runs *s);

@@ -120,17 +120,13 @@ void study_head(struct canvas *c, const struct suite *s, const char *what) {
 
 void study_hit_legend(const struct suite *s, struct legend *l) {
     if (s->n_hit > 0) {
-        legend_add(l,
-                   (struct mark){
-                       .kind = MARK_POINT, .colour = "#808080", .size = 2.8, .point = POINT_RING},
-                   report_hit_name, "");
+        legend_add(l, style_points("#808080", POINT_RING, 2.8), report_hit_name, "");
     }
 }
 
-void study_hit_plot(const struct suite *s, FILE *to) {
+void study_hit_series(const struct suite *s, struct canvas *c) {
     if (s->n_hit > 0) {
-        fprintf(to, ", \\\n  $hit using 1:2 with points pt %d ps 2.8*point lc rgb '#808080'",
-                POINT_RING);
+        panel_series(c, style_points("#808080", POINT_RING, 2.8), "$hit using 1:2");
     }
 }
 
@@ -154,14 +150,12 @@ double study_panel_width(const struct canvas *c) {
     return c->area.right - c->area.left - LEFT - RIGHT;
 }
 
-void study_panel(const struct canvas *c, const struct suite *s, double bottom, const struct axis *x,
-                 const struct axis *y) {
-    struct area a = canvas_inset(c->area, LEFT, RIGHT, bottom, 0.7);
-    struct axis plain = *y;
-    plain.name = NULL;
-    canvas_panel(c, a, &s->view->units, x, &plain);
-    a.left -= 0.6;
-    canvas_upright(c, a, &s->view->units, y);
+void study_panel(struct canvas *c, double bottom, const struct axis *x, const struct axis *y) {
+    struct panel p = {.area = canvas_inset(c->area, LEFT, RIGHT, bottom, 0.7), .x = *x, .y = *y};
+    p.y.name = NULL;
+    panel_open(c, &p);
+    p.area.left -= 0.6;
+    canvas_upright(c, p.area, y);
 }
 
 void study_foot(const struct canvas *c, const char *text) {

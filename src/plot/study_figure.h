@@ -5,6 +5,7 @@
 #define JOSTLE_STUDY_FIGURE_H
 
 #include "plot/figure.h"
+#include "plot/panel.h"
 #include "study/suite.h"
 
 // What is drawn.
@@ -55,10 +56,10 @@ struct axis study_abscissa_axis(const struct suite *s);
 // Title, and a subtitle: the runs that failed, `what` is shown, and at which values of --at.
 void study_head(struct canvas *c, const struct suite *s, const char *what);
 
-// Rings around accelerations of floors that were hit, $hit of the data: in the legend, and behind a
-// plot command.
+// Rings around accelerations of floors that were hit, $hit of the data: in the legend, and as the
+// last series of a panel.
 void study_hit_legend(const struct suite *s, struct legend *l);
-void study_hit_plot(const struct suite *s, FILE *to);
+void study_hit_series(const struct suite *s, struct canvas *c);
 
 // The name of a group as it is shown, into `text`.
 void study_group_text(const struct suite *s, int group, char *text, size_t size);
@@ -68,8 +69,7 @@ void study_limit_text(const struct study_demand *d, const struct suite *s, doubl
                       size_t size);
 
 // Opens the panel: the room at the left is for numbers of five characters.
-void study_panel(const struct canvas *c, const struct suite *s, double bottom, const struct axis *x,
-                 const struct axis *y);
+void study_panel(struct canvas *c, double bottom, const struct axis *x, const struct axis *y);
 // Writes what stands across below the panel, at the foot of the sheet.
 void study_foot(const struct canvas *c, const char *text);
 double study_panel_width(const struct canvas *c);  // [em]

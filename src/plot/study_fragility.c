@@ -100,30 +100,27 @@ static void write_legend(const struct view *v, struct canvas *c) {
                  group[0] && v->p->n_limit == 1 ? "" : "> ",
                  group[0] && v->p->n_limit == 1 ? "" : limit, fitted ? "" : " (no curve)");
         legend_add(&l,
-                   (struct mark){.kind = fitted ? MARK_LINE : MARK_POINT,
-                                 .colour = script_colour[i],
-                                 .size = mark_size(v, i),
-                                 .point = script_point[i]},
+                   (struct style){.kind = fitted ? STYLE_LINE : STYLE_POINTS,
+                                  .colour = script_colour[i],
+                                  .size = mark_size(v, i),
+                                  .point = script_point[i]},
                    "", text);
     }
     legend_write(&l, c);
 }
 
-static void write_panel(const struct view *v, struct canvas *c) {
+static void draw_panel(const struct view *v, struct canvas *c) {
     const struct axis y = {
         .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
-    study_panel(c, v->p->suite, 3.2, &v->x, &y);
-    fprintf(c->to, "plot");
+    study_panel(c, 3.2, &v->x, &y);
     for (int i = 0; i < v->n; i++) {
-        fprintf(c->to, "%s \\\n  $counts%d using 1:2 with points pt %d ps %.2g*point lc rgb '%s'",
-                i > 0 ? "," : "", i, script_point[i], mark_size(v, i), script_colour[i]);
+        panel_series(c, style_points(script_colour[i], script_point[i], mark_size(v, i)),
+                     "$counts%d using 1:2", i);
         if (v->fit[i].outcome == FRAGILITY_FITTED) {
-            fprintf(c->to, ", \\\n  $curve%d using 1:2 with lines lc rgb '%s' lw 1.5", i,
-                    script_colour[i]);
+            panel_series(c, style_line(script_colour[i], 1.5), "$curve%d using 1:2", i);
         }
     }
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    panel_close(c);
 }
 
 static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
@@ -141,7 +138,7 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
              p->n_limit > 1 ? "limit" : limit, s->n_sample, s->n_sample == 1 ? "" : "s");
     study_head(c, s, text);
     write_legend(&v, c);
-    write_panel(&v, c);
+    draw_panel(&v, c);
     return STATUS_OK;
 }
 

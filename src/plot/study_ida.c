@@ -10,10 +10,15 @@
 #include "plot/study_figure.h"
 
 enum { CURVES = 3 };
-static const double fraction[CURVES] = {0.84, 0.50, 0.16};
-static const char *const curve_name[CURVES] = {"84 %", "50 %", "16 %"};
-static const char *const curve_colour[CURVES] = {"#d55e00", "#0072b2", "#009e73"};
-static const char *const curve_dash[CURVES] = {"(10,6)", "solid", "(10,6)"};
+static const struct {
+    double fraction;
+    const char *name;
+    struct style style;
+} curve[CURVES] = {
+    {0.84, "84 %", {STYLE_LINE, "#d55e00", 1.8, "(10,6)", 0, 0}},
+    {0.50, "50 %", {STYLE_LINE, "#0072b2", 1.8, "solid", 0, 0}},
+    {0.16, "16 %", {STYLE_LINE, "#009e73", 1.8, "(10,6)", 0, 0}},
+};
 static const char record_colour[] = "#a0a0a0";
 
 struct view {
@@ -99,7 +104,7 @@ static int write_percentiles(struct view *v, FILE *to, struct error *e) {
     for (int j = 0; j < s->n_point; j++) {
         study_number(to, s->point[j]);
         for (int i = 0; i < CURVES; i++) {
-            study_number(to, v->demand.factor * suite_percentile(s, 0, j, fraction[i], work));
+            study_number(to, v->demand.factor * suite_percentile(s, 0, j, curve[i].fraction, work));
         }
         fputc('\n', to);
     }
@@ -112,18 +117,15 @@ static void write_legend(const struct view *v, const struct study_picture *p, st
     struct legend l = {0};
     char text[128];
     for (int i = 0; v->s->n_sample > 1 && i < CURVES; i++) {
-        const enum mark_kind kind = i == 1 ? MARK_LINE : MARK_DASHED;
-        legend_add(&l, (struct mark){.kind = kind, .colour = curve_colour[i]}, curve_name[i], "");
+        legend_add(&l, curve[i].style, curve[i].name, "");
     }
     snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
-    legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = record_colour}, text, "");
+    legend_add(&l, style_line(record_colour, 0), text, "");
     if (p->n_limit > 0) {
-        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = "#000000"},
-                   p->n_limit > 1 ? "limits" : "limit", "");
+        legend_add(&l, style_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
     }
     if (v->crosses) {
-        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = "#000000", .point = POINT_CROSS},
-                   "the next run failed", "");
+        legend_add(&l, style_points("#000000", POINT_CROSS, 0), "the next run failed", "");
     }
     study_hit_legend(v->s, &l);
     legend_write(&l, c);
@@ -138,23 +140,20 @@ static void write_limits(const struct view *v, const struct study_picture *p, st
     }
 }
 
-static void write_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
+static void draw_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
     const struct axis x = study_demand_axis(&v->demand, v->s, v->span);
     const struct axis y = study_abscissa_axis(v->s);
-    study_panel(c, v->s, 3.2, &x, &y);
+    study_panel(c, 3.2, &x, &y);
     write_limits(v, p, c);
-    fprintf(c->to, "plot $samples using 1:2 with lines lc rgb '%s' lw 0.8", record_colour);
+    panel_series(c, style_line(record_colour, 0.8), "$samples using 1:2");
     for (int i = CURVES - 1; v->s->n_sample > 1 && i >= 0; i--) {
-        fprintf(c->to, ", \\\n  $percentiles using %d:1 with lines lc rgb '%s' lw 1.8 dt %s", i + 2,
-                curve_colour[i], curve_dash[i]);
+        panel_series(c, curve[i].style, "$percentiles using %d:1", i + 2);
     }
     if (v->crosses) {
-        fprintf(c->to, ", \\\n  $failures using 1:2 with points pt %d ps point lc rgb '#000000'",
-                POINT_CROSS);
+        panel_series(c, style_points("#000000", POINT_CROSS, 0), "$failures using 1:2");
     }
-    study_hit_plot(v->s, c->to);
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    study_hit_series(v->s, c);
+    panel_close(c);
 }
 
 static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
@@ -177,7 +176,7 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
              s->edp.quantity->reduction == EDP_SUM ? "all" : "the largest");
     study_head(c, s, text);
     write_legend(&v, p, c);
-    write_panel(&v, p, c);
+    draw_panel(&v, p, c);
     return STATUS_OK;
 }
 

@@ -96,7 +96,7 @@ static int write_hit(const struct view *v, FILE *to, struct error *e) {
 static void write_legend(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const bool points = has_points(s);
-    struct mark mark = {.kind = points ? MARK_POINT : MARK_LINE};
+    struct style mark = {.kind = points ? STYLE_POINTS : STYLE_LINE};
     struct legend l = {0};
     char text[128] = "median";
     for (int g = 0; g < s->n_group && (v->band || s->n_group > 1); g++) {
@@ -109,8 +109,8 @@ static void write_legend(const struct view *v, struct canvas *c) {
     }
     if (v->band) {
         legend_add(&l,
-                   (struct mark){.kind = points ? MARK_LINE : MARK_AREA,
-                                 .colour = points ? script_colour[0] : band_colour},
+                   (struct style){.kind = points ? STYLE_LINE : STYLE_AREA,
+                                  .colour = points ? script_colour[0] : band_colour},
                    "16 to 84 %", "");
     }
     study_hit_legend(s, &l);
@@ -150,7 +150,7 @@ static void write_texts(const struct suite *s, double width, struct canvas *c) {
     fprintf(c->to, ")\n");
 }
 
-static void write_panel(const struct view *v, struct canvas *c) {
+static void draw_panel(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const struct axis y = study_demand_axis(&v->demand, s, v->span);
     struct axis x = study_abscissa_axis(s);
@@ -162,25 +162,26 @@ static void write_panel(const struct view *v, struct canvas *c) {
         bottom = texts_depth(s, width);
         study_foot(c, s->point_title);
     }
-    study_panel(c, s, bottom, &x, &y);
+    study_panel(c, bottom, &x, &y);
     if (texts) {
         write_texts(s, width, c);
     }
-    fprintf(c->to, "plot");
     if (v->band && points) {
-        fprintf(c->to, " $group0 using 1:2:3:4 with yerrorbars pt 7 ps 0 lc rgb '%s' lw 1, \\\n ",
-                script_colour[0]);
+        panel_series(c, (struct style){STYLE_BARS, .colour = script_colour[0], .width = 1},
+                     "$group0 using 1:2:3:4");
     } else if (v->band) {
-        fprintf(c->to, " $group0 using 1:3:4 with filledcurves lc rgb '%s', \\\n ", band_colour);
+        panel_series(c, style_area(band_colour), "$group0 using 1:3:4");
     }
     for (int g = 0; g < s->n_group; g++) {
-        fprintf(c->to, "%s $group%d using 1:2 with %s pt %d ps point lc rgb '%s'%s",
-                g > 0 ? ", \\\n " : "", g, points ? "points" : "linespoints", script_point[g],
-                script_colour[g], points ? "" : " lw 1.3");
+        struct style median = style_points(script_colour[g], script_point[g], 0);
+        if (!points) {
+            median.kind = STYLE_BOTH;
+            median.width = 1.3;
+        }
+        panel_series(c, median, "$group%d using 1:2", g);
     }
-    study_hit_plot(s, c->to);
-    fprintf(c->to, "\n");
-    canvas_panel_end(c);
+    study_hit_series(s, c);
+    panel_close(c);
 }
 
 static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
@@ -200,7 +201,7 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
              s->n_sample > 1 ? samples : "");
     study_head(c, s, text);
     write_legend(&v, c);
-    write_panel(&v, c);
+    draw_panel(&v, c);
     return STATUS_OK;
 }
 

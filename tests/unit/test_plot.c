@@ -174,9 +174,9 @@ static void written_panel(double height, const struct axis *x, const struct axis
                           size_t size) {
     struct unit_system units;
     unit_system_init(&units);
-    struct canvas c = {.to = tmpfile(), .width = 50, .height = 50};
+    struct canvas c = {.to = tmpfile(), .units = &units, .width = 50, .height = 50};
     assert_non_null(c.to);
-    canvas_panel(&c, (struct area){10, 18, 10, 10 + height}, &units, x, y);
+    canvas_axes(&c, (struct area){10, 18, 10, 10 + height}, x, y);
     rewind(c.to);
     text[fread(text, 1, size - 1, c.to)] = '\0';
     fclose(c.to);
