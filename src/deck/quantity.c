@@ -74,7 +74,8 @@ static int raise(const struct unit_system *u, struct quantity *a, const struct q
         return e->status;
     }
     if (a->value < 0 && b->value != floor(b->value)) {
-        return error_set(e, STATUS_INPUT, "the negative number %.6g has no power %.6g", a->value,
+        return error_set(e, STATUS_INPUT,
+                         "the negative number %.6g cannot be raised to the power %.6g", a->value,
                          b->value);
     }
     if (a->value == 0 && b->value < 0) {

@@ -92,10 +92,11 @@ static void scan_quoted(struct scan *s) {
     }
     if (s->at == s->end) {
         s->open_quote = s->end[-1] == '\\';
-        fail(s, column, 1,
-             s->open_quote
-                 ? "the quoted text does not end on its line; '\\' joins no lines within quotes"
-                 : "the quoted text does not end on its line");
+        fail(
+            s, column, 1,
+            s->open_quote
+                ? "the quoted text does not end on its line; '\\' does not join lines within quotes"
+                : "the quoted text does not end on its line");
         return;
     }
     add_word(s, start, column, true);

@@ -193,7 +193,7 @@ static bool check_include(struct deck *d, const struct word *w, const struct sou
         if (is_same_file(r->frame[i].source, s)) {
             struct text_short t;
             deck_error(d, w, "%s includes itself%s", text_short(&t, s->name),
-                       i + 1 < r->n_frame ? " by way of others" : "");
+                       i + 1 < r->n_frame ? " through other decks" : "");
             return false;
         }
     }

@@ -74,7 +74,7 @@ static bool read_alike(struct deck *d, const struct word *w, struct parameter *f
     }
     const double bare = p->number.known ? before.value : p->number.value;
     if (p->number.known != before.known && bare != 0.0) {
-        deck_error(d, w, "either all values have a unit or none has");
+        deck_error(d, w, "give a unit with all values or with none");
         return false;
     }
     return true;

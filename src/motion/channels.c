@@ -25,7 +25,7 @@ int channels_choose(const struct record_request *request, const struct record_te
         return lines_error(e, t->path, 0, "%d channels: %s; -channel chooses one", c->n, list);
     }
     out->wrong = RECORD_CHANNEL;
-    return lines_error(e, t->path, 0, "there is no channel %d; there are %s", request->channel,
+    return lines_error(e, t->path, 0, "the file has no channel %d; available: %s", request->channel,
                        list);
 }
 

@@ -94,7 +94,7 @@ static int check_step(const struct columns *c, size_t i, const struct lines *l, 
     const double *time = c->time;
     if (time[i] <= time[i - 1]) {
         bool comma = memchr(l->line.text, ',', l->line.n);
-        return lines_error(e, c->text->path, l->number, "time %g after %g; times must grow%s",
+        return lines_error(e, c->text->path, l->number, "time %g after %g; times must increase%s",
                            time[i], time[i - 1], comma ? " (a comma ends a number)" : "");
     }
     double first = time[1] - time[0];
@@ -197,13 +197,13 @@ static int choose_column(const struct record_request *request, struct columns *c
                            "to line",
                            c->table->n_column,
                            request->plain ? "one or two (time and value) are read"
-                                          : "-channel chooses one of those behind the times");
+                                          : "-channel chooses a column after the times");
     }
     if (wanted > n) {
         out->wrong = RECORD_CHANNEL;
         return lines_error(e, c->text->path, c->table->first_line,
-                           "there is no channel %zu; the file has %zu, one a column%s", wanted, n,
-                           c->has_time ? " behind the times" : "");
+                           "the file has no channel %zu; it has %zu, one per column%s", wanted, n,
+                           c->has_time ? " after the times" : "");
     }
     c->column = wanted - !c->has_time;
     return STATUS_OK;
@@ -234,7 +234,7 @@ static int columns_read(struct arena *a, const struct record_request *request,
                         const struct record_text *t, struct record_content *out, struct error *e) {
     struct table table;
     if (!table_find(t, &table)) {
-        return lines_error(e, t->path, 0, "there is no line of numbers");
+        return lines_error(e, t->path, 0, "the file has no line of numbers");
     }
     struct columns c = {.text = t, .table = &table, .has_time = table.n_column > 1};
     int status = table_check(t, &table, e);

@@ -73,7 +73,8 @@ static int check_row(const struct curve_row *r, struct error *e) {
         return check_first(r, e);
     }
     if (r->value[CURVE_PENETRATION] <= r->before[CURVE_PENETRATION]) {
-        return error_set(e, STATUS_INPUT, "%s: penetration %.6g after %.6g; penetrations must grow",
+        return error_set(e, STATUS_INPUT,
+                         "%s: penetration %.6g after %.6g; penetrations must increase",
                          place(r, CURVE_PENETRATION).text, r->value[CURVE_PENETRATION],
                          r->before[CURVE_PENETRATION]);
     }
@@ -158,9 +159,10 @@ static int check_table(const struct record_text *t, const struct table *table, s
 static int take_unit(const struct record_text *t, const struct table *table, struct piece unit,
                      double si, double *size, struct error *e) {
     if (*size > 0.0 && *size != si) {
-        return lines_error(e, t->path, table->caption_line,
-                           "the caption gives the unit '%s', but another is given or stands before",
-                           lines_excerpt(unit).text);
+        return lines_error(
+            e, t->path, table->caption_line,
+            "the caption gives the unit '%s', but an option or an earlier column gives another",
+            lines_excerpt(unit).text);
     }
     *size = si;
     return STATUS_OK;
@@ -222,7 +224,7 @@ int curve_read_text(struct arena *a, const struct curve_request *request,
     struct table table;
     int status = record_clean(t, &text, e);
     if (!status && !table_find(&text, &table)) {
-        return lines_error(e, t->path, 0, "there is no line of numbers");
+        return lines_error(e, t->path, 0, "the file has no line of numbers");
     }
     double length = request->length;
     double force = request->force;

@@ -79,7 +79,7 @@ static int check_rest(const struct record_text *t, const struct lines *l, size_t
         return STATUS_OK;
     }
     struct excerpt shown = lines_excerpt(field);
-    return lines_error(e, t->path, l->number, "'%s' stands behind the last value of the line",
+    return lines_error(e, t->path, l->number, "'%s' follows the last value of the line",
                        shown.text);
 }
 
@@ -160,6 +160,7 @@ int fixed_check_end(const struct record_text *t, struct lines l, const struct fi
     while ((found = lines_next(&l)) && l.line.n == 0) {
     }
     return found && is_row(&l, format)
-               ? lines_error(e, t->path, l.number, "more than the %zu values that are told", n)
+               ? lines_error(e, t->path, l.number,
+                             "more than the %zu values that the header states", n)
                : STATUS_OK;
 }

@@ -359,10 +359,11 @@ int lines_read_number(const struct number_field *f, double *value, struct error 
         [COMPOUND_ONE] = "is not a number",
         [COMPOUND_REPEATED] =
             "is a repeat count; only values that run on (-format series) have one",
-        [COMPOUND_TOUCHING] = "are numbers that touch; put blanks between them, or read values "
+        [COMPOUND_TOUCHING] = "are numbers that touch; put spaces between them, or read values "
                               "that run on with -format series",
-        [COMPOUND_AMBIGUOUS] = "are numbers that touch and can be parted in two ways; put blanks "
-                               "between them",
+        [COMPOUND_AMBIGUOUS] =
+            "are numbers that touch and can be separated in two ways; put spaces "
+            "between them",
         [COMPOUND_NO_LETTER] = "is not a number: an exponent without a letter has three digits; "
                                "write an E before its sign",
     };

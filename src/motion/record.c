@@ -72,7 +72,7 @@ static const struct record_format *find_by_content(const struct record_request *
         return f;
     }
     lines_error(e, t->path, 0,
-                "no record format fits: no header with NPTS and DT, no line of "
+                "unknown record format: no header with NPTS and DT, no line of "
                 "numbers");
     return NULL;
 }

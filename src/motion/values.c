@@ -30,7 +30,7 @@ int values_check_comments(const struct record_text *t, struct lines from, struct
         if (lines_without_comment(from.line).n > 0) {
             if (comment.number > 0) {
                 return error_set(e, STATUS_INPUT,
-                                 "%s: the comment '%s' stands between numbers, where it may hide "
+                                 "%s: the comment '%s' is between numbers, where it may hide "
                                  "one; remove the line",
                                  lines_place_field(t, comment.number, comment.line).text,
                                  lines_excerpt(comment.line).text);
