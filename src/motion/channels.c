@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of several channels: which one is asked for, and channels that stand side by side in rows.
+// Files of several channels: the choice of a channel, and channels that are columns of rows.
 #include "motion/channels.h"
 
 #include <string.h>
@@ -64,7 +64,7 @@ static bool next_row(struct lines *l) {
     return false;
 }
 
-// Reads row `i`, on which `l` stands.
+// Reads row `i`, the current line of `l`.
 static int read_row(const struct record_text *t, const struct channel_rows *rows,
                     const struct lines *l, size_t i, struct record_content *out, struct error *e) {
     struct piece rest = l->line;

@@ -9,7 +9,8 @@
 #include "motion/compound.h"
 #include "motion/record_format.h"
 
-// Tab, line feed, vertical tab, form feed and return are blanks too; most characters are none.
+// True for a space, tab, line feed, vertical tab, form feed and carriage return. The first test is
+// fast, because most characters are none of these.
 static bool is_blank(char c) {
     return (unsigned char)c <= ' ' && (c == ' ' || (c >= '\t' && c <= '\r'));
 }
@@ -67,7 +68,7 @@ static bool is_separator(char c, const char *separators) {
     return *separators != '\0';
 }
 
-// The end of the blanks at `at`.
+// The end of the spaces at `at`.
 static const char *skip_blanks(const char *at, const char *end) {
     while (at < end && is_blank(*at)) {
         at++;
@@ -126,8 +127,8 @@ bool lines_overflow(struct piece line) {
     return found;
 }
 
-// The end of the line, or the first single # in it that a blank follows: #N/A and #### are values
-// that a spreadsheet could not show.
+// The first single # before a space, or the end of the line. #N/A and #### are not comments:
+// spreadsheets write them for values that they cannot show.
 static const char *comment_mark(struct piece line) {
     const char *end = line.text + line.n;
     const char *mark = memchr(line.text, '#', line.n);

@@ -104,7 +104,7 @@ static int check_order(const struct file *f, const struct series_row *r, struct 
                            time[-1], name);
 }
 
-// Reads row `index`, on which `l` stands.
+// Reads row `index`, the current line of `l`.
 static int read_row(struct file *f, const struct lines *l, size_t index, struct error *e) {
     struct series_row r = {.index = index, .line = l->number};
     struct piece rest = l->line;
