@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The deck language: text -> statements, words -> quantities in the deck's units. Knows no physics.
 //
-// A deck is read statement by statement, so that names and parameters must stand above their use:
-// deck_next hands out the next statement after having carried out those of the language itself
-// (title, units, gravity, param, sweep, include). Whatever is wrong is collected in `diagnostics`,
-// and reading goes on, so that all errors of a deck come in one go.
+// A deck is read statement by statement, so names and parameters must be defined above their use.
+// deck_next carries out the statements of the language itself (title, units, gravity, param, sweep,
+// include) and returns the next other statement. Errors are collected in `diagnostics`, and reading
+// goes on, so that all errors of a deck are reported together.
 #ifndef JOSTLE_DECK_H
 #define JOSTLE_DECK_H
 
@@ -33,7 +33,7 @@ struct word {
 // True for an option: an unquoted `-` followed by a letter.
 bool deck_is_option(const struct word *w);
 
-// Lines of a file, and how many they are.
+// Consecutive lines of a file.
 struct deck_lines {
     const char *text;  // (size) borrowed from the deck; NULL: none
     size_t size;
@@ -45,15 +45,15 @@ struct statement {
     struct word *word;
     int n_word;
     int n_plain;
-    struct deck_lines lines;    // that it takes
-    const struct sweep *known;  // what it says but for its first words, which are all that is
-                                // here; NULL: all words are
+    struct deck_lines lines;    // of the statement in its file
+    const struct sweep *known;  // a sweep that an earlier reading has read: `word` then has the
+                                // first words only; NULL: `word` has all words
 };
 
 // A file that the deck names as input.
 struct deck_path {
     const char *path;
-    bool included;  // it is a deck
+    bool included;  // the file is an included deck
     const struct deck_path *next;
 };
 
@@ -62,20 +62,20 @@ enum { STUDY_SWEEPS_MAX = 8, SWEEP_VALUES_MAX = 1000000, STUDY_RUNS_MAX = 100000
 // The values that a sweep gives to its parameter, in the order of the deck.
 struct sweep {
     const char *name;
-    int n;                        // values; 1 where -D fixes the parameter
-    bool fixed;                   // by -D
-    const double *number;         // (n) in the deck's units; NULL: texts
-    const char *const *text;      // (n) what the parameter stands for; NULL: numbers
-    const struct source *origin;  // that the texts name files beside
+    int n;                        // number of values; 1 if -D fixes the parameter
+    bool fixed;                   // -D fixes the parameter
+    const double *number;         // (n) values in the deck's units; NULL: texts
+    const char *const *text;      // (n) values; NULL: numbers
+    const struct source *origin;  // files named by the texts are relative to this source
     const char *const *label;     // (n) text, or the shortest name of a file; NULL: numbers
-    bool known;                   // numbers have a unit
-    struct dimension dimension;   // of it
-    const char *units;            // where it comes from a file; "" for texts
-    struct deck_lines lines;      // that give the values; none where they use parameters
-    // Of the numbers 1 ... n of sweeps that go together: the first of these, which take one of
-    // their n values for each; of that the next. NULL: none.
+    bool known;                   // the numbers have a unit
+    struct dimension dimension;   // of the numbers
+    const char *units;            // of a sweep read from a result file; "" for texts
+    struct deck_lines lines;      // of the statement; none if its values use parameters
+    // The next of the paired sweeps, whose value i belongs to number i of this dimension. NULL:
+    // none.
     const struct sweep *along;
-    bool random;  // its values are drawn
+    bool random;  // the values are drawn
     const struct sweep *next;
 };
 
@@ -88,9 +88,9 @@ struct deck {
     const char *title;              // "" if none
     const struct deck_path *files;  // included files, records and histories; not the deck itself
     const struct sweep *sweeps;     // in the order of the deck
-    long n_run;                     // of the study; 1 without sweeps
+    long n_run;                     // number of runs of the study; 1 without sweeps
     bool varies;  // a word that names floors, links or laws, or a whole number, depends on a sweep
-    bool torn;  // a statement, or a file of them, could not be read: others may seem to be missing
+    bool torn;  // a statement or an included file could not be read: do not report what is missing
     struct reader *reader;
 };
 
@@ -101,58 +101,61 @@ struct deck {
 int deck_open(const char *path, const char *const *define, int n_define, struct deck **out,
               struct error *e);
 
-// The same from `text`; `path` only names it and locates included files.
+// Opens a deck from `text`. `path` is its name in messages; included files are relative to it.
+// Errors and *out: as deck_open.
 int deck_open_text(const char *path, const char *text, const char *const *define, int n_define,
                    struct deck **out, struct error *e);
 void deck_free(struct deck *d);  // NULL is allowed
 
-// The checksum of what a deck means: of its statements but the title, without comments and layout.
-// Included decks count by the names that the deck has for them only. Errors: those of deck_open.
+// The checksum of the statements of a deck, except the title, without comments and layout. Of
+// included decks only the names in the deck count. Errors: those of deck_open.
 int deck_meaning(const char *text, struct checksum *out, struct error *e);
 int deck_meaning_of_file(const char *path, struct checksum *out, struct error *e);
 
-// Makes the deck that of one run of a study, before its first statement is read: a swept parameter
-// takes value choice[k] of sweep number k of `first`, another reading of this deck that has come to
-// its end; both are borrowed. Otherwise it takes the first value.
+// Selects one run of a study; call it before the first statement is read. `first` is another
+// reading of this deck that has come to its end. A swept parameter takes value choice[k] of sweep
+// number k of `first`. `first` and `choice` are borrowed. Without deck_bind a parameter takes its
+// first value.
 void deck_bind(struct deck *d, const struct deck *first, const int *choice);
 
 // True if the deck that has been read has a sweep that -D does not fix.
 bool deck_is_study(const struct deck *d);
 
-// `s`, or the next along it, by whose values tables name a run: they are not drawn. NULL: none.
+// The first sweep that is not random among `s` and the sweeps paired with it. Tables name runs by
+// its values. NULL: all are random.
 const struct sweep *sweep_named(const struct sweep *s);
 
-// The next statement; false at the end of the deck, when -D names that no param took are reported
-// too. Words live as long as the deck.
+// The next statement; false at the end of the deck, where each -D without a parameter of its name
+// is reported. Words live as long as the deck.
 bool deck_next(struct deck *d, struct statement *out);
 
-// To be asked at the end of the deck. True where a sweep gives values to a param that was used
-// above the sweep, or a -D chooses among sweeps that go together: then the deck stands before its
-// first statement again, what was read and reported is void, and the param gives the value of the
-// first run, or the -D its choice.
+// Call it at the end of the deck. True if the deck must be read again: a sweep replaces a param
+// that was used above the sweep, or a -D chooses a number of paired sweeps. The deck is then reset
+// to its first statement, without messages. In the second reading the param has the value of the
+// first run, and the -D acts on all paired sweeps.
 bool deck_rewind(struct deck *d);
 
 // What the user gave for one row.
 struct argument {
     bool given;
-    struct word key;          // the option word; for plain words, the first of them
-    int n;                    // values (repeats expanded)
+    struct word key;          // the option word; for plain words, the first word
+    int n;                    // number of values (repeats expanded)
     double *number;           // (n) in the deck's units; NULL for text rows
-    bool bare;                // given as numbers, the last of which has no unit
+    bool bare;                // the last number has no unit
     const char **text;        // (n) with parameters replaced; NULL for number rows
     const struct word *word;  // (n) the word each value came from
 };
 
 // Reads the `n_word` words as the value of `row`: numbers are evaluated, checked against dimension
-// and range, and converted. Reports what is wrong and then returns false. `power` is the
+// and range, and converted. False after having reported an error. `power` is the
 // exponent for rows whose dimension depends on one (ROW_PER_..._POWER).
 bool deck_values(struct deck *d, const struct row *row, double power, const struct word *word,
                  int n_word, struct argument *out);
 
 // Matches the options of `s` with rows: `set` holds `n_set` tables of rows, set[i].n_row each;
 // argument[i] (length set[i].n_row) receives the values. Rows not given get their fallback,
-// converted to the deck's units, with given = false and n = 1 (n = 0 where there is none). Reports
-// unknown, repeated, missing and useless words; false if there were any.
+// converted to the deck's units, with given = false and n = 1 (n = 0 without a fallback). False
+// after having reported unknown, repeated, missing or unexpected words.
 struct row_set {
     const struct row *row;
     int n_row;
@@ -167,19 +170,20 @@ const struct word *deck_option(const struct statement *s, const char *key, int *
 // The text of one word with parameters replaced; NULL after having reported an error.
 const char *deck_text(struct deck *d, const struct word *w);
 
-// The same of a file's name, or a title, which do not decide what floors, links and laws there are.
+// The text of one word that is the name of a file or a title: unlike deck_text it does not set
+// deck.varies, because such texts do not change floors, links and laws.
 const char *deck_text_of_file(struct deck *d, const struct word *w);
 
 // A zeroed array from the deck's arena; NULL: no memory, which diagnostics.out_of_memory remembers.
 void *deck_array(struct deck *d, size_t n, size_t size);
 
-// The acceleration of gravity [m/s^2] for what a statement reads in units of g. From then on a
-// gravity statement is an error, as it would come too late.
+// The acceleration of gravity [m/s^2], for a statement that reads values in units of g. A gravity
+// statement after this call is an error, because it would come too late.
 double deck_gravity(struct deck *d);
 
-// `name`, which `w` says, as a path: relative to the deck file that `w` stands in, or, where `w` is
-// a parameter, to that in which its value stands (the top file for a -D). NULL: no memory, which
-// diagnostics.out_of_memory remembers.
+// The path of the file `name`, which the word `w` gives. The path is relative to the deck file of
+// `w` or, if `w` is a parameter, to the deck file of its value (the top file for a -D). NULL: no
+// memory, which diagnostics.out_of_memory remembers.
 const char *deck_file(struct deck *d, const struct word *w, const char *name);
 
 // All parameters as "NAME = VALUE" lines, for the record in the result file.
@@ -189,27 +193,28 @@ const char *deck_parameters(struct deck *d);
 // NULL: no memory.
 const char *deck_includes(struct deck *d);
 
-// `value`, which the word `w` stands for, as messages quote it: 'elastik', and 'elastik' (from
-// $law) where `w` takes the value from parameters.
+// Quotes `value`, which the word `w` gives, for a message: 'elastik', or 'elastik' (from $law) if
+// `w` has parameters.
 struct deck_quote {
     char text[160];
 };
 const char *deck_quote(struct deck_quote *q, const struct word *w, const char *value);
 
-// Report at a word (NULL: at the end of the deck, where what is missing could be added).
-// deck_unknown quotes `value`, which `w` stands for. It adds the nearest of `known` (n texts),
-// which it returns, or NULL and, if there are few of them, lists them: "unknown contact law 'herz';
-// did you mean 'hertz'?".
+// Report at the word `w`; NULL: at the end of the deck, where a missing statement could be added.
+// deck_unknown quotes `value`, which `w` gives, and suggests the nearest of `known` (n texts),
+// which it returns: "unknown contact law 'herz'; did you mean 'hertz'?". If none is near, it lists
+// `known`, unless they are many, and returns NULL.
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-// The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.
+// Reports the message of `e` at `w`; diagnostics.system remembers a STATUS_SYSTEM.
 void deck_error_of(struct deck *d, const struct word *w, const struct error *e);
 void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 const char *deck_unknown(struct deck *d, const struct word *w, const char *value, const char *what,
                          const char *const *known, int n);
 
-// Which of the `known` keywords (n) the word is; -1 after deck_unknown.
+// The number of the word in the `known` keywords (n), from 0; -1 after having reported that it is
+// not one of them.
 int deck_keyword(struct deck *d, const struct word *w, const char *what, const char *const *known,
                  int n);
 

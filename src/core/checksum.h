@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SHA-256 (FIPS 180-4), by Nettle: tells contents apart and finds damage.
+// SHA-256 (FIPS 180-4), by Nettle: identifies contents and detects damage.
 #ifndef JOSTLE_CHECKSUM_H
 #define JOSTLE_CHECKSUM_H
 
@@ -11,21 +11,21 @@
 #include "jostle/checksum.h"
 #include "jostle/error.h"
 
-// A checksum of bytes that come piece by piece.
+// The checksum of bytes that are added piece by piece.
 struct checksum_sum {
     struct sha256_ctx sha;
 };
 void checksum_start(struct checksum_sum *s);
 void checksum_add(struct checksum_sum *s, const void *data, size_t n);
-// Adds a text with the 0 behind it, so that two texts differ from their concatenation.
+// Adds a text with its final 0, so that two texts differ from their concatenation.
 void checksum_add_text(struct checksum_sum *s, const char *text);
-// A number as 8 bytes, the lowest first, whatever the machine.
+// Adds a number as 8 bytes, the lowest first on all machines.
 void checksum_add_number(struct checksum_sum *s, uint64_t number);
-// Ends `s`, which then starts anew.
+// Writes the checksum and starts `s` again.
 void checksum_end(struct checksum_sum *s, struct checksum *out);
 
-// The first 8 bytes of the checksum of `n` bytes, for entries that are checked one by one: other
-// bytes have the same once in 2^64.
+// The first 8 bytes of the checksum of `n` bytes, for entries that are checked one by one. Other
+// bytes have an equal value with probability 2^-64.
 uint64_t checksum_short(const void *data, size_t n);
 
 // The checksum of a file. Errors: STATUS_INPUT (does not exist), STATUS_SYSTEM; they name the path.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files by their descriptors: reading and writing them, and what others may do with them meanwhile,
-// as they lock, move, remove or replace them. A call that a signal interrupts (EINTR) is repeated.
+// Files by their descriptors. Other programs may lock, move, remove or replace a file meanwhile. A
+// call that a signal interrupts (EINTR) is repeated.
 #ifndef JOSTLE_FILE_H
 #define JOSTLE_FILE_H
 
@@ -9,11 +9,12 @@
 
 #include "jostle/error.h"
 
-// Opens a file for reading; a pipe in its place does not make it wait. Errors: STATUS_INPUT (does
+// Opens a file for reading; it does not wait if the file is a pipe. Errors: STATUS_INPUT (does
 // not exist), STATUS_SYSTEM; they name the path.
 int file_open(const char *path, int *file, struct error *e);
 
-// Reads `n` bytes at `at`: how many, fewer where the file ends; -1 after an error, with errno.
+// Reads `n` bytes at `at`. Returns the number read, fewer at the end of the file; -1 with errno
+// after an error.
 ssize_t file_read(int file, void *to, size_t n, off_t at);
 
 // Writes `n` bytes at `at`. Returns 0, or -1 with errno.
@@ -29,38 +30,38 @@ int file_sync(int file);
 // system that cannot do this for folders is not an error.
 int file_sync_folder(int folder);
 
-// Opens the folder that `path` is in. Returns -1 where the folder cannot be read.
+// Opens the folder that contains `path`. Returns -1 if the folder cannot be read.
 int file_open_folder(const char *path);
 
-// What prevents that a file is written under this name: "a directory", "a symbolic link", "not a
-// regular file". NULL: nothing, as `path` is a regular file or does not exist. This is the only
-// place that decides: a link in place of a file is never followed, and never replaced, whatever it
-// points to. Links to folders, in front of the last slash, are followed. `path` is relative to
-// `folder`, or to the current folder (AT_FDCWD).
+// The reason why a file cannot be written under this name: "a directory", "a symbolic link", "not a
+// regular file". NULL: `path` is a regular file or does not exist. Only this function decides it. A
+// link in place of a file is never followed and never replaced. Links to folders, before the last
+// slash, are followed. `path` is relative to `folder`, or to the current folder (AT_FDCWD).
 const char *file_obstacle(int folder, const char *path);
 
-// Is the open file a regular file, and still the one of this name?
+// True if the open file is a regular file and `path` still names it.
 bool file_is_named(int file, const char *path);
 
 // Opens `path` for reading and writing and locks it until it is closed. `flags` is 0 (*file is -1
-// where there is no such file), O_CREAT or O_CREAT | O_EXCL. Errors name `wanted`, the file that is
-// to be written in the end: STATUS_RETRY (another run has made, removed or replaced it in between),
-// STATUS_SYSTEM (another run has locked it, something else has this name, it cannot be opened).
+// if the file does not exist), O_CREAT or O_CREAT | O_EXCL. Errors name `wanted`, the file that the
+// caller writes in the end: STATUS_RETRY (another run has created, removed or replaced the file
+// meanwhile), STATUS_SYSTEM (another run has locked the file, it is not a regular file, or it
+// cannot be opened).
 int file_claim(const char *wanted, const char *path, int flags, int *file, struct error *e);
 
-// Repeats an attempt to claim or make `path` as long as it returns STATUS_RETRY. Between the making
-// and the locking of a file another run may take it for one that was left: then both try again,
-// until one finds the file of another locked. Errors: what the attempt returns, STATUS_SYSTEM.
+// Repeats an attempt to claim or create `path` while it returns STATUS_RETRY. Before a new file is
+// locked, another run may take it for the file of a run that was killed. Then both runs try again
+// until one of them finds the file locked. Errors: those of the attempt, STATUS_SYSTEM.
 typedef int file_attempt(void *context, struct error *e);
 int file_retry(const char *wanted, const char *path, file_attempt *attempt, void *context,
                struct error *e);
 
-// Locks the open file until it is closed. False: another has it locked. Where no file can be locked
-// nothing is known of others, and it is true.
+// Locks the open file until it is closed. False: another run has locked it. On a file system
+// without locks the result is true.
 bool file_lock(int file);
 
-// Lets others read the locked file as they lock it for reading; none can lock it for writing.
-// False: another has locked the file.
+// Changes the lock so that other runs can lock the file for reading, but not for writing. False:
+// another run has locked the file.
 bool file_share(int file);
 
 #endif

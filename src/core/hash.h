@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// A hash of `n` bytes behind those that gave `hash`: FNV-1a of 64 bits (Fowler, Noll, Vo). It is
+// Continues `hash` with `n` more bytes: FNV-1a of 64 bits (Fowler, Noll, Vo). It is
 // fast for names. Seeds of random sweeps depend on it, too.
 static const uint64_t hash_start = UINT64_C(14695981039346656037);
 uint64_t hash_add(uint64_t hash, const void *data, size_t n);

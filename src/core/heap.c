@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of memory that is touched for the first time stops the program for as long as it takes to
-// compute dozens of steps of a pair, and a short run touches six hundred. So the heap is moved to
-// where huge pages begin, and the system is asked for such pages: one comes in less time than
-// a hundred small ones. Where it has none, it is asked for all small ones in one go (Linux 5.14),
-// which takes half their time. They stay in the heap, as the C library keeps what is freed up to
-// the limits set.
+// The first access to a page of memory stops the program for the time of dozens of steps of two
+// buildings, and a short run uses 600 pages. So the heap is moved to the start of a huge page, and
+// the program requests huge pages: one takes less time than 100 small pages. If the system has no
+// huge pages, the program requests all small pages together (Linux 5.14), which halves their time.
+// The pages stay in the heap, because the C library keeps freed memory up to the limits set here.
 #define _DEFAULT_SOURCE
 #include "core/heap.h"
 
@@ -17,7 +16,7 @@
 #include <malloc.h>
 #endif
 
-enum { HUGE_PAGE = 2 << 20 };  // bytes, on most machines; elsewhere the advice is of no use
+enum { HUGE_PAGE = 2 << 20 };  // bytes, on most machines; on others the request has no effect
 
 void heap_expect(size_t bytes) {
 #if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
@@ -30,8 +29,8 @@ void heap_expect(size_t bytes) {
         sbrk((intptr_t)(start - page - end)) == (void *)-1) {
         return;
     }
-    // The library writes in front of a block and behind it. Its first page is kept out, so that
-    // none of the others has been touched yet.
+    // The library writes in front of a block and after its end. The first page is left out, so that
+    // no other page has been accessed yet.
     char *block = malloc(size + page);
     if (block && (uintptr_t)block <= start && start <= (uintptr_t)block + page) {
         madvise((char *)start, size, MADV_HUGEPAGE);

@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-// Says that the process is going to use so many bytes of its heap, most of them in small pieces.
-// Nothing depends on it but time. For main programs, before there are threads.
+// Prepares the heap for `bytes` bytes, most of them in small pieces. It changes only the speed. For
+// main programs, before they start threads.
 void heap_expect(size_t bytes);
 
 #endif

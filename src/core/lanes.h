@@ -9,11 +9,11 @@
 #include <stdint.h>  // any header of the library says which library it is
 #include <string.h>
 
-// LANES_WIDEST is the processor that has lanes_wide in one register, and LANES_HALF one that has
-// lanes; neither is named where there is nobody to ask for the processor at hand, or no need to, as
-// the compiler was told its name (-march=native): functions for one of fewer traits could not have
-// those in them that are in line. Of x86-64 and its levels gcc says __k8__, and of no newer name.
-// LANES_HALF_AT_MOST makes the program that runs on processors without AVX-512 (make bench-half).
+// LANES_WIDEST names the processors that hold lanes_wide in one register, LANES_HALF those that
+// hold lanes. Neither is defined if the program cannot detect its processor when it starts, or if
+// the compiler got a processor by name (-march=native): a function compiled for an older processor
+// cannot inline functions of that processor. gcc defines __k8__ for x86-64 and its levels only.
+// LANES_HALF_AT_MOST builds the program as it runs on processors without AVX-512 (make bench-half).
 #if defined(__x86_64__) && defined(__k8__) && defined(__GLIBC__) && defined(__GNUC__) &&           \
     !defined(__clang__)
 #define LANES_HALF "avx2"
@@ -22,10 +22,10 @@
 #endif
 #endif
 
-// In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
-// takes what the processor has. Each element sees the same operations in the same order either way,
-// so the bits are the same. Elsewhere, and under sanitizers, which the loader asks before they can
-// answer, it is compiled once.
+// Before a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
+// selects the version for the processor. Each element gets the same operations in the same order in
+// all versions, so the bits are the same. On other systems the function is compiled once. So it is
+// under sanitizers, because the loader selects before sanitizers are initialised.
 #if !defined(LANES_HALF) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define LANES
 #elif defined(LANES_WIDEST)
@@ -34,10 +34,10 @@
 #define LANES __attribute__((target_clones("default", LANES_HALF)))
 #endif
 
-// LANES_WHOLE is in front of a function that only a processor is asked to run that has lanes_wide
-// in one register: and of all that have such lanes in them, as compilers take lanes apart that the
-// processor they are compiled for does not have, before they expand one function in another.
-// LANES_HOLD_WIDE says whether that at hand is one, and is not defined where none can be.
+// LANES_WHOLE is before a function that runs only on processors that hold lanes_wide in one
+// register. All functions with lanes_wide that it inlines need it too: compilers split lanes that
+// the processor of a function does not have, and they do so before they inline. LANES_HOLD_WIDE is
+// true if this processor is one of them. It is not defined if no processor of this build can be.
 #if defined(__AVX512F__)
 #define LANES_WHOLE
 #define LANES_HOLD_WIDE true
@@ -48,15 +48,15 @@
 #define LANES_WHOLE
 #endif
 
-// What is made of such functions, where the processor at hand has those registers, or else what all
-// have; the first is not there to be linked where no processor has them.
+// Selects `wide`, made of LANES_WHOLE functions, if this processor has the registers, else
+// `narrow`. If no processor of this build has them, `wide` is not compiled and not referred to.
 #ifdef LANES_HOLD_WIDE
 #define LANES_WIDEST_OF(wide, narrow) (LANES_HOLD_WIDE ? (wide) : (narrow))
 #else
 #define LANES_WIDEST_OF(wide, narrow) (narrow)
 #endif
 
-// In front of what such functions are made of: what is not expanded in them has baseline code only.
+// Before the parts of LANES functions: a part that is not inlined would have baseline code only.
 #if defined(__GNUC__)
 #define LANES_INLINE static inline __attribute__((always_inline))
 #else
@@ -64,8 +64,8 @@
 #endif
 #define LANES_WHOLE_INLINE LANES_WHOLE LANES_INLINE
 
-// In front of a loop over arrays: no turn reads what another one writes. For loops in functions
-// that are expanded in others, where the compiler forgets what `restrict` said.
+// Before a loop over arrays in which no iteration reads what another one writes. It is needed in
+// inlined functions, where the compiler ignores `restrict`.
 #if defined(__clang__)
 #define LANES_LOOP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -76,16 +76,16 @@
 
 struct arena;
 
-// Bytes of a line of the cache, which no access of whole lanes should straddle.
+// Bytes of a cache line. An access to lanes should not cross the end of a line.
 enum { LANES_LINE = 64 };
 
-// Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and as
-// many zeros in front, so that element -1 can be read.
+// Arrays for such loops have a multiple of LANES_WIDTH elements. Elements beyond the end are 0. As
+// many zeros are in front of the array, so that element -1 can be read.
 enum { LANES_WIDTH = 8 };
 
-// Neighbours in an array, for what the compiler does not see by itself. The only types that need
-// names of their own. `lanes` are as many as AVX2 has in one register; `lanes_wide` serve where no
-// value is carried from one turn of a loop to the next, as it would be in memory there.
+// Neighbouring elements of an array, for loops that the compiler does not vectorise. `lanes` fill
+// one register of AVX2. `lanes_wide` are for loops that carry no value from one iteration to the
+// next: on AVX2 such a value would be kept in memory.
 enum { LANES_VECTOR = 4 };
 typedef double lanes
     __attribute__((vector_size(LANES_VECTOR * sizeof(double)), aligned(sizeof(double)), may_alias));
@@ -97,7 +97,7 @@ typedef int64_t lanes_wide_bits __attribute__((vector_size(LANES_WIDTH * sizeof(
 // Elements i to i + LANES_WIDTH - 1 of an array.
 #define LANES_AT(x, i) (*(const lanes_wide *)((x) + (i)))
 
-// Rows of a square become its columns.
+// Transposes a square matrix of lanes.
 LANES_INLINE void lanes_transpose(lanes x[LANES_VECTOR]) {
     const lanes a = x[0], b = x[1], c = x[2], d = x[3];
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
@@ -122,8 +122,8 @@ typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
 typedef signed char wide_bytes __attribute__((vector_size(WIDE_RUNS)));
 
-// Is a mask of all bits or none set in some lane? For processors that have such lanes in a
-// register.
+// True if some lane of the mask is set. In each lane all bits are set, or none. For processors that
+// hold such lanes in one register.
 LANES_INLINE bool wide_any(const wide_bits *mask) {
     const wide_bytes byte = __builtin_convertvector(*mask, wide_bytes);
     int64_t all;
@@ -131,35 +131,35 @@ LANES_INLINE bool wide_any(const wide_bits *mask) {
     return all != 0;
 }
 
-// |x|, and a where a mask has all bits of a lane and b where it has none.
+// |x| lane by lane; and a in the lanes where the mask is set, b in the others.
 #define WIDE_ABSOLUTE(x) ((wide)((wide_bits)(x)&INT64_MAX))
 #define WIDE_CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
-// All bits where it is so, and the larger and the smaller of two, lane by lane.
+// Masks of comparisons, and the larger and the smaller of two values, lane by lane.
 #define WIDE_LESS(a, b) ((wide_bits)((a) < (b)))
 #define WIDE_AT_MOST(a, b) ((wide_bits)((a) <= (b)))
 #define WIDE_LARGER(a, b) WIDE_CHOOSE(WIDE_LESS(b, a), a, b)
 #define WIDE_SMALLER(a, b) WIDE_CHOOSE(WIDE_LESS(a, b), a, b)
 
-// Does a register of the processor at hand hold it, or half of it? Where it is split further, gcc
-// passes it through memory in pieces, and eight runs one after the other are faster.
+// True if a register of this processor holds a wide, or half of it. With smaller registers gcc
+// passes a wide through memory, and computing eight runs one after the other is faster.
 bool lanes_hold_wide(void);
 bool lanes_hold_half(void);
 
-// A zeroed array for n things of such values, `size` bytes each, with one in front and one behind;
-// NULL: no memory.
+// A zeroed array of n elements of `size` bytes, made of wide values, with one more element in front
+// and one after the end; NULL: no memory.
 void *lanes_wide_array(struct arena *a, int n, size_t size);
 
-// A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that
-// one lies, so that element i + 1 can be read there too; NULL: no memory.
+// A zeroed array of n values for lanes. At least one 0 follows the values and the last lanes, so
+// that element i + 1 can be read there, too. NULL: no memory.
 double *lanes_array(struct arena *a, int n);
 
-// Asserts what loops over such an array rely on: the zeros in front of it and behind.
+// Asserts the zeros in front of such an array and after its end, which loops read.
 static inline void lanes_assert(const double *x, int n) {
     assert(x[-1] == 0.0 && x[(n + LANES_WIDTH) & ~(LANES_WIDTH - 1)] == 0.0);
 }
 
-// n zeroed things of `size` bytes, the first at the start of a line of the cache; NULL: no memory.
+// n zeroed elements of `size` bytes, the first at the start of a cache line; NULL: no memory.
 void *lanes_lines(struct arena *a, size_t n, size_t size);
 
 // n rounded up to whole lanes.
@@ -167,8 +167,8 @@ static inline int lanes_whole(int n) {
     return (n + LANES_WIDTH - 1) & ~(LANES_WIDTH - 1);
 }
 
-// y = from + A x for a matrix A (n, n) that is symmetric to the bit, so that its rows are its
-// columns. `from` may be y, and NULL is 0. The products of each y are added in the order of x.
+// y = from + A x for a matrix A (n, n) that is exactly symmetric, so that its rows are its columns.
+// `from` may be y; NULL stands for 0. The products of each y are added in the order of x.
 void lanes_add_symmetric(int n, const double *matrix, const double *x, const double *from,
                          double *y);
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Root of a function of one variable: the one search of the program, for all that is known of it.
+// Root of a function of one variable. Which function to call depends on what is known:
 //
 //     values                  root_find      Brent's method
 //     values and slopes       root_newton    Newton's method, kept within the bracket
 //     the sign only           root_halve     bisection
 //
-// All keep a bracket: two ends, of which the function is not positive at one and not negative at
-// the other. A search in a bracket cannot fail. It finds a root of a continuous function, and the
-// place of a jump through zero.
+// All keep a bracket: the function is not positive at one end and not negative at the other. A
+// search in a bracket cannot fail. It finds a root of a continuous function, or a jump through
+// zero.
 //
-// Where a value is expensive, or comes with more than a number, the caller makes the loop: it looks
-// at x, gives the value to root_narrow, and goes on at root_step.
+// If a value is expensive, or has more results than a number, the caller writes the loop: it
+// computes the value at x, gives it to root_narrow, and goes on with the x of root_step.
 #ifndef JOSTLE_ROOT_H
 #define JOSTLE_ROOT_H
 
@@ -26,26 +26,25 @@ static inline double root_middle(const struct root *r) {
     return 0.5 * (r->low + r->high);
 }
 
-// Makes x an end of the bracket: the function has the value y there.
+// Makes x, where the function has the value y, an end of the bracket.
 static inline void root_narrow(struct root *r, double x, double y) {
     *(r->rise * y > 0.0 ? &r->high : &r->low) = x;
 }
 
-// The next place to look at, after the value y and the slope at x: Newton's, or the middle where
-// that is not inside the bracket (Press et al. 1992, Numerical Recipes, section 9.4).
+// The next x, from the value y and the slope at x: that of Newton's method, or the middle if
+// Newton's is not inside the bracket (Press et al. 1992, Numerical Recipes, section 9.4).
 static inline double root_step(const struct root *r, double x, double y, double slope) {
     double next = x - y / slope;
     return next > r->low && next < r->high ? next : root_middle(r);
 }
 
-// Makes the middle an end of the bracket: `beyond` tells whether the root is between the middle and
-// `high`, which here may also be the smaller one.
+// Makes the middle an end of the bracket. `beyond`: the root is between the middle and `high`. Here
+// `high` may be less than `low`.
 static inline void root_halve(struct root *r, bool beyond) {
     *(beyond ? &r->low : &r->high) = root_middle(r);
 }
 
-// The straight line's root between both ends, at which the function has these values: where a
-// search begins.
+// The root of the straight line between the values at both ends: the start of a search.
 static inline double root_between(const struct root *r, double at_low, double at_high) {
     double part = at_low / (at_low - at_high);
     return r->low + (r->high - r->low) * fmin(fmax(part, 0.0), 1.0);
@@ -54,8 +53,8 @@ static inline double root_between(const struct root *r, double at_low, double at
 // The value of a function at x; sets its slope there.
 typedef double root_function(double x, void *context, double *slope);
 
-// The root in the bracket, from x on, by Newton's method until a correction is below `tolerance`:
-// the error is about its square. The function is inlined where it is known.
+// The root in the bracket by Newton's method, which starts at x and ends at a correction below
+// `tolerance`. The error is about the square of this correction. The compiler inlines `function`.
 static inline double root_newton(root_function *function, void *context, struct root r, double x,
                                  double tolerance) {
     enum { ITERATIONS_MAX = 100 };
@@ -75,8 +74,9 @@ static inline double root_newton(root_function *function, void *context, struct 
     return x;
 }
 
-// The root of `function` between low and high, where its values have different signs, to the
-// relative tolerance, by Brent's method (GSL). NAN: no memory, or the values are not finite.
+// The root of `function` between low and high to the relative tolerance, by Brent's method (GSL).
+// The values at low and high must have different signs. NAN: no memory, or the values are not
+// finite.
 double root_find(double (*function)(double x, void *context), void *context, double low,
                  double high, double tolerance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What may have been meant by a word that is not known.
+// The known word that an unknown word may mean.
 #include "core/text.h"
 
 #include <ctype.h>
@@ -8,7 +8,7 @@
 
 enum {
     WORD_MAX = 64,
-    SHARED_MIN = 3,  // letters that words share at least, of which one goes on where the other ends
+    SHARED_MIN = 3,  // letters of the shorter word, at least, if the other word begins with it
 };
 
 static int lower(char c) {
@@ -24,7 +24,7 @@ static int exact(char c) {
 }
 
 // Edit distance with swaps of neighbours (restricted Damerau-Levenshtein distance), row by row.
-// Both words have fewer than WORD_MAX bytes; `fold` makes letters equal that count as equal.
+// Both words have fewer than WORD_MAX bytes. `fold` maps letters that count as equal to one letter.
 static int edit_distance(const char *a, int n, const char *b, int m, int (*fold)(char)) {
     int row[3][WORD_MAX];
     int *before = row[0], *last = row[1], *now = row[2];
@@ -49,7 +49,8 @@ static int edit_distance(const char *a, int n, const char *b, int m, int (*fold)
     return last[m];
 }
 
-// True if one word goes on where the other ends: `known` anyhow, `word` by no letter or digit.
+// True if one word begins with the other. If `word` is the longer one, no letter or digit may
+// follow the part that they share.
 static bool is_relative(const char *word, const char *known) {
     size_t shared = 0;
     while (word[shared] && word[shared] == known[shared]) {
@@ -59,7 +60,7 @@ static bool is_relative(const char *word, const char *known) {
     return whole && shared >= SHARED_MIN;
 }
 
-// The only known word of which that is so; NULL: there is none, or there are several.
+// The only known word of which is_relative is true; NULL: there is none, or there are several.
 static const char *only_relative(const char *word, const char *const *known, int n) {
     const char *relative = NULL;
     for (int i = 0; i < n; i++) {

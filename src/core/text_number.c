@@ -27,7 +27,7 @@ static const char *take_digits(const char *at, long long *whole) {
     return at;
 }
 
-// The end of the exponent at `at`, where there is one; otherwise `at`.
+// The end of the exponent at `at`; `at` if there is none.
 static const char *take_exponent(const char *at, struct decimal *d) {
     if (*at != 'e' && *at != 'E') {
         return at;
@@ -39,7 +39,7 @@ static const char *take_exponent(const char *at, struct decimal *d) {
     return end > digits ? end : at;
 }
 
-// The end of the decimal number at `text`; NULL: none stands there.
+// The end of the decimal number at `text`; NULL: there is none.
 static const char *take_decimal(const char *text, struct decimal *d) {
     const char *start = text + (*text == '+' || *text == '-');
     const char *at = take_digits(start, &d->whole);
@@ -56,9 +56,9 @@ static const char *take_decimal(const char *text, struct decimal *d) {
     return take_exponent(at, d);
 }
 
-// The number where one operation gives it, and so the double nearest to it: at most 15 digits are a
-// whole number that doubles hold, and so are powers of ten up to 22 (Clinger 1990, How to read
-// floating point numbers accurately, section 3). NAN: it takes more.
+// The double nearest to the number, if one operation is enough: doubles hold whole numbers of up to
+// 15 digits and powers of ten up to 22 exactly (Clinger 1990, How to read floating point numbers
+// accurately, section 3). NAN: one operation is not enough.
 static double short_number(const struct decimal *d) {
     static const double power[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,

@@ -140,7 +140,7 @@ static bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// The simple unit whose name is the run of letters (or the `%`) at *at; NULL: none.
+// The simple unit whose name is the letters (or the `%`) at *at; NULL: there is none.
 static const struct simple *simple_parse(const char **at) {
     size_t n = 0;
     if (**at == '%') {
@@ -238,7 +238,7 @@ static void append(char *text, size_t size, const char *joint, const char *name,
     }
 }
 
-// The name of the mass of `kilogram` kg; NULL: it has none.
+// The name of the unit of mass that is `kilogram` kg; NULL: it has no name.
 static const char *mass_name(double kilogram) {
     for (int i = 0; unit_names[i]; i++) {
         if (dimension_equal(simple_units[i].dimension, dimension_mass) &&

@@ -2,7 +2,7 @@
 #ifndef JOSTLE_WALL_H
 #define JOSTLE_WALL_H
 
-// Time [s] of a clock that nobody sets; its zero means nothing.
+// Time [s] of a monotonic clock, which is never set. Only differences have a meaning.
 double wall_seconds(void);
 
 #endif

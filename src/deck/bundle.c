@@ -8,13 +8,13 @@
 #include "deck/sweep.h"
 
 struct bundle {
-    struct sweep *sweep;  // over its numbers
-    struct sweep *last;   // along it; NULL: none yet
-    int n;                // values, although -D may choose one
-    int choice;           // from 0, of this run
-    bool sound;           // false: what is wrong with it has been reported
-    const char *first;    // its first sweep
-    const char *noun;     // of the values of that
+    struct sweep *sweep;  // over the numbers 1 ... n
+    struct sweep *last;   // the last paired sweep so far; NULL: none yet
+    int n;                // values of each sweep, also if a -D chooses one of them
+    int choice;           // number of the value in this run, from 0
+    bool valid;           // false: an error has been reported
+    const char *first;    // name of its first paired sweep
+    const char *noun;     // "value" or "file", for the values of the first sweep
     struct place place;
     struct bundle *next;
 };
@@ -54,7 +54,7 @@ bool bundle_name(struct deck *d, const struct argument *as, const struct word *a
     return true;
 }
 
-// Defines the parameter that numbers the bundle and decides which number it has in this run.
+// Defines the parameter that numbers the paired values, and sets its number in this run.
 static bool number_bundle(struct deck *d, const struct bundle_request *q, struct bundle *b) {
     const struct define *define = define_find(d, q->name.text);
     if (!sweep_bound(d, q->name.text, &b->choice) || b->choice >= b->n) {
@@ -75,7 +75,7 @@ static bool number_bundle(struct deck *d, const struct bundle_request *q, struct
     return p.kind == PARAMETER_NUMBER;
 }
 
-// 1 ... n; NULL: no memory. Runs share those of the first.
+// The numbers 1 ... n; NULL: no memory. All runs use the array of the first reading.
 static const double *numbers(struct deck *d, const char *name, int n) {
     int choice;
     const struct sweep *from = sweep_bound(d, name, &choice);
@@ -89,9 +89,10 @@ static const double *numbers(struct deck *d, const char *name, int n) {
     return number;
 }
 
-// Begins a bundle, which stays in the list where it is wrong; NULL: no memory.
-static struct bundle *begin(struct deck *d, const struct bundle_request *q,
-                            const struct sweep *own) {
+// Creates a dimension of paired sweeps. It stays in the list even if it has an error. NULL: no
+// memory.
+static struct bundle *create_bundle(struct deck *d, const struct bundle_request *q,
+                                    const struct sweep *own) {
     const int n = own->n;
     struct bundle *b = deck_array(d, 1, sizeof *b);
     struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
@@ -108,19 +109,19 @@ static struct bundle *begin(struct deck *d, const struct bundle_request *q,
                          .place = q->count->place,
                          .next = d->reader->bundles};
     d->reader->bundles = b;
-    b->sound = parameter_is_free(d, &q->name, BY_BUNDLE) && number_bundle(d, q, b) &&
+    b->valid = parameter_is_free(d, &q->name, BY_BUNDLE) && number_bundle(d, q, b) &&
                sweep_append(d, &q->name, sweep);
     return b;
 }
 
-// The bundle of that name; NULL: something is wrong.
-static struct bundle *find(struct deck *d, const struct bundle_request *q,
-                           const struct sweep *own) {
+// The dimension that `q` names, created if it is new; NULL after having reported an error.
+static struct bundle *find_bundle(struct deck *d, const struct bundle_request *q,
+                                  const struct sweep *own) {
     struct bundle *b = d->reader->bundles;
     while (b && strcmp(b->sweep->name, q->name.text) != 0) {
         b = b->next;
     }
-    b = b ? b : begin(d, q, own);
+    b = b ? b : create_bundle(d, q, own);
     if (b && b->n != own->n) {
         deck_error(d, q->count,
                    "'%s' has %d %s%s, but '%s' in %s has %d %s%s; sweeps with -as %s need equally "
@@ -130,11 +131,11 @@ static struct bundle *find(struct deck *d, const struct bundle_request *q,
                    b->n == 1 ? "" : "s", b->sweep->name);
         return NULL;
     }
-    return b && b->sound ? b : NULL;
+    return b && b->valid ? b : NULL;
 }
 
-// How often the text stands in `s`; in *at where, from 0.
-static int count(const struct sweep *s, const char *text, int *at) {
+// Counts the occurrences of `text` in `s`; *at is the number of the last one, from 0.
+static int count_text(const struct sweep *s, const char *text, int *at) {
     int n = 0;
     for (int i = 0; s->text && i < s->n; i++) {
         if (strcmp(s->text[i], text) == 0) {
@@ -151,7 +152,7 @@ bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct 
     if (!define || !q->name.text || define_find(d, q->name.text)) {
         return false;
     }
-    const int n = count(own, define->value.text, &at);
+    const int n = count_text(own, define->value.text, &at);
     if (n > 1) {
         deck_error(d, &define->value, "this occurs %d times in '%s'; -D %s=NUMBER chooses one", n,
                    own->name, q->name.text);
@@ -162,8 +163,8 @@ bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct 
     return n > 0;
 }
 
-// Leaves value `choice` only.
-static void cut(struct sweep *s, int choice) {
+// Removes all values of `s` except number `choice`.
+static void keep_value(struct sweep *s, int choice) {
     s->n = 1;
     s->fixed = true;
     s->number = s->number ? s->number + choice : NULL;
@@ -174,14 +175,14 @@ static void cut(struct sweep *s, int choice) {
 
 bool bundle_join(struct deck *d, const struct bundle_request *q, struct sweep *own,
                  struct parameter *p) {
-    struct bundle *b = find(d, q, own);
+    struct bundle *b = find_bundle(d, q, own);
     if (!b) {
         return false;
     }
     sweep_choose(own, b->choice, p);
     p->swept = !b->sweep->fixed;
     if (b->sweep->fixed) {
-        cut(own, b->choice);
+        keep_value(own, b->choice);
     }
     struct sweep *before = b->last ? b->last : b->sweep;
     before->along = own;

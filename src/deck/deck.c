@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opens a deck and hands out its statements, going through included files.
+// Opens a deck and returns its statements one by one, those of included files too.
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,7 +36,7 @@ static struct deck *deck_create(const char *path) {
     return d;
 }
 
-// Puts the deck before its first statement.
+// Resets the deck to its first statement.
 static void begin(struct deck *d, struct source *top) {
     d->title = "";
     d->files = NULL;
@@ -49,7 +49,7 @@ static void begin(struct deck *d, struct source *top) {
     source_enter(d, top);
 }
 
-// Takes `text` as the top file.
+// Sets the text of the top file and starts reading it.
 static int deck_start(struct deck *d, const char *text, size_t size, const char *const *define,
                       int n_define, struct error *e) {
     if (size > DECK_BYTES_MAX) {
@@ -179,7 +179,8 @@ static void add_statement(struct checksum_sum *sum, const struct statement *s) {
     }
 }
 
-// Of an opened deck, which is then freed. What cannot be parted into statements counts as a whole.
+// The checksum of an open deck, which is then freed. If some lines cannot be split into statements,
+// the whole text counts.
 static int checksum_statements(struct deck *d, struct checksum *out, struct error *e) {
     struct checksum_sum sum;
     struct statement s;

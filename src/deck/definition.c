@@ -36,14 +36,15 @@ void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
 
 static const char *const kind_name[] = {[PARAMETER_NUMBER] = "number", [PARAMETER_TEXT] = "text"};
 
-// Whether one value may replace the other: numbers without a unit fit all numbers.
+// True if one value may replace the other. Numbers without a unit fit all numbers.
 static bool fits(const struct parameter *a, const struct parameter *b) {
     return a->kind == b->kind &&
            (a->kind == PARAMETER_TEXT || !a->number.known || !b->number.known ||
             dimension_equal(a->number.dimension, b->number.dimension));
 }
 
-// Reports that `got`, at `w`, is of another kind than `given`, which stands in `where`.
+// False after having reported that `got`, at `w`, has another kind or dimension than `given`, which
+// is in `where`.
 static bool check_kind(struct deck *d, const struct word *w, const struct parameter *given,
                        const char *where, const struct parameter *got) {
     struct text_short name;
@@ -63,7 +64,7 @@ static bool check_kind(struct deck *d, const struct word *w, const struct parame
     return false;
 }
 
-// Puts the value of a -D in the place of the deck's; the kind stays.
+// Replaces the value of `p` by the value of a -D. The kind stays the same.
 static void override(struct deck *d, struct define *define, struct parameter *p) {
     struct parameter deck_value = *p;
     if (deck_value.kind == PARAMETER_TEXT) {
@@ -77,7 +78,7 @@ static void override(struct deck *d, struct define *define, struct parameter *p)
     }
 }
 
-// Where `p` is defined by one of the kinds that `by` names; NULL: nowhere.
+// The place of the param or sweep of `p`, whichever `by` includes; NULL: there is none.
 static const struct place *defined_at(const struct parameter *p, enum definition by) {
     return by & BY_PARAM && p->param.source   ? &p->param
            : by & BY_SWEEP && p->sweep.source ? &p->sweep
@@ -98,9 +99,10 @@ bool parameter_is_free(struct deck *d, const struct word *name, enum definition 
     return !at;
 }
 
-// The value of a new parameter is that of a -D, or of a sweep below its param that another reading
-// has found, which says there if it does not fit. True if it is that of a -D.
-static bool replace(struct deck *d, enum definition by, struct parameter *p) {
+// Sets the value of a new parameter to the value of a -D or, for a param, of a sweep of the first
+// reading. A sweep that does not fit is ignored here and reported at its statement. True if a -D
+// gives the value.
+static bool replace_value(struct deck *d, enum definition by, struct parameter *p) {
     struct define *define = define_find(d, p->name);
     int choice;
     const struct sweep *s = by == BY_PARAM ? sweep_bound(d, p->name, &choice) : NULL;
@@ -125,13 +127,13 @@ static void take_value(struct parameter *to, const struct parameter *from) {
     to->origin = from->origin;
 }
 
-// The second definition of `p`, by a param and a sweep: the sweep gives the values. True
-// if a -D gives it.
-static bool join(struct deck *d, const struct word *name, enum definition by, struct parameter *p,
-                 struct parameter *value) {
+// Adds the second definition to `p`, which then has a param and a sweep. The sweep gives the
+// values. True if a -D gives the value.
+static bool add_definition(struct deck *d, const struct word *name, enum definition by,
+                           struct parameter *p, struct parameter *value) {
     const struct place *first = by == BY_PARAM ? &p->sweep : &p->param;
     struct define *define = define_find(d, p->name);
-    const bool found =  // the file of a label
+    const bool found =  // the -D is a label whose file the sweep has found
         define && define->beside && by == BY_SWEEP && p->kind == PARAMETER_TEXT;
     value->name = p->name;
     if (found) {
@@ -157,10 +159,10 @@ bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
     struct parameter *kept = parameter_find(d, name->text, strlen(name->text));
     bool defined = false;
     if (kept) {
-        defined = join(d, name, by, kept, value);
+        defined = add_definition(d, name, by, kept, value);
     } else {
         value->name = name->text;
-        defined = replace(d, by, value);
+        defined = replace_value(d, by, value);
         kept = parameter_add(d, value);
     }
     if (kept) {
@@ -173,7 +175,8 @@ bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
 
 void parameter_define(struct deck *d, const struct word *name, const struct word *value) {
     if (parameter_is_free(d, name, BY_PARAM)) {
-        struct parameter p = {0};  // not in the list yet: a value cannot name its own parameter
+        struct parameter p = {
+            0};  // added after its value is read: a value cannot use its own parameter
         d->reader->swept = false;
         parameter_read(d, value, &p);
         p.swept = p.derived = d->reader->swept;

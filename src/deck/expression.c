@@ -7,8 +7,8 @@
 //     power   = primary [ ^ sign ]                so 2^3^2 = 2^9 and -2^2 = -4
 //     primary = literal | name | $name | pi | function ( sum {, sum} ) | ( sum )
 //
-// A literal takes the longest unit that follows it directly: in 300t/g the g is the unit, in
-// 300t / g a parameter.
+// A literal takes the longest unit that follows it directly. In 300t/g the g is the unit; in
+// 300t / g it is a parameter.
 #include "deck/expression.h"
 
 #include <ctype.h>
@@ -18,7 +18,7 @@
 #include "deck/parameter.h"
 #include "deck/quantity.h"
 
-// Levels of brackets, signs and powers within each other, so that no text overflows the stack.
+// The limit of nested brackets, signs and powers, so that no text overflows the stack.
 enum { DEPTH_MAX = 100 };
 
 struct parser {
@@ -30,15 +30,15 @@ struct parser {
 
 static bool sum(struct parser *p, struct quantity *out);
 
-static void skip_blanks(struct parser *p) {
+static void skip_spaces(struct parser *p) {
     while (p->at < p->end && (*p->at == ' ' || *p->at == '\t')) {
         p->at++;
     }
 }
 
-// The next character that is not blank; 0 at the end.
+// The next character that is not a space; 0 at the end.
 static char next(struct parser *p) {
-    skip_blanks(p);
+    skip_spaces(p);
     return p->at < p->end ? *p->at : '\0';
 }
 
@@ -69,7 +69,7 @@ static bool close_bracket(struct parser *p, const char *open) {
     return true;
 }
 
-// min and max, after the `(`.
+// Reads the other arguments of min (sign -1) or max (+1), after the first one.
 static bool choice(struct parser *p, int sign, const char *name, const char *name_end,
                    struct quantity *out) {
     if (next(p) != ',') {
@@ -106,7 +106,7 @@ static bool call(struct parser *p, const char *name, const char *name_end, struc
         return unknown_function(p, name, name_end);
     }
     const char *open = p->at++;
-    skip_blanks(p);
+    skip_spaces(p);
     const char *from = p->at;
     if (!sum(p, out)) {
         return false;
@@ -184,7 +184,7 @@ static bool primary(struct parser *p, struct quantity *out) {
     return unexpected(p);
 }
 
-// *a op *b. An error points at the operator, for a division by zero at the divisor.
+// Sets *a to *a op *b. An error points at the operator, or at the divisor for a division by zero.
 static bool combine(struct parser *p, const char *op, struct quantity *a,
                     const struct quantity *b) {
     struct error e;
@@ -264,7 +264,7 @@ bool expression_evaluate(struct deck *d, const struct word *w, const char *from,
     return next(&p) == 0 || unexpected(&p);
 }
 
-// $name or ${expression} at *at, which moves past it.
+// Reads the $name or ${expression} at *at, and moves *at past it.
 static bool dollar(struct deck *d, const struct word *w, const char **at, struct quantity *out) {
     const char *from = *at + 1;
     if (*from == '{') {

@@ -8,9 +8,9 @@
 #include "core/arena.h"
 #include "deck/reader.h"
 
-enum { SETS_MAX = 8 };  // of one statement
+enum { SETS_MAX = 8 };  // sets of rows of one statement
 
-// The number of words after the option at s->word[at], up to the next option.
+// The number of values of the option at s->word[at].
 static int count_behind(const struct statement *s, int at) {
     int n = 0;
     while (at + 1 + n < s->n_word && !deck_is_option(&s->word[at + 1 + n])) {
@@ -30,7 +30,7 @@ const struct word *deck_option(const struct statement *s, const char *key, int *
     return NULL;
 }
 
-// The row of option `key`, in set[*at]; NULL: no set has it.
+// The row of option `key`; *at is the number of its set. NULL: no set has such a row.
 static const struct row *find_row(const struct row_set *set, int n_set, const char *key, int *at) {
     for (*at = 0; *at < n_set; (*at)++) {
         for (int j = 0; j < set[*at].n_row; j++) {
@@ -42,8 +42,8 @@ static const struct row *find_row(const struct row_set *set, int n_set, const ch
     return NULL;
 }
 
-// Reports the option at s->word[at]. The row that it is likely to mean counts as given: it is not
-// said to be missing too.
+// Reports the unknown option at s->word[at]. If its name resembles the name of a row, this row
+// counts as given, so that it is not reported as missing too.
 static void report_unknown(struct deck *d, const struct statement *s, int at,
                            const struct row_set *set, int n_set) {
     const char *known[64];
@@ -66,7 +66,7 @@ static void report_unknown(struct deck *d, const struct statement *s, int at,
     }
 }
 
-// Gives every row its fallback.
+// Sets the argument of every row to its fallback.
 static bool clear(struct deck *d, const struct row_set *set, double power) {
     for (int j = 0; j < set->n_row; j++) {
         const struct row *row = &set->row[j];
@@ -87,8 +87,8 @@ static bool clear(struct deck *d, const struct row_set *set, double power) {
     return true;
 }
 
-// The exponent that dimensions of the set depend on: the value of the row with ROW_POWER, which is
-// given or has a fallback. NAN: it is missing or wrong, which is reported here or later.
+// The exponent in the dimensions of the set: the value, or the fallback, of the row with ROW_POWER.
+// NAN: the value is missing or wrong. The error is reported here or later.
 static double read_power(struct deck *d, const struct statement *s, const struct row_set *set) {
     for (int j = 0; j < set->n_row; j++) {
         const struct row *row = &set->row[j];
@@ -132,7 +132,7 @@ static bool read_option(struct deck *d, const struct statement *s, int at,
     }
     const unsigned depends = ROW_POWER | ROW_PER_LENGTH_POWER | ROW_PER_VELOCITY_POWER;
     if (isnan(power) && (row->flags & depends)) {
-        argument->given = true;  // what is wrong with the exponent is reported elsewhere
+        argument->given = true;  // read_power reports a wrong exponent
         argument->key = *key;
         return false;
     }
@@ -154,7 +154,8 @@ static bool check_required(struct deck *d, const struct statement *s, const stru
     return ok;
 }
 
-// Of the rows with ROW_ONE_OF in one set exactly one must be given.
+// Exactly one of the rows with ROW_ONE_OF in a set must be given; false after having reported an
+// error.
 static bool check_one_of(struct deck *d, const struct statement *s, const struct row_set *set) {
     char names[256] = "";
     const struct word *first = NULL;

@@ -31,7 +31,7 @@ struct parameter *parameter_find(const struct deck *d, const char *name, size_t 
     return p;
 }
 
-// Reports that there is no parameter of the name that `w` holds.
+// Reports that there is no parameter of the name `w`.
 static void report_unknown(struct deck *d, const struct word *w) {
     const struct reader *r = d->reader;
     const char **known = NULL;
@@ -67,7 +67,7 @@ static void put_in_bucket(const struct reader *r, struct parameter *p) {
     *bucket = p;
 }
 
-// Twice the buckets, so that few parameters share one.
+// Doubles the number of buckets, so that few parameters share one bucket.
 static bool grow_buckets(struct deck *d) {
     enum { BUCKETS_FIRST = 64 };
     struct reader *r = d->reader;

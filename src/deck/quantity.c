@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers that may carry a dimension: their arithmetic, and how they are read with their unit.
+// Numbers that may carry a dimension: their arithmetic, and reading them with their unit.
 // Values are in the deck's units.
 #include "deck/quantity.h"
 
@@ -24,7 +24,7 @@ const char *quantity_describe(const struct unit_system *u, struct dimension dime
     return t->text;
 }
 
-// Sums, min and max need equal dimensions; the result has them.
+// Checks that *a and *b have equal dimensions, as sums, min and max need; *a gets the dimension.
 static int unify(const struct unit_system *u, const char *verb, struct quantity *a,
                  const struct quantity *b, struct error *e) {
     if (a->known && b->known && !dimension_equal(a->dimension, b->dimension)) {
@@ -46,7 +46,7 @@ static void scale_dimension(struct quantity *a, double power) {
     a->dimension.time *= power;
 }
 
-// a op b where op is * (sign 1) or / (sign -1).
+// Sets the dimension of a * b (sign 1) or a / b (sign -1) in *a.
 static void multiply_dimension(struct quantity *a, const struct quantity *b, double sign) {
     if (!a->known || !b->known) {
         a->known = false;
@@ -74,7 +74,8 @@ static int raise(const struct unit_system *u, struct quantity *a, const struct q
         return e->status;
     }
     if (a->value < 0 && b->value != floor(b->value)) {
-        return error_set(e, STATUS_INPUT, "the negative number %.6g has no power %.6g", a->value,
+        return error_set(e, STATUS_INPUT,
+                         "the negative number %.6g cannot be raised to the power %.6g", a->value,
                          b->value);
     }
     if (a->value == 0 && b->value < 0) {
@@ -179,7 +180,7 @@ int quantity_function(const struct unit_system *u, const char *name, size_t n, s
     return check_finite(a, e);
 }
 
-// Notes that the unit g is used: the statement gravity must precede its uses.
+// Notes that the unit g is used, because the statement gravity must be above all uses of g.
 static void note_gravity(struct deck *d, const char *unit, double size) {
     const char *end;
     struct dimension dimension;
@@ -194,7 +195,7 @@ static bool starts_unit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%';
 }
 
-// The end of the run of letters at `at`, of at least one character.
+// The end of the letters that start at `at`; at least one character is passed.
 static const char *letters_end(const char *at) {
     do {
         at++;
@@ -209,7 +210,7 @@ bool literal_is_unit(const struct deck *d, const char *text, size_t n) {
     return unit_parse(text, d->units.gravity, &end, &dimension, &si) && end == text + n;
 }
 
-// Reports the unit at `at`; it is a known one only where it follows rad or deg.
+// Reports a wrong unit at `at`. An existing unit is wrong only after rad or deg.
 static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     int n = 0;
     double si;
@@ -266,7 +267,7 @@ bool literal_read(struct deck *d, const struct word *w, const char **at, struct 
     return literal_unit(d, w, at, out);
 }
 
-// What to write instead where the number `q` is followed by `rest`.
+// The end of a message: what to write instead of `rest`, which follows the number `q`.
 static const char *advice(const struct quantity *q, const char *rest) {
     if (*rest == ',' || *rest == ';') {
         return "write decimals with a point, and separate the values of a list by spaces";

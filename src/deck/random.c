@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random values by the inverse of the distribution, x = F^-1(u), one u for each x, so that u says
-// which share of the distribution lies below x and Latin hypercubes are strata of u.
+// Random values by the inverse of the distribution, x = F^-1(u), with one u for each x. u is the
+// probability of a value below x. A Latin hypercube divides the range of u into strata.
 //
 //   normal      F^-1(u) = a + b z       a: mean, b: standard deviation
 //   lognormal   F^-1(u) = a exp(b z)    a: median, b: standard deviation of ln x, the dispersion
 //   uniform     F^-1(u) = a + (b - a) u
 //
-// where Phi(z) = u. Truncated to [min, max]: Phi(z) = Phi(z_min) + u (Phi(z_max) - Phi(z_min)),
-// above the mean by the complement Q = 1 - Phi, so that far tails keep their digits.
+// where Phi(z) = u. Truncated to [min, max]: Phi(z) = Phi(z_min) + u (Phi(z_max) - Phi(z_min)).
+// Above the mean the complement Q = 1 - Phi is used, so that far tails keep their digits.
 //
 // Independent: u_i = (m_i + 1/2) / 2^32, with m_i the numbers of the Mersenne twister MT19937
 // (Matsumoto & Nishimura 1998, ACM Trans. Model. Comput. Simul. 8, 3-30; GSL's), never 0 nor 1.
 // Latin hypercube (McKay, Beckman & Conover 1979, Technometrics 21, 239-245): u_i = (p_i + w_i) /
 // n, with p a random permutation of 0 ... n - 1, drawn first, and w_i as u_i above.
 //
-// The twister starts from the seed and the name of the parameter, FNV-1a of 64 bits over "SEED
-// NAME" folded to 32: so parameters do not share numbers, and none changes when another is added.
+// The twister starts from the seed and the name of the parameter: the 64 bits of FNV-1a over "SEED
+// NAME", folded to 32. So parameters do not share numbers, and adding a parameter does not change
+// the values of the others.
 #include "deck/random.h"
 
 #include <gsl/gsl_cdf.h>
@@ -90,8 +91,9 @@ static const struct distribution uniform = {
 const struct distribution *const random_distributions[] = {&normal, &lognormal, &uniform};
 const int n_random_distribution = sizeof random_distributions / sizeof random_distributions[0];
 
-// The part of the standard normal distribution that is sampled: from `p` upwards of width `width`,
-// both of the lower tail, or of the upper one downwards.
+// The sampled part of the standard normal distribution: from the probability `p` upwards by
+// `width`. Both are probabilities of the lower tail, or of the upper tail, which is sampled
+// downwards.
 struct part {
     enum { LOWER_TAIL, UPPER_TAIL } tail;
     double p, width;
@@ -125,7 +127,7 @@ static double probability(const gsl_rng *twister) {
     return ((double)gsl_rng_get(twister) + 0.5) / 4294967296.0;
 }
 
-// The probabilities u_i, in `value`.
+// Writes the probabilities u_i into `value`.
 static void draw_probabilities(const struct random_values *r, gsl_rng *twister, int *order,
                                double *value) {
     for (int i = 0; i < r->n; i++) {
@@ -163,7 +165,7 @@ int random_draw(const struct random_values *r, int *order, double *value, struct
         if (!isfinite(x)) {
             return error_set(e, STATUS_INPUT, "value %d is not finite", i + 1);
         }
-        value[i] = fmin(fmax(x, r->min), r->max);  // rounding must not pass a limit
+        value[i] = fmin(fmax(x, r->min), r->max);  // rounding must not exceed a limit
     }
     return STATUS_OK;
 }

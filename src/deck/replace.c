@@ -48,7 +48,7 @@ static bool append_parameter(struct deck *d, const struct word *w, struct buffer
     return append_number(d, w, b, p->number.value);
 }
 
-// What the expression in braces, from `from` to `to`, gives.
+// Appends the value of the expression in braces, from `from` to `to`.
 static bool append_expression(struct deck *d, const struct word *w, struct buffer *b,
                               const char *from, const char *to) {
     const char *name = from + strspn(from, " \t$");
@@ -62,7 +62,7 @@ static bool append_expression(struct deck *d, const struct word *w, struct buffe
     return expression_evaluate(d, w, from, to, &q) && append_number(d, w, b, q.value);
 }
 
-// Appends what the $ at *at stands for; *at moves past it.
+// Appends the value of the $name or ${expression} at *at, and moves *at past it.
 static bool append_dollar(struct deck *d, const struct word *w, struct buffer *b, const char **at) {
     const char *from = *at + 1;
     if (*from == '{') {
@@ -169,7 +169,7 @@ static bool is_number_like(const struct word *w) {
     return !w->quoted && ((*t >= '0' && *t <= '9') || is_dollar(w->text));
 }
 
-// The text parameter that the word names as a whole, as $name or ${name}; NULL: it is no such word.
+// The text parameter if the whole word is $name or ${name}; NULL: any other word.
 static const struct parameter *whole_text(const struct deck *d, const struct word *w) {
     if (w->quoted || w->text[0] != '$') {
         return NULL;
@@ -207,7 +207,7 @@ void parameter_read(struct deck *d, const struct word *w, struct parameter *p) {
 struct deck_path *deck_path_enter(struct deck *d, const struct word *w, const char *name) {
     const struct source *from = text_origin(d, w);
     const struct source top = {.name = d->path};
-    const char *path = source_path(d, from && from->text ? from : &top, name);  // a -D has none
+    const char *path = source_path(d, from && from->text ? from : &top, name);  // a -D has no text
     struct deck_path *file = arena_alloc(d->arena, 1, sizeof *file);
     if (!path || !file) {
         diagnostics_no_memory(&d->diagnostics);

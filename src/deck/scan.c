@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Characters -> words with positions.
 //
-// A statement is one line, or several that `\` as the very last character joins; the `\` parts
-// words like a blank. Words are parted by blanks and tabs. `"` at the start of a word quotes it up
-// to the next `"` on the same line, where `\` is a character like others; there are no escapes.
-// Between `${` and `}` blanks belong to the word. `#` starts a comment up to the end of the line,
-// which it never joins; in names of files it is quoted. Lines end with LF or CR LF. Other control
-// characters and bytes that are not UTF-8 are errors, also in comments, and so are the quotes,
-// dashes and blanks of word processors outside quotes.
+// A statement is one line. A `\` as the very last character of a line joins the next line; the `\`
+// separates words like a space. Spaces and tabs separate words. A `"` at the start of a word quotes
+// it up to the next `"` on the same line. Inside quotes `\` is an ordinary character; there are no
+// escapes. Between `${` and `}` spaces belong to the word. `#` starts a comment up to the end of
+// the line; a `\` at the end of a comment joins nothing. A `#` in the name of a file must be
+// quoted. Lines end with LF or CR LF. Other control characters and bytes that are not UTF-8 are
+// errors, also in comments. Typographic quotation marks, dashes and spaces are errors outside
+// quotes.
 //
-// A wrong line spoils its statement: the statement is left out, and reading goes on after it.
+// A statement with a wrong line is left out, and reading goes on after it.
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,16 +21,16 @@ struct scan {
     struct deck *deck;
     struct source *source;
     int line;
-    const char *at, *end;       // of the line, without its end
-    int column;                 // of `at`
-    bool wrong;                 // something was reported
+    const char *at, *end;       // the rest of the line, without its line feed
+    int column;                 // column of `at`
+    bool wrong;                 // an error was reported
     bool joined;                // the next line belongs to the statement
-    bool stray;                 // a `\` that does not join was meant to
-    bool torn;                  // and the end of a quoted text, which is not looked for there
-    const struct sweep *known;  // is given by these lines: nothing is wrong with them
+    bool stray;                 // a `\` before spaces or a comment: it was meant to join lines
+    bool open_quote;            // a quoted text goes on in the next line, which is not scanned
+    const struct sweep *known;  // the sweep of these lines in the first reading; NULL: none
 };
 
-// sweep NAME values FIRST: the words of a known one that are read again.
+// sweep NAME values FIRST: the words of a known sweep that are read again.
 enum { KNOWN_WORDS = 4 };
 
 static void fail(struct scan *s, int column, int width, const char *message) {
@@ -40,7 +41,7 @@ static void fail(struct scan *s, int column, int width, const char *message) {
     s->wrong = true;
 }
 
-static bool is_blank(char c) {
+static bool is_space(char c) {
     return c == ' ' || c == '\t';
 }
 
@@ -61,7 +62,7 @@ static bool grow(struct reader *r) {
     return true;
 }
 
-// Appends the word from `start` to s->at, of which quotes are no part.
+// Appends the word from `start` to s->at. Quotes are not part of the word.
 static void add_word(struct scan *s, const char *start, int column, bool quoted) {
     struct reader *r = s->deck->reader;
     if (r->n_word == r->word_capacity && !grow(r)) {
@@ -90,21 +91,23 @@ static void scan_quoted(struct scan *s) {
         advance(s);
     }
     if (s->at == s->end) {
-        s->torn = s->end[-1] == '\\';
-        fail(s, column, 1,
-             s->torn ? "the quoted text does not end on its line; '\\' joins no lines within quotes"
-                     : "the quoted text does not end on its line");
+        s->open_quote = s->end[-1] == '\\';
+        fail(
+            s, column, 1,
+            s->open_quote
+                ? "the quoted text does not end on its line; '\\' does not join lines within quotes"
+                : "the quoted text does not end on its line");
         return;
     }
     add_word(s, start, column, true);
     advance(s);
     const bool joins = s->at < s->end && *s->at == '\\' && s->at + 1 == s->end;
-    if (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !joins) {
+    if (s->at < s->end && !is_space(*s->at) && *s->at != '#' && !joins) {
         fail(s, s->column, 1, "a space must follow the closing quote");
     }
 }
 
-// Goes past the } that belongs to the ${ at s->at.
+// Moves s->at past the } of the ${ at s->at.
 static void scan_braces(struct scan *s) {
     int column = s->column;
     while (s->at < s->end && *s->at != '}') {
@@ -117,11 +120,12 @@ static void scan_braces(struct scan *s) {
     advance(s);
 }
 
-// What word processors make of plain characters, and what is right. Dashes and apostrophes may
-// stand inside a word, a file's name; the others nowhere outside quotes.
+// Characters that word processors put in place of ordinary ones, with the message about them.
+// Dashes and apostrophes are allowed inside a word, such as the name of a file. The others are
+// allowed inside quotes only.
 static const struct look_alike {
     const char *characters;
-    bool inside;  // they are wrong inside a word too
+    bool inside;  // true: an error inside a word too
     const char *message;
 } look_alikes[] = {
     {"\u00A0\u2002\u2003\u2009\u200B\u202F", true, "a typographic space; use an ordinary space"},
@@ -131,7 +135,7 @@ static const struct look_alike {
     {"\u2018\u2019'", false, "an apostrophe does not quote; use \"...\""},
 };
 
-// What is wrong with the character at s->at in a word that begins at `start`; NULL: nothing.
+// Error message for the character at s->at in a word that begins at `start`; NULL: it is valid.
 static const char *find_look_alike(const struct scan *s, const char *start) {
     char c[5] = "";
     memcpy(c, s->at, text_character(s->at, (size_t)(s->end - s->at)));
@@ -147,7 +151,7 @@ static const char *find_look_alike(const struct scan *s, const char *start) {
 static void scan_bare(struct scan *s) {
     const char *start = s->at;
     int column = s->column;
-    while (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !s->wrong) {
+    while (s->at < s->end && !is_space(*s->at) && *s->at != '#' && !s->wrong) {
         const bool plain = (unsigned char)*s->at < 0x80 && *s->at != '\'';
         const char *message = plain ? NULL : find_look_alike(s, start);
         if (message) {
@@ -167,10 +171,10 @@ static void scan_bare(struct scan *s) {
     }
 }
 
-// A `\` before blanks or a comment: meant to join the next line, but it does not.
+// True for a `\` before spaces or a comment: it was meant to join the next line, but does not.
 static bool is_stray_join(const struct scan *s) {
     const char *p = s->at + 1;
-    while (p < s->end && is_blank(*p)) {
+    while (p < s->end && is_space(*p)) {
         p++;
     }
     return *s->at == '\\' && (p == s->end || (*p == '#' && p > s->at + 1));
@@ -178,7 +182,7 @@ static bool is_stray_join(const struct scan *s) {
 
 static void scan_words(struct scan *s) {
     while (s->at < s->end && !s->wrong) {
-        if (is_blank(*s->at)) {
+        if (is_space(*s->at)) {
             advance(s);
         } else if (*s->at == '#' || (s->known && s->deck->reader->n_word == KNOWN_WORDS)) {
             return;
@@ -217,7 +221,7 @@ static void check_characters(struct scan *s) {
     }
 }
 
-// Scans the next physical line of the frame.
+// Scans the next line of the file.
 static void scan_line(struct scan *s, struct frame *f) {
     const char *start = s->source->text + f->offset;
     const char *last = s->source->text + s->source->size;
@@ -235,12 +239,12 @@ static void scan_line(struct scan *s, struct frame *f) {
     if (!s->known) {
         check_characters(s);
     }
-    if (s->torn) {
+    if (s->open_quote) {
         s->wrong = true;
     } else {
         scan_words(s);
     }
-    if (s->wrong) {  // the rest of the line is unread; guess where the statement ends
+    if (s->wrong) {  // the rest of the line was not read: guess where the statement ends
         s->joined = s->stray || (s->end > start && s->end[-1] == '\\');
     } else if (s->joined && f->offset == s->source->size) {
         fail(s, s->column, 1, "'\\' joins the next line, but there is none");
@@ -281,21 +285,22 @@ static bool build(struct deck *d, const struct frame *start, const struct frame 
     return true;
 }
 
-static bool stands_at(const struct deck_lines *lines, const struct frame *f) {
+static bool is_at(const struct deck_lines *lines, const struct frame *f) {
     const char *at = f->source->text + f->offset;
     const size_t n = lines->size, rest = f->source->size - f->offset;
     return lines->text && n <= rest && memcmp(lines->text, at, n) == 0 &&
            (at[n - 1] == '\n' || n == rest);
 }
 
-// If each run read its sweeps anew, the time of a study would grow with the square of their
-// lengths.
+// The sweep that the first reading has found in the lines at `f`, if its values are the same here;
+// NULL: none. If each run read its sweeps again, the time of a study would grow with the square of
+// the number of values.
 static const struct sweep *sweep_known(const struct deck *d, const struct frame *f) {
     const struct deck *first = d->reader->first_reading;
     const bool same = first && unit_system_equal(&first->units, &d->units);
     for (const struct sweep *s = same ? first->sweeps : NULL; s; s = s->next) {
         for (const struct sweep *p = s; p; p = p->along) {
-            if (stands_at(&p->lines, f)) {
+            if (is_at(&p->lines, f)) {
                 return p;
             }
         }
@@ -303,12 +308,12 @@ static const struct sweep *sweep_known(const struct deck *d, const struct frame 
     return NULL;
 }
 
-// Scans the lines that are joined to the next one, and it.
+// Scans the lines of one statement.
 static void scan_lines(struct scan *s, struct frame *f) {
     const struct frame start = *f;
     s->deck->reader->n_word = 0;
     s->wrong = false;
-    s->torn = false;
+    s->open_quote = false;
     s->known = sweep_known(s->deck, f);
     do {
         scan_line(s, f);

@@ -24,7 +24,7 @@ const struct deck_statement deck_statements[] = {
 };
 const int n_deck_statement = sizeof deck_statements / sizeof deck_statements[0];
 
-// False after having reported that the statement does not have `n` words and no options.
+// False after having reported that the statement has options, or more or fewer than `n` words.
 static bool check_words(struct deck *d, const struct statement *s, int n, const char *usage) {
     if (s->n_plain < s->n_word) {
         struct text_short t;
@@ -46,7 +46,7 @@ static bool check_words(struct deck *d, const struct statement *s, int n, const 
     return true;
 }
 
-// Notes the place of a statement that may be given once; false after having reported a second one.
+// Notes the place of a statement that may occur once; false after having reported a second one.
 static bool check_once(struct deck *d, const struct word *w, struct place *place) {
     if (place->source) {
         deck_error(d, w, "%s is already given in %s", w->text, source_mention(d, place, &w->place));
@@ -63,7 +63,8 @@ static void run_title(struct deck *d, const struct statement *s) {
     }
 }
 
-// Reads a simple unit of the dimension into `size` and `name`.
+// Reads a unit of the dimension `wanted` into `size` and `name`; false after having reported an
+// error.
 static bool read_unit(struct deck *d, const struct word *w, struct dimension wanted,
                       const char *what, double *size, char *name) {
     const char *known[64];
@@ -119,7 +120,7 @@ static void run_units(struct deck *d, const struct statement *s) {
 }
 
 // On earth gravity is 9.764 to 9.834 m/s^2 (Hirt et al. 2013, Geophys. Res. Lett. 40, 4279-4283).
-// Beyond these limits it is in other units than those of the deck [m/s^2].
+// A value outside these limits is probably not in the units of the deck [m/s^2].
 static const double GRAVITY_MIN = 9.0, GRAVITY_MAX = 11.0;
 
 static void run_gravity(struct deck *d, const struct statement *s) {
@@ -158,7 +159,7 @@ static bool is_same_file(const struct source *a, const struct source *b) {
     return strcmp(a->name, b->name) == 0;
 }
 
-// Reads the file at `path`, or finds it among those read before; NULL after having reported.
+// Reads the file at `path`, unless it was read before; NULL after having reported an error.
 static struct source *load(struct deck *d, const struct word *w, const char *path) {
     for (struct source *s = d->reader->source; s; s = s->next) {
         if (strcmp(s->name, path) == 0) {
@@ -192,7 +193,7 @@ static bool check_include(struct deck *d, const struct word *w, const struct sou
         if (is_same_file(r->frame[i].source, s)) {
             struct text_short t;
             deck_error(d, w, "%s includes itself%s", text_short(&t, s->name),
-                       i + 1 < r->n_frame ? " by way of others" : "");
+                       i + 1 < r->n_frame ? " through other decks" : "");
             return false;
         }
     }
@@ -222,7 +223,7 @@ static void run_include(struct deck *d, const struct statement *s) {
     }
 }
 
-// In the order of deck_statements.
+// The function of each statement, in the order of deck_statements.
 static void (*const runs[])(struct deck *, const struct statement *) = {
     run_title, run_units, run_gravity, run_param, sweep_run, run_include,
 };

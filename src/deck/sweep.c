@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sweep NAME values|range|files|random ...: a parameter that takes one value after another, run by
-// run. A param of the same name may stand above or below it: its value is that of the deck without
-// the sweep. The values of a sweep do not depend on other sweeps, so that the runs of a study form
-// a grid.
+// run. A param of the same name may be above or below the sweep. Its value would be used without
+// the sweep. The values of a sweep do not depend on other sweeps, so the runs of a study form a
+// grid.
 #include <math.h>
 #include <string.h>
 
@@ -22,7 +22,7 @@ static const struct row rows[N_ROW] = {
     [LOG] = {"log", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "equal ratios"},
 };
 
-// Reads the first `n_row` options.
+// Reads the options of the first `n_row` rows, and the name of the dimension into *q.
 static bool read_options(struct deck *d, const struct statement *s, int n_row,
                          struct argument *argument, const struct sweep *own,
                          struct bundle_request *q) {
@@ -91,7 +91,7 @@ const struct sweep *sweep_named(const struct sweep *s) {
     return s;
 }
 
-// The sweep of the first reading that `s` is along; NULL: none.
+// The dimension of the paired sweep `s` in the first reading; NULL: `s` is not paired.
 static const struct sweep *dimension_of(const struct deck *first, const struct sweep *s) {
     for (const struct sweep *of = first->sweeps; of; of = of->next) {
         for (const struct sweep *p = of->along; p; p = p->along) {
@@ -103,7 +103,7 @@ static const struct sweep *dimension_of(const struct deck *first, const struct s
     return NULL;
 }
 
-// What the first reading found.
+// Copies the sweep that the first reading found in these lines.
 static void take_known(const struct deck *d, const struct statement *s, struct sweep *own,
                        struct bundle_request *q) {
     const struct sweep *of = dimension_of(d->reader->first_reading, s->known);
@@ -114,7 +114,7 @@ static void take_known(const struct deck *d, const struct statement *s, struct s
     q->count = &s->word[1];
 }
 
-// The value of this run as a parameter.
+// The value of `sweep` in this run, as a parameter.
 static struct parameter chosen(const struct deck *d, const struct sweep *sweep) {
     int choice = 0;
     const struct sweep *from = sweep_bound(d, sweep->name, &choice);
@@ -127,7 +127,7 @@ static struct parameter chosen(const struct deck *d, const struct sweep *sweep) 
     return p;
 }
 
-// Reads the values; false after having reported what is wrong with them.
+// Reads the values; false after having reported an error.
 static bool read(struct deck *d, const struct statement *s, struct sweep *own,
                  struct bundle_request *q) {
     if (s->known) {
@@ -148,7 +148,7 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *own,
     return true;
 }
 
-// The values of a sweep cannot be made from the param that they replace.
+// Marks the param of the sweep as swept, because the values of the sweep must not depend on it.
 static void mark_param(struct deck *d, const char *name) {
     struct parameter *p = parameter_find(d, name, strlen(name));
     if (p) {
@@ -171,7 +171,7 @@ void sweep_run(struct deck *d, const struct statement *s) {
     own->name = s->word[1].text;
     struct bundle_request q = {.count = NULL};
     struct parameter p = {.kind = PARAMETER_WRONG};
-    bool alone = true;  // a -D takes it out of its bundle
+    bool alone = true;  // not paired; a -D of one sweep ends its pairing
     if (s->n_plain >= 4 && read(d, s, own, &q) && !bundle_choose(d, &q, own)) {
         alone = !q.name.text || define_find(d, own->name);
         if (alone) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random sweeps go together: without -as they are all of one bundle, the sample.
+// Random sweeps are paired. Without -as they share one dimension, named sample.
 #include <math.h>
 
 #include "deck/definition.h"
@@ -31,12 +31,12 @@ static const struct row rows[N_ROW] = {
     [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the paired sweeps"},
 };
 
-// The statement as read.
+// What a random sweep statement says.
 struct request {
     const struct statement *statement;
     struct random_values values;
     struct argument argument[N_ROW];
-    struct parameter first;  // a, whose unit is that of the values
+    struct parameter first;  // the argument a; the values have its unit
 };
 
 static const struct distribution *find_distribution(struct deck *d, const struct word *w) {
@@ -48,7 +48,7 @@ static const struct distribution *find_distribution(struct deck *d, const struct
     return i >= 0 ? random_distributions[i] : NULL;
 }
 
-// b where it has no dimension.
+// Reads the argument b of a distribution in which b has no dimension.
 static bool read_pure(struct deck *d, const struct word *w, const char *name, struct parameter *p) {
     struct quantity_text t;
     parameter_read(d, w, p);
@@ -64,8 +64,8 @@ static bool read_pure(struct deck *d, const struct word *w, const char *name, st
     return p->kind == PARAMETER_NUMBER;
 }
 
-// Reads `w` as a value beside `first`. A bare one beside one with a unit could be meant as a share
-// of it; only a bare 0 cannot.
+// Reads `w` as a value of the same dimension as `first`. If one of the two has a unit and the other
+// has none, the bare number must be 0, because any other number could be meant as a ratio.
 static bool read_alike(struct deck *d, const struct word *w, struct parameter *first,
                        struct parameter *p) {
     const struct quantity before = first->number;
@@ -74,7 +74,7 @@ static bool read_alike(struct deck *d, const struct word *w, struct parameter *f
     }
     const double bare = p->number.known ? before.value : p->number.value;
     if (p->number.known != before.known && bare != 0.0) {
-        deck_error(d, w, "either all values have a unit or none has");
+        deck_error(d, w, "give a unit with all values or with none");
         return false;
     }
     return true;
@@ -114,7 +114,7 @@ static bool read_shape(struct deck *d, struct request *q) {
     return !fault;
 }
 
-// -min or -max.
+// Reads -min or -max, if given, into *limit.
 static bool read_limit(struct deck *d, struct request *q, int row, double *limit) {
     const struct argument *a = &q->argument[row];
     struct parameter p;
@@ -173,7 +173,7 @@ static const double *draw(struct deck *d, const struct request *q) {
     return status == STATUS_OK ? value : NULL;
 }
 
-// The values drawn by the bound deck, or new ones; NULL after having reported an error.
+// The values drawn by the first reading, or new ones; NULL after having reported an error.
 static const double *values_of(struct deck *d, const struct request *q) {
     int choice;
     const struct sweep *from = sweep_bound(d, q->values.name, &choice);

@@ -49,7 +49,7 @@ bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
     return true;
 }
 
-// Reads `n` words that must be alike into an array; NULL after having reported.
+// Reads `n` words of equal kind and dimension into an array; NULL after having reported an error.
 static struct parameter *read_values(struct deck *d, const struct word *word, int n) {
     struct parameter *p = deck_array(d, (size_t)n, sizeof *p);
     bool good = p != NULL;
@@ -94,7 +94,8 @@ static int compare_values(const void *a, const void *b) {
     return order ? order : x->at - y->at;
 }
 
-// False after having reported a value that is given twice: results are found by their values.
+// False after having reported a value that is given twice. Values must differ because they identify
+// the results.
 static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
     struct key *key = deck_array(d, (size_t)s->n, sizeof *key);
     for (int i = 0; key && i < s->n; i++) {
@@ -129,7 +130,7 @@ bool sweep_list(struct deck *d, const struct statement *s, enum repeats repeats,
            (repeats == VALUES_MAY_REPEAT || check_distinct(d, sweep, &s->word[3]));
 }
 
-// FROM and TO; NULL after having reported what is wrong with them.
+// Reads FROM and TO; NULL after having reported an error.
 static const struct parameter *read_ends(struct deck *d, const struct word *word,
                                          enum spacing spacing) {
     const struct parameter *p = read_values(d, word, 2);
@@ -192,7 +193,8 @@ static int compare_paths(const void *a, const void *b) {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-// The part of a path that a label shows: 0 the name without its ending, 1 the name, 2 all of it.
+// The part of a path that is its label. Form 0: the name without extension, 1: the name, 2: the
+// whole path.
 static const char *label_of(struct deck *d, const char *path, int form) {
     size_t n;
     const char *stem = text_stem(path, &n);
@@ -200,7 +202,7 @@ static const char *label_of(struct deck *d, const char *path, int form) {
     return arena_text(d->arena, label, form == 0 ? n : strlen(label));
 }
 
-// True if the labels differ, or if there is no memory to compare_paths them.
+// True if the labels differ, or if there is no memory to compare them.
 static bool are_distinct(struct deck *d, const char *const *label, int n) {
     const char **sorted = deck_array(d, (size_t)n, sizeof *sorted);
     if (!sorted) {
@@ -236,7 +238,7 @@ static void set_labels(struct deck *d, struct sweep *s) {
     s->label = label;
 }
 
-// The paths found, without the first `skip` bytes, which are the folder of the deck.
+// Stores the paths found, without their first `skip` bytes, which are the folder of the deck.
 static bool take_paths(struct deck *d, const struct word *w, const glob_t *found, size_t skip,
                        struct sweep *out) {
     if (found->gl_pathc > SWEEP_VALUES_MAX) {
@@ -272,7 +274,7 @@ static bool take_paths(struct deck *d, const struct word *w, const glob_t *found
     return out->label != NULL;
 }
 
-// `path` as a pattern whose first `n` bytes, a folder, are literal.
+// `path` as a pattern in which the first `n` bytes, the folder, have no special characters.
 static const char *escaped(struct deck *d, const char *path, size_t n) {
     char *text = arena_alloc(d->arena, n + strlen(path) + 1, 1);
     char *to = text;
@@ -306,7 +308,7 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
     return good;
 }
 
-// May the text be a file, beside the deck or beside the sweep?
+// True if `text` may be a file relative to the deck or to the file of the sweep.
 static bool may_be_file(struct deck *d, const struct sweep *s, const char *text) {
     const struct source top = {.name = d->path};
     const char *path[] = {source_path(d, &top, text), source_path(d, s->origin, text)};
@@ -314,8 +316,8 @@ static bool may_be_file(struct deck *d, const struct sweep *s, const char *text)
            access(path[1], F_OK) == 0;
 }
 
-// A -D may name a file by the label that all tables show, in place of its path. False after having
-// reported that it names none.
+// Changes a -D that gives the label of a file, as tables show it, into the path of the file. False
+// after having reported that the -D is neither a label nor a file.
 static bool take_label(struct deck *d, const struct sweep *s) {
     struct define *define = define_find(d, s->name);
     for (int i = 0; define && i < s->n; i++) {
@@ -337,15 +339,16 @@ static bool take_label(struct deck *d, const struct sweep *s) {
     return false;
 }
 
-enum ending { WITHOUT_ENDING, WITH_ENDING };
+enum extension { WITHOUT_EXTENSION, WITH_EXTENSION };
 
-// The only text of `s` whose name, with or without its ending, is `name`; NULL: none, or several.
-static const char *text_of(const struct sweep *s, const char *name, enum ending ending) {
+// The text of `s` whose file name, with or without extension, is `name`; NULL: there is none, or
+// several.
+static const char *text_of(const struct sweep *s, const char *name, enum extension extension) {
     const char *found = NULL;
     for (int i = 0; i < s->n; i++) {
         size_t n;
         const char *stem = text_stem(s->text[i], &n);
-        n = ending == WITHOUT_ENDING ? n : strlen(stem);
+        n = extension == WITHOUT_EXTENSION ? n : strlen(stem);
         if (strlen(name) == n && strncmp(stem, name, n) == 0) {
             if (found && strcmp(found, s->text[i]) != 0) {
                 return NULL;
@@ -365,8 +368,8 @@ void sweep_take_short_name(struct deck *d, const struct sweep *s) {
     if (!define || listed || define->beside || may_be_file(d, s, define->value.text)) {
         return;
     }
-    const char *text = text_of(s, define->value.text, WITHOUT_ENDING);
-    text = text ? text : text_of(s, define->value.text, WITH_ENDING);
+    const char *text = text_of(s, define->value.text, WITHOUT_EXTENSION);
+    text = text ? text : text_of(s, define->value.text, WITH_EXTENSION);
     if (text) {
         define->value.text = text;
         define->beside = s->origin;
@@ -376,7 +379,8 @@ void sweep_take_short_name(struct deck *d, const struct sweep *s) {
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
     int choice;
     const struct sweep *from = sweep_bound(d, out->name, &choice);
-    const bool one = from && from->fixed && !define_find(d, out->name);  // that its bundle takes
+    const bool one = from && from->fixed &&
+                     !define_find(d, out->name);  // the one that a -D of its dimension has kept
     if (from && from->text && !one) {
         out->n = from->n;
         out->text = from->text;

@@ -9,7 +9,7 @@
 #include "deck/parameter.h"
 #include "deck/quantity.h"
 
-// The `*` that ends the count of a repeat; NULL: the word is no repeat.
+// The `*` after the count of a repeat, as in 3*250t; NULL: the word is not a repeat.
 static const char *repeat_mark(const struct word *w) {
     const char *end;
     double count;
@@ -20,7 +20,7 @@ static const char *repeat_mark(const struct word *w) {
     return number && *end == '*' && !unit ? end : NULL;
 }
 
-// How often the word repeats its value; 0: the count is wrong.
+// The count of a repeat; 1 for other words; 0: the count is wrong.
 static int repeat_count(const struct word *w) {
     const char *mark = repeat_mark(w);
     if (!mark) {
@@ -33,7 +33,7 @@ static int repeat_count(const struct word *w) {
     return whole && count >= 1 && count <= LIST_MAX ? (int)count : 0;
 }
 
-// False after having reported that the word is a wrong repeat, or one where none is allowed.
+// False after having reported a repeat with a wrong count, or a repeat that the row does not allow.
 static bool check_repeat(struct deck *d, const struct row *row, const struct word *w) {
     const char *mark = repeat_mark(w);
     if (!mark || (row->kind == ROW_LIST && repeat_count(w) > 0)) {
@@ -74,7 +74,7 @@ static int count_values(struct deck *d, const struct row *row, const struct word
 
 enum { WEIGHT_SIZE = 64 };
 
-// The mass of the weight that the word gives, as the word to write.
+// The expression that turns the weight in the word into a mass, for a message.
 static const char *mass_of(const struct word *w, char text[WEIGHT_SIZE]) {
     const char *mark = repeat_mark(w);
     const char *from = mark ? mark + 1 : w->text;
@@ -107,7 +107,7 @@ static bool check_dimension(struct deck *d, const struct row *row, struct dimens
 
 static bool check_range(struct deck *d, const struct row *row, struct dimension dimension,
                         const struct word *w, double value) {
-    const double largest = 2147483647;  // of a whole number: it must fit an int
+    const double largest = 2147483647;  // whole numbers must fit an int
     if (row->kind == ROW_INTEGER && (value != floor(value) || fabs(value) > largest)) {
         deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key, value,
                    largest);
@@ -125,7 +125,7 @@ static bool check_range(struct deck *d, const struct row *row, struct dimension 
     return false;
 }
 
-// False after having reported a bare word, such as a parameter's name, in place of a number.
+// False after having reported a word that does not start like a number, such as a parameter's name.
 static bool check_number_like(struct deck *d, const struct row *row, const struct word *w,
                               const char *from) {
     const char *at = from + (*from == '-' || *from == '+');

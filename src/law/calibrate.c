@@ -8,7 +8,7 @@
 
 // The impacts are integrated to about 1e-12.
 static const double TOLERANCE = 1e-12;
-// A guess further off than 2 to this power is no guess.
+// The result may differ from the guess by a factor of at most 2 to this power.
 enum { DOUBLINGS_MAX = 20 };
 
 struct wanted {
@@ -16,7 +16,7 @@ struct wanted {
     double restitution;
 };
 
-// Restitution delivered less the one wanted; NAN where the impact fails.
+// The delivered restitution minus the requested one; NAN if the impact cannot be computed.
 static double excess(double zeta, void *context) {
     const struct wanted *w = context;
     double value[CONTACT_ROWS_MAX];

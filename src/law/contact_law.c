@@ -41,7 +41,7 @@ int contact_law_curve(const struct contact_law *law) {
     return -1;
 }
 
-// Numbers of the curve.
+// The number of values of the curve.
 static int n_curve(const struct contact_law *law, const double *value) {
     int row = contact_law_curve(law);
     return row >= 0 ? CURVE_COLUMNS * (int)value[row] : 0;

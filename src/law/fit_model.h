@@ -5,9 +5,9 @@
 
 #include "law/fit.h"
 
-// A point in the space of what is fitted.
+// Values of the fitted parameters.
 struct fit_point {
-    double k, zeta, start;  // zeta is not used where the law has none
+    double k, zeta, start;  // zeta is ignored if the law has none
 };
 
 // The samples from `first` up to `end`, without it.
@@ -18,45 +18,47 @@ struct fit_samples {
 struct fit_model {
     const struct fit_request *q;
     bool damped;                        // the law has a zeta
-    bool jumps_closing, jumps_opening;  // the force does, where the search starts
-    double value[CONTACT_ROWS_MAX];     // of the law's rows
+    bool jumps_closing, jumps_opening;  // the force jumps at the start of the search
+    double value[CONTACT_ROWS_MAX];     // values of the law's rows
     double peak;                        // largest force of the record
 
-    // (n) at the samples; filled by fit_model_predict.
+    // (n) values at the samples; fit_model_predict sets them.
     double *time;          // since closure
-    double *force, *rate;  // of the impact; 0 outside the contact
+    double *force, *rate;  // force and its rate; 0 outside the contact
     struct fit_samples contact;
     struct isolated_point closure, opening;
 };
 
-// Errors: STATUS_INPUT (no k, a record without a pulse), STATUS_SYSTEM. fit_model_free in any case.
+// Prepares the model. Call fit_model_free afterwards, also after an error. Errors: STATUS_INPUT
+// (the law has no k, or the record has no pulse), STATUS_SYSTEM.
 int fit_model_init(const struct fit_request *q, struct fit_model *m, struct error *e);
 void fit_model_free(struct fit_model *m);
 
-// An impact with the parameters of `p`; `observer` may be NULL.
+// Computes an impact with the parameters `p`; `observer` may be NULL.
 int fit_model_impact(struct fit_model *m, const struct fit_point *p,
                      const struct isolated_observer *observer, struct isolated_impact *out,
                      struct error *e);
 
-// Force and rate at the samples. Bodies that do not part have no force that could fit: 0. With
-// `held`, those samples count as in contact: beyond closure and opening the force goes on with its
-// rate there. Where the force jumps at the start, the samples on both sides of the jump take what
-// was measured, so that they are left out, also where a search makes the jump as small as rounding.
+// Computes force and rate at the samples. If the bodies do not separate, the forces are 0. The
+// samples of `held` count as in contact: before closure and after opening the force continues with
+// its rate. If the force jumps, the two samples on both sides of the jump get the measured values,
+// so that they do not count in the fit. The start of the search decides this, even if the jump
+// becomes small later.
 void fit_model_predict(struct fit_model *m, const struct fit_point *p,
                        const struct fit_samples *held);
 
-// The sum of the squares of what fit_model_predict is off by, where none are held.
+// The sum of the squared errors of fit_model_predict, without held samples.
 double fit_model_squares(struct fit_model *m, const struct fit_point *p);
 
-// Notes where the force last predicted jumps, at closure or opening; true if it does.
+// Notes whether the last predicted force jumps at closure or at opening; true if it does.
 bool fit_model_note_jumps(struct fit_model *m);
 
 // Sets `restitution` and `cut` of the result. Errors: STATUS_INPUT (the impulse of the record, the
-// effective mass and the approach velocity imply a restitution beyond 0 and 1; the record begins or
+// effective mass and the approach velocity give a restitution outside 0 to 1; the record begins or
 // ends at its peak).
 int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct error *e);
 
-// A point from which the search can start, and the duration of its impact. Errors: STATUS_FAILED.
+// Finds the start of the search and the duration of its impact. Errors: STATUS_FAILED.
 int fit_start(struct fit_model *m, struct fit_point *p, double *duration, struct error *e);
 
 #endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force of a law for links side by side, from that of one without branches, which the compiler
-// puts into lanes.
+// The force of a law for several links in lanes. The compiler vectorises the function of one link,
+// which has no branches.
 #ifndef JOSTLE_IN_LANES_H
 #define JOSTLE_IN_LANES_H
 
 #include "core/lanes.h"
 #include "jostle/contact_law.h"
 
-// `n` constants, a number that the compiler knows.
+// `n`: number of constants, a literal at compile time.
 LANES_INLINE void in_lanes(struct contact_response (*force)(const double *, const double *, double,
                                                             double),
                            int n, const double *restrict constant, const double *restrict d,

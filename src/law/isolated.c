@@ -220,8 +220,9 @@ static int fly(struct flight *f, struct error *e) {
         }
     }
     if (!parted) {
-        return error_set(e, STATUS_FAILED, "under %s the bodies have not parted %.6g after closure",
-                         f->law->name, f->time * f->length / f->velocity);
+        return error_set(e, STATUS_FAILED,
+                         "under %s the bodies have not separated %.6g after closure", f->law->name,
+                         f->time * f->length / f->velocity);
     }
     return STATUS_OK;
 }
@@ -301,7 +302,7 @@ static int follow(struct flight *f, struct isolated_impact *out, struct error *e
     }
     f->length = find_length(f);
     if (f->length == 0.0) {
-        return error_set(e, STATUS_FAILED, "%s has no force to part the bodies", f->law->name);
+        return error_set(e, STATUS_FAILED, "%s has no force to separate the bodies", f->law->name);
     }
     int status = allocate(f) ? fly(f, e) : error_no_memory(e);
     if (status == STATUS_OK) {

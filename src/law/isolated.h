@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One isolated impact of two free bodies under a contact law, integrated to rounding: what a law
-// and its constants deliver, apart from any building. The solver does not use it.
+// One isolated impact of two free bodies under a contact law, without buildings, integrated to
+// rounding error. It shows the restitution, force and duration of a law. The solver does not use
+// it.
 #ifndef JOSTLE_ISOLATED_H
 #define JOSTLE_ISOLATED_H
 
 #include "jostle/contact_law.h"
 
 struct isolated_impact {
-    double restitution;      // opening over closing velocity
-    double peak_force;       // [F] largest; NAN under a law without a force
+    double restitution;      // opening velocity divided by closing velocity
+    double peak_force;       // [F] largest force; NAN for a law without a force
     double duration;         // [T] from closure until d = 0 again
     double max_penetration;  // [L]
     double impulse;          // [F T]
@@ -18,12 +19,12 @@ struct isolated_impact {
 // One instant of an impact.
 struct isolated_point {
     double time, penetration, velocity, force;  // since closure
-    double rate;                                // [F/T] of the force; may be infinite at closure
+    double rate;  // [F/T] rate of the force; may be infinite at closure
 };
 
-// Who looks on. `point` is shown every accepted step of the integration, from closure to opening,
-// and twice an instant at which the force jumps in between;
-// `sample`, where `n_time` > 0, the state at time[i], for all that lie within the contact.
+// Callbacks. `point` gets every accepted step of the integration from closure to opening. It gets
+// each instant of a jump of the force twice. `sample`, if `n_time` > 0, gets the state at each
+// time[i] within the contact.
 struct isolated_observer {
     void (*point)(void *context, const struct isolated_point *p);
     void *context;
@@ -33,15 +34,15 @@ struct isolated_observer {
 };
 
 // Integrates m d'' = -F(d, d') from d = 0, d' = velocity > 0 until d = 0 again, with m the
-// effective mass and the law's history kept as in an analysis (close, commit). `observer` NULL:
-// nobody looks. Errors:
-// STATUS_FAILED (the bodies do not part, or not finite), STATUS_SYSTEM (no memory).
+// effective mass. The law's history changes as in an analysis (close, commit). `observer` may be
+// NULL. Errors: STATUS_FAILED (the bodies do not separate, or a value is not finite), STATUS_SYSTEM
+// (no memory).
 int isolated_run(const struct contact_law *law, const double *constant, double mass,
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e);
 
-// The duration of the impact alone, to about six digits and several times as fast. NAN after an
-// error; 0 under a law without a force.
+// Computes only the duration, to about six digits, several times as fast. NAN after an error; 0 for
+// a law without a force.
 int isolated_duration(const struct contact_law *law, const double *constant, double mass,
                       double velocity, double *out, struct error *e);
 

@@ -7,9 +7,9 @@
 //                          D >= d_y the largest drift of that side,
 //     reloading aims at    D - beta (D - d_y)      on the backbone.
 //
-// A storey that is unloaded only in part and loaded again goes back the way it came (Mahin &
-// Bertero 1976, J. Struct. Div. ASCE 102, 1125-1139), and on from where it was. Reloading is never
-// stiffer than unloading.
+// A storey that is partly unloaded and loaded again returns along the unloading line (Mahin &
+// Bertero 1976, J. Struct. Div. ASCE 102, 1125-1139), then continues on its former path. Reloading
+// is never stiffer than unloading.
 #ifndef JOSTLE_PEAK_ORIENTED_H
 #define JOSTLE_PEAK_ORIENTED_H
 
@@ -26,7 +26,7 @@ enum peak_oriented_constant {
 };
 enum { PEAK_ORIENTED_HISTORY = 6 };
 
-// Errors: STATUS_INPUT, where there is no stiffness.
+// Errors: STATUS_INPUT: the stiffness is missing.
 int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
                           struct error *e);
 

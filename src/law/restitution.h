@@ -6,14 +6,14 @@
 
 #include "jostle/row.h"
 
-// 1e-6 <= e <= 1. Published relations have 1 / e: forces beyond all measure, and what they
-// dissipate is lost in rounding from 1e-12 on.
+// 1e-6 <= e <= 1. Published relations have 1 / e, which gives excessive forces for small e. Below
+// 1e-12 rounding errors exceed the dissipated energy.
 extern const struct range restitution_range;
 
 #define RESTITUTION_ROW                                                                            \
     { "e", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &restitution_range, NAN, "coefficient of restitution" }
 
-// The row of the velocity at closure below which v0 counts as this one.
+// The row of -vmin: a smaller velocity at closure counts as this value in v0.
 #define LEAST_V0_ROW                                                                               \
     {                                                                                              \
         "vmin", ROW_NUMBER, 0, OF_VELOCITY, &range_positive, 1e-3,                                 \
@@ -23,11 +23,11 @@ extern const struct range restitution_range;
 // Damping ratio of a linear dashpot that delivers e when its tension is kept:
 //     zeta = -ln e / sqrt(pi^2 + ln^2 e).
 // Anagnostopoulos (1988), eq. 4; the minus sign is missing in several later papers, where the
-// dashpot would feed energy in.
+// dashpot would add energy.
 double restitution_kelvin_voigt(double e);
 
-// q = 3 (1 - e^2) / 4 of F = k d^n (1 + q v / v0): Lankarani & Nikravesh (1990). Exact only near e
-// = 1: an e of 0.65 comes out as 0.7748.
+// q = 3 (1 - e^2) / 4 of F = k d^n (1 + q v / v0): Lankarani & Nikravesh (1990). Accurate only
+// near e = 1: a requested e of 0.65 gives 0.7748.
 double restitution_lankarani_nikravesh(double e);
 
 // The q > 0 of F = k d^n (1 + q v / v0) that delivers e, whatever n is; from the energies at the

@@ -86,10 +86,11 @@ static int afad_read(struct arena *a, const struct record_request *request,
     struct channel_rows rows = {.n_column = 3};
     lines_init(&rows.from, t);
     if (!find_names(&rows.from, &c)) {
-        return lines_error(e, t->path, 0,
-                           "no line 'N-S E-W U-D' in the first %d lines; it ends the header of an "
-                           "AFAD file",
-                           HEADER_LINES_MAX);
+        return lines_error(
+            e, t->path, 0,
+            "the file has no line 'N-S E-W U-D' in the first %d lines; it ends the header of an "
+            "AFAD file",
+            HEADER_LINES_MAX);
     }
     const struct header h = {t, rows.from.number};
     int status = channels_choose(request, t, &c, &rows.column, out, e);

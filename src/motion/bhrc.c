@@ -19,7 +19,7 @@ static const struct volume1 layout = {
     .title = "VOL1DS FILE",
     .units = "UNITS ARE SECONDS AND",
     .length = "DURATION",
-    .none = "no line 'VOL1DS FILE'",
+    .none = "the file has no line 'VOL1DS FILE'",
     .format = {.n = 10, .width = 13},
     .next = bhrc_next,
 };

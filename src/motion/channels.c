@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of several channels: which one is asked for, and channels that stand side by side in rows.
+// Files of several channels: the choice of a channel, and channels that are columns of rows.
 #include "motion/channels.h"
 
 #include <string.h>
@@ -25,7 +25,7 @@ int channels_choose(const struct record_request *request, const struct record_te
         return lines_error(e, t->path, 0, "%d channels: %s; -channel chooses one", c->n, list);
     }
     out->wrong = RECORD_CHANNEL;
-    return lines_error(e, t->path, 0, "there is no channel %d; there are %s", request->channel,
+    return lines_error(e, t->path, 0, "the file has no channel %d; available: %s", request->channel,
                        list);
 }
 
@@ -64,7 +64,7 @@ static bool next_row(struct lines *l) {
     return false;
 }
 
-// Reads row `i`, on which `l` stands.
+// Reads row `i`, the current line of `l`.
 static int read_row(const struct record_text *t, const struct channel_rows *rows,
                     const struct lines *l, size_t i, struct record_content *out, struct error *e) {
     struct piece rest = l->line;

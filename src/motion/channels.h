@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of several channels: which one is asked for, and channels that stand side by side in rows.
+// Files of several channels: the choice of a channel, and channels that are columns of rows.
 #ifndef JOSTLE_MOTION_CHANNELS_H
 #define JOSTLE_MOTION_CHANNELS_H
 
@@ -15,32 +15,32 @@ struct channels {
     struct piece name[CHANNELS_MAX];
 };
 
-// The channel that -channel asks for, from 0; the only one need not be asked for. Errors:
-// STATUS_INPUT, with a list of the channels where none is asked for, or one that is not there;
-// out->wrong says which.
+// The channel that -channel requests, from 0. A file of one channel needs no -channel. Errors:
+// STATUS_INPUT with a list of the channels, if -channel is missing or requests a channel that does
+// not exist; out->wrong says which.
 int channels_choose(const struct record_request *request, const struct record_text *t,
                     const struct channels *c, int *chosen, struct record_content *out,
                     struct error *e);
 
-// Seeks the channel that is asked for in a file of one after the other. `next` steps to the next
-// and gives its name; false: there is none. *before: from there, `next` steps to the channel.
-// Errors: as above, and `none` where there is no channel.
+// Finds the requested channel in a file of channels one after the other. `next` goes to the next
+// channel and sets its name; false: there is none. A `next` from *before goes to the requested
+// channel. Errors: those of channels_choose; STATUS_INPUT with `none` if the file has no channel.
 int channels_seek(const struct record_request *request, const struct record_text *t,
                   bool (*next)(struct lines *l, struct piece *name), const char *none,
                   struct lines *before, struct record_content *out, struct error *e);
 
-// Rows of numbers to the end of the file, all of n_column.
+// Rows of n_column numbers up to the end of the file.
 struct channel_rows {
-    struct lines from;  // stands on the line before the first
+    struct lines from;  // the current line is the one before the first row
     int n_column;
-    int column;  // to be read, from 0
-    bool timed;  // column 0 holds times, which must agree with out->dt
-    double stated;
-    int stated_line;  // where the header states so many rows
+    int column;       // the column to read, from 0
+    bool timed;       // column 0 holds times, which must agree with out->dt
+    double stated;    // number of rows in the header
+    int stated_line;  // line of the header with this number
 };
 
-// Reads a column: sets value, n, peak and peak_line of `out`; n_filling where more rows than stated
-// follow, all the same as the last.
+// Reads a column: sets value, n, peak and peak_line of `out`. If the file has more rows than
+// stated, all equal to the last one, sets n_filling, too.
 int channels_read(struct arena *a, const struct record_text *t, const struct channel_rows *rows,
                   struct record_content *out, struct error *e);
 

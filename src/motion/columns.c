@@ -31,7 +31,7 @@ struct columns {
     const struct table *table;
     bool has_time;  // column 0 has times
     size_t column;  // of the values, from 0
-    double *time;   // (n_row) where there are times
+    double *time;   // (n_row) [s]; NULL: the file has no times
     double *value;  // (n_row)
 };
 
@@ -77,11 +77,11 @@ static int read_caption(const struct record_request *request, const struct colum
     return status;
 }
 
-// The decimal number with the fewest digits that is `x` to 1e-12.
+// The decimal number with the fewest digits that equals `x` within a relative error of 1e-12.
 static double shortest(double x) {
     for (int digits = 1; digits < 13; digits++) {
         double unit = pow(10, floor(log10(x)) + 1 - digits);
-        // Dividing by a power of ten that is exact gives the same double as reading the decimal.
+        // Dividing by an exact power of ten gives the same double as reading the decimal.
         double candidate = unit < 1 ? round(x / unit) / round(1 / unit) : round(x / unit) * unit;
         if (fabs(candidate - x) <= 1e-12 * x) {
             return candidate;
@@ -94,7 +94,7 @@ static int check_step(const struct columns *c, size_t i, const struct lines *l, 
     const double *time = c->time;
     if (time[i] <= time[i - 1]) {
         bool comma = memchr(l->line.text, ',', l->line.n);
-        return lines_error(e, c->text->path, l->number, "time %g after %g; times must grow%s",
+        return lines_error(e, c->text->path, l->number, "time %g after %g; times must increase%s",
                            time[i], time[i - 1], comma ? " (a comma ends a number)" : "");
     }
     double first = time[1] - time[0];
@@ -108,7 +108,7 @@ static int check_step(const struct columns *c, size_t i, const struct lines *l, 
     return STATUS_OK;
 }
 
-// Reads row `i`, on which `l` stands.
+// Reads row `i`, the current line of `l`.
 static int read_row(const struct columns *c, const struct lines *l, size_t i,
                     struct record_content *out, struct error *e) {
     size_t n = lines_count(l->line, c->table->separators);
@@ -152,7 +152,7 @@ static int read_rows(const struct columns *c, struct record_content *out, struct
     return STATUS_OK;
 }
 
-// The line on which row `i` stands.
+// The number of the line with row `i`.
 static int row_line(const struct table *table, size_t i) {
     struct lines l = table->rows;
     for (size_t k = 0; k <= i && table_next(&l); k++) {
@@ -186,7 +186,7 @@ static int find_step(const struct columns *c, size_t n, struct record_content *o
     return STATUS_OK;
 }
 
-// Finds the column that -channel asks for.
+// Finds the column that -channel requests.
 static int choose_column(const struct record_request *request, struct columns *c,
                          struct record_content *out, struct error *e) {
     const size_t n = c->table->n_column - c->has_time;
@@ -197,13 +197,13 @@ static int choose_column(const struct record_request *request, struct columns *c
                            "to line",
                            c->table->n_column,
                            request->plain ? "one or two (time and value) are read"
-                                          : "-channel chooses one of those behind the times");
+                                          : "-channel chooses a column after the times");
     }
     if (wanted > n) {
         out->wrong = RECORD_CHANNEL;
         return lines_error(e, c->text->path, c->table->first_line,
-                           "there is no channel %zu; the file has %zu, one a column%s", wanted, n,
-                           c->has_time ? " behind the times" : "");
+                           "the file has no channel %zu; it has %zu, one per column%s", wanted, n,
+                           c->has_time ? " after the times" : "");
     }
     c->column = wanted - !c->has_time;
     return STATUS_OK;
@@ -234,7 +234,7 @@ static int columns_read(struct arena *a, const struct record_request *request,
                         const struct record_text *t, struct record_content *out, struct error *e) {
     struct table table;
     if (!table_find(t, &table)) {
-        return lines_error(e, t->path, 0, "there is no line of numbers");
+        return lines_error(e, t->path, 0, "the file has no line of numbers");
     }
     struct columns c = {.text = t, .table = &table, .has_time = table.n_column > 1};
     int status = table_check(t, &table, e);

@@ -7,25 +7,26 @@
 #include "motion/lines.h"
 
 enum compound_kind {
-    COMPOUND_ONE,        // one value, or no number at all
+    COMPOUND_ONE,        // one value, or not a number
     COMPOUND_REPEATED,   // one value, n times
     COMPOUND_TOUCHING,   // n values
-    COMPOUND_AMBIGUOUS,  // numbers that touch, which could end at two places
-    COMPOUND_NO_LETTER   // no number: an exponent without a letter, and not of three digits
+    COMPOUND_AMBIGUOUS,  // numbers that touch and can be separated in two ways
+    COMPOUND_NO_LETTER   // not a number: an exponent without a letter has other than three digits
 };
 
 struct compound {
     enum compound_kind kind;
-    struct piece rest;  // what is still to be taken
-    size_t n;           // values of the field; 1 if it is not several
+    struct piece rest;  // the part of the field that has not been taken
+    size_t n;           // number of values in the field; 1 if the kind is COMPOUND_ONE
 };
 
-// What a field between separators holds. Numbers that touch have a decimal point each, and the sign
-// of the next ends them: 1.234-103 is one number, with an exponent of three digits, and so
-// 1.234-103.5 is ambiguous.
+// The values in a field between separators. Each of several numbers that touch has a decimal point,
+// and the sign of the next number ends it. 1.234-103 is one number, with an exponent of three
+// digits. So 1.234-103.5 is ambiguous.
 struct compound compound_of(struct piece field);
 
-// Takes the next value off; of the others the whole field.
+// Takes the next value off `c`. If the kind is not COMPOUND_TOUCHING, the result is the whole
+// value.
 struct piece compound_next(struct compound *c);
 
 #endif

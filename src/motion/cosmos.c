@@ -24,7 +24,7 @@
 
 enum { REAL_STEP = 62 };
 
-static const char none[] = "no line 'acceleration pts' with 'units=' and 'Format='";
+static const char none[] = "the file has no line 'acceleration pts' with 'units=' and 'Format='";
 static const double DURATION_ROUNDING = 1;  // [s]
 
 // A channel: its lines in the file and what its text says.
@@ -106,8 +106,9 @@ static int read_step(const struct record_text *t, const struct channel *c, doubl
     struct fixed_format format;
     struct lines l = c->reals;
     if (l.number == 0 || !fixed_format_find(l.line, &format)) {
-        return lines_error(e, t->path, c->values.number,
-                           "no line 'Real-header values follow' with their format before it");
+        return lines_error(
+            e, t->path, c->values.number,
+            "the header has no line 'Real-header values follow' with a format above it");
     }
     for (size_t row = 0; row <= (REAL_STEP - 1) / format.n; row++) {
         if (!lines_next(&l)) {
@@ -174,7 +175,7 @@ static int check_unknown(const struct record_text *t, const struct channel *c, d
     for (size_t i = 0; i < out->n; i++) {
         if (out->value[i] == unknown) {
             return lines_error(e, t->path, c->values.number,
-                               "value %zu of those below is %g, which stands for one that is not "
+                               "value %zu of those below is %g, which marks a value that is not "
                                "known (line %d)",
                                i + 1, unknown, c->unknown.line);
         }
@@ -208,7 +209,8 @@ static int cosmos_read(struct arena *a, const struct record_request *request,
         status = read_peak(request, t, &c, out, e);
     }
     if (status == STATUS_OK && !fixed_format_find(c.values.line, &format)) {
-        status = lines_error(e, t->path, c.values.number, "no format such as (8F10.5)");
+        status =
+            lines_error(e, t->path, c.values.number, "the line has no format such as (8F10.5)");
     }
     if (status == STATUS_OK) {
         status = fixed_read(a, t, &l, &format, (size_t)n, out, e);

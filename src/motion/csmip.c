@@ -24,7 +24,8 @@
 
 enum { TITLE_LINES = 3, SEARCHED_LINES_MAX = 200 };
 
-static const char none[] = "no line 'accelerogram points at' or 'points of accel data'";
+static const char none[] =
+    "the file has no line 'accelerogram points at' or 'points of accel data'";
 static const char volume_1[] = "ACCELEROGRAM POINTS AT";
 static const char volume_2[] = "POINTS OF ACCEL DATA EQUALLY SPACED AT";
 static const char volume_2_usc[] = "POINTS OF ACC DATA EQUALLY SPACED AT";
@@ -141,8 +142,9 @@ static int read_format(const struct record_text *t, const struct lines *l,
         return STATUS_OK;
     }
     *format = (struct fixed_format){.n = 8, .width = 10, .decimals = 3};
-    return is_volume_2(l->line) ? STATUS_OK
-                                : lines_error(e, t->path, l->number, "no format such as (8F9.6)");
+    return is_volume_2(l->line)
+               ? STATUS_OK
+               : lines_error(e, t->path, l->number, "the line has no format such as (8F9.6)");
 }
 
 static int csmip_read(struct arena *a, const struct record_request *request,

@@ -4,8 +4,8 @@
 // is laid out as for records: blanks, tabs, commas or semicolons, comments, lines of text above the
 // numbers, of which the last may give the units in brackets: `penetration (mm), force (kN)`.
 //
-// Nothing is smoothed: a curve that falls, or whose unloading branch would give back more energy
-// than was put in, is refused where it does.
+// Curves are not smoothed. A curve with a falling force is an error, and so is an unloading branch
+// that returns more energy than the loading put in. The error points at the first such line.
 #include "motion/curve_file.h"
 
 #include <math.h>
@@ -45,7 +45,7 @@ static int check_first(const struct curve_row *r, struct error *e) {
     return STATUS_OK;
 }
 
-// Unloading over loading force; NAN where there is none.
+// Unloading force divided by loading force; NAN if the loading force is 0.
 static double share(const double *point) {
     return point[CURVE_LOADING] > 0.0 ? point[CURVE_UNLOADING] / point[CURVE_LOADING] : NAN;
 }
@@ -73,7 +73,8 @@ static int check_row(const struct curve_row *r, struct error *e) {
         return check_first(r, e);
     }
     if (r->value[CURVE_PENETRATION] <= r->before[CURVE_PENETRATION]) {
-        return error_set(e, STATUS_INPUT, "%s: penetration %.6g after %.6g; penetrations must grow",
+        return error_set(e, STATUS_INPUT,
+                         "%s: penetration %.6g after %.6g; penetrations must increase",
                          place(r, CURVE_PENETRATION).text, r->value[CURVE_PENETRATION],
                          r->before[CURVE_PENETRATION]);
     }
@@ -100,7 +101,7 @@ static int check_last(const struct curve_row *r, struct error *e) {
     return STATUS_OK;
 }
 
-// Reads the line; with two columns the branches are the same.
+// Reads the line. With two columns both branches are equal.
 static int read_row(struct curve_row *r, const struct table *table, struct piece line, size_t index,
                     struct error *e) {
     const size_t n = lines_count(line, table->separators);
@@ -154,13 +155,14 @@ static int check_table(const struct record_text *t, const struct table *table, s
     return status;
 }
 
-// Sets *size to the unit that the caption gives, unless it is known and the same.
+// Sets *size to the unit in the caption. An error if *size is already another unit.
 static int take_unit(const struct record_text *t, const struct table *table, struct piece unit,
                      double si, double *size, struct error *e) {
     if (*size > 0.0 && *size != si) {
-        return lines_error(e, t->path, table->caption_line,
-                           "the caption gives the unit '%s', but another is given or stands before",
-                           lines_excerpt(unit).text);
+        return lines_error(
+            e, t->path, table->caption_line,
+            "the caption gives the unit '%s', but an option or an earlier column gives another",
+            lines_excerpt(unit).text);
     }
     *size = si;
     return STATUS_OK;
@@ -187,7 +189,7 @@ static int read_caption(const struct record_text *t, const struct table *table, 
     return status;
 }
 
-// From the units of the file, 0: none known, to the deck's.
+// Converts the curve from the units of the file (0: not given) to those of the deck.
 static void convert(double *point, size_t n, double length, double force,
                     const struct unit_system *units) {
     for (size_t i = 0; i < n * CURVE_COLUMNS; i++) {
@@ -199,7 +201,7 @@ static void convert(double *point, size_t n, double length, double force,
     }
 }
 
-// Slopes of what was converted must be numbers.
+// Checks that the slopes of the converted curve are finite.
 static int check_slopes(const struct record_text *t, const double *point, size_t n,
                         struct error *e) {
     for (size_t i = 1; i < n; i++) {
@@ -222,7 +224,7 @@ int curve_read_text(struct arena *a, const struct curve_request *request,
     struct table table;
     int status = record_clean(t, &text, e);
     if (!status && !table_find(&text, &table)) {
-        return lines_error(e, t->path, 0, "there is no line of numbers");
+        return lines_error(e, t->path, 0, "the file has no line of numbers");
     }
     double length = request->length;
     double force = request->force;

@@ -12,16 +12,17 @@ struct record_text;
 
 struct curve_request {
     const char *path;
-    double length, force;             // [m] [N] units of the file; 0: those of its caption, if any,
-    const struct unit_system *units;  // or else the deck's, in which the curve is wanted
+    double length, force;  // [m] [N] units of the file; 0: units of its caption or, without
+                           // a caption, of the deck
+    const struct unit_system *units;  // units of the deck, into which the curve is converted
 };
 
-// What lasts is from `a`. Errors: STATUS_INPUT with "path:line:column: cause", STATUS_SYSTEM when
-// the file cannot be read or memory runs out.
+// Reads a curve into memory from `a`. Errors: STATUS_INPUT with "path:line:column: cause";
+// STATUS_SYSTEM: the file cannot be read, no memory.
 int curve_read(struct arena *a, const struct curve_request *request, struct curve *out,
                struct error *e);
 
-// The same from a text in memory; the path of the request is not looked at.
+// Reads a curve from a text in memory, as curve_read does; the path of the request is ignored.
 int curve_read_text(struct arena *a, const struct curve_request *request,
                     const struct record_text *t, struct curve *out, struct error *e);
 

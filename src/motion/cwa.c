@@ -115,9 +115,10 @@ static int cwa_read(struct arena *a, const struct record_request *request,
     struct channel_rows rows = {.timed = true};
     lines_init(&rows.from, t);
     if (!find_data(&rows.from)) {
-        return lines_error(e, t->path, 0,
-                           "no '#Data:' in the first %d lines; it ends the header of a CWA file",
-                           HEADER_LINES_MAX);
+        return lines_error(
+            e, t->path, 0,
+            "the file has no '#Data:' in the first %d lines; it ends the header of a CWA file",
+            HEADER_LINES_MAX);
     }
     const struct header h = {t, rows.from.number};
     int channel;

@@ -7,7 +7,7 @@
 #include "core/arena.h"
 #include "motion/values.h"
 
-// Takes a whole number of at most three digits off `rest`; 0: there is none.
+// Takes a whole number of at most three digits off `rest`; 0: `rest` does not begin with one.
 static size_t take_count(struct piece *rest) {
     size_t count = 0;
     for (int i = 0; i < 3 && rest->n > 0 && rest->text[0] >= '0' && rest->text[0] <= '9'; i++) {
@@ -79,7 +79,7 @@ static int check_rest(const struct record_text *t, const struct lines *l, size_t
         return STATUS_OK;
     }
     struct excerpt shown = lines_excerpt(field);
-    return lines_error(e, t->path, l->number, "'%s' stands behind the last value of the line",
+    return lines_error(e, t->path, l->number, "'%s' follows the last value of the line",
                        shown.text);
 }
 
@@ -139,7 +139,7 @@ int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
     return STATUS_OK;
 }
 
-// True if the line holds numbers alone, parted by blanks or by the width of the fields.
+// True if the line has only numbers, separated by spaces or by the width of the fields.
 static bool is_row(const struct lines *l, const struct fixed_format *format) {
     bool by_blanks = true, by_width = true;
     double value;
@@ -160,6 +160,7 @@ int fixed_check_end(const struct record_text *t, struct lines l, const struct fi
     while ((found = lines_next(&l)) && l.line.n == 0) {
     }
     return found && is_row(&l, format)
-               ? lines_error(e, t->path, l.number, "more than the %zu values that are told", n)
+               ? lines_error(e, t->path, l.number,
+                             "more than the %zu values that the header states", n)
                : STATUS_OK;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that are no records, and formats that cannot be read yet: tables of what betrays them, so
-// that the user is told what he has instead of what is missing.
+// Tables that identify files that are not records, and formats that jostle cannot read. So a
+// message names the kind of the file instead of what is missing in it.
 #include <string.h>
 
 #include "motion/lines.h"
@@ -26,7 +26,7 @@ static const struct mark files[] = {
 // Words in capitals in one of the first lines.
 static const struct {
     const char *name, *text;
-    int n_line;  // it stands in one of so many lines
+    int n_line;  // the words are in one of the first n_line lines
 } formats[] = {
     {"SMC of uncorrected accelerations (times that are not even)", "1 UNCORRECTED ACCELEROGRAM", 1},
     {"SMC of velocities", "3 VELOCITY", 1},

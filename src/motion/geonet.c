@@ -30,7 +30,7 @@ enum { ACCELERATIONS, VELOCITIES, DISPLACEMENTS, N_KIND };
 
 static const struct fixed_format columns = {.n = ROW, .width = 8};
 static const char none[] =
-    "no line 'Corrected accelerogram' or 'Uncorrected accelerogram' of 'GNS Science'";
+    "the file has no line 'Corrected accelerogram' or 'Uncorrected accelerogram' of 'GNS Science'";
 static const double DURATION_ROUNDING = 0.01;  // [s]
 
 // A component: its lines, by their numbers in it, and what they say.
@@ -161,7 +161,7 @@ static int read_acceleration(const struct record_request *request, const struct 
     }
     if (status == STATUS_OK && (!lines_field(&rest, "", &peak) || !lines_field(&rest, "", &unit))) {
         status = lines_error(e, c->text->path, c->line[LINE_PEAK].number,
-                             "no 'Acceleration:  Peak' with its unit");
+                             "the line has no 'Acceleration:  Peak' with its unit");
     }
     if (status != STATUS_OK) {
         return status;

@@ -46,7 +46,7 @@ bool header_find(const struct header *h, const char *key, struct header_entry *o
 int header_text(const struct header *h, const char *key, struct header_entry *out,
                 struct error *e) {
     if (!header_find(h, key, out)) {
-        return lines_error(e, h->text->path, 0, "there is no '%s' in the header", key);
+        return lines_error(e, h->text->path, 0, "the header has no '%s'", key);
     }
     return out->value.n > 0 ? STATUS_OK
                             : lines_error(e, h->text->path, out->line, "%s is empty", key);

@@ -123,9 +123,10 @@ static int knet_read(struct arena *a, const struct record_request *request,
     struct lines l;
     lines_init(&l, t);
     if (!find_memo(&l)) {
-        return lines_error(e, t->path, 0,
-                           "no 'Memo.' in the first %d lines; it ends the header of a K-NET file",
-                           HEADER_LINES_MAX);
+        return lines_error(
+            e, t->path, 0,
+            "the file has no 'Memo.' in the first %d lines; it ends the header of a K-NET file",
+            HEADER_LINES_MAX);
     }
     const struct header h = {t, l.number};
     double rate = 0;

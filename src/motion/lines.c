@@ -9,7 +9,8 @@
 #include "motion/compound.h"
 #include "motion/record_format.h"
 
-// Tab, line feed, vertical tab, form feed and return are blanks too; most characters are none.
+// True for a space, tab, line feed, vertical tab, form feed and carriage return. The first test is
+// fast, because most characters are none of these.
 static bool is_blank(char c) {
     return (unsigned char)c <= ' ' && (c == ' ' || (c >= '\t' && c <= '\r'));
 }
@@ -67,7 +68,7 @@ static bool is_separator(char c, const char *separators) {
     return *separators != '\0';
 }
 
-// The end of the blanks at `at`.
+// The end of the spaces at `at`.
 static const char *skip_blanks(const char *at, const char *end) {
     while (at < end && is_blank(*at)) {
         at++;
@@ -126,8 +127,8 @@ bool lines_overflow(struct piece line) {
     return found;
 }
 
-// The end of the line, or the first single # in it that a blank follows: #N/A and #### are values
-// that a spreadsheet could not show.
+// The first single # before a space, or the end of the line. #N/A and #### are not comments:
+// spreadsheets write them for values that they cannot show.
 static const char *comment_mark(struct piece line) {
     const char *end = line.text + line.n;
     const char *mark = memchr(line.text, '#', line.n);
@@ -359,10 +360,11 @@ int lines_read_number(const struct number_field *f, double *value, struct error 
         [COMPOUND_ONE] = "is not a number",
         [COMPOUND_REPEATED] =
             "is a repeat count; only values that run on (-format series) have one",
-        [COMPOUND_TOUCHING] = "are numbers that touch; put blanks between them, or read values "
+        [COMPOUND_TOUCHING] = "are numbers that touch; put spaces between them, or read values "
                               "that run on with -format series",
-        [COMPOUND_AMBIGUOUS] = "are numbers that touch and can be parted in two ways; put blanks "
-                               "between them",
+        [COMPOUND_AMBIGUOUS] =
+            "are numbers that touch and can be separated in two ways; put spaces "
+            "between them",
         [COMPOUND_NO_LETTER] = "is not a number: an exponent without a letter has three digits; "
                                "write an E before its sign",
     };

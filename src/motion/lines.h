@@ -16,13 +16,14 @@ struct piece {
     size_t n;
 };
 
-// The line last read, without blanks and carriage returns at either end.
+// A text read line by line. `line` is the current line, without spaces and carriage returns at
+// either end.
 struct lines {
-    const char *at, *end;  // what is still to come
+    const char *at, *end;  // the rest of the text, after the current line
     char terminator;       // '\n', or '\r' in a file that has no '\n'
     struct piece line;
-    struct piece whole;  // the same with its blanks, for fields of a fixed width
-    int number;          // of the line, from 1; 0 before the first
+    struct piece whole;  // the current line with its spaces, for fields of a fixed width
+    int number;          // number of the current line, from 1; 0 before the first
 };
 
 void lines_init(struct lines *l, const struct record_text *t);
@@ -30,51 +31,51 @@ void lines_init(struct lines *l, const struct record_text *t);
 // Goes to the next line; false at the end of the text.
 bool lines_next(struct lines *l);
 
-// The piece without blanks and carriage returns at either end.
+// The piece without spaces and carriage returns at either end.
 struct piece lines_trim(struct piece s);
 
-// Takes the first field off `rest`. Fields are separated by blanks, or by one character of
-// `separators` ("" or ",;") with blanks around it; a separator at the end of the line is allowed,
-// two in a row make an empty field. False: none is left.
+// Takes the first field off `rest`. Spaces separate fields, or one character of `separators` (""
+// or ",;") with spaces around it. A separator at the end of the line is allowed. Two separators in
+// a row make an empty field. False: no field is left.
 bool lines_field(struct piece *rest, const char *separators, struct piece *field);
 
-// Fields of the whole line.
+// The number of fields in the line.
 size_t lines_count(struct piece line, const char *separators);
 
-// Takes the text in the next brackets, round or square, off `rest`; false: none is left.
+// Takes the text in the next brackets, round or square, off `rest`; false: no brackets are left.
 bool lines_bracket(struct piece *rest, struct piece *inside);
 
-// True if a field of the line, and nothing but numbers beside it, is stars: what Fortran writes for
-// a value that does not fit its field. The stars may touch a number.
+// True if a field of the line is stars and all others are numbers. Fortran writes stars for a value
+// that does not fit its field. The stars may touch a number.
 bool lines_overflow(struct piece line);
 
-// The line up to a single # that a blank follows; nothing of a line that begins with # % ! * or //.
-// A line of overflow is not a comment.
+// The line without its comment, which begins with a single # before a space. A line that begins
+// with # % ! * or // is a comment as a whole, unless it is a line of overflow.
 struct piece lines_without_comment(struct piece line);
 
-// The character at which `word` (upper case) stands in the line, whatever its case and not as part
-// of a longer word; NULL: nowhere.
+// The place of `word` (upper case) in the line, in any case and not as part of a longer word; NULL:
+// the line does not have it.
 const char *lines_word(struct piece line, const char *word);
 
-// What stands behind `word` in the line; empty: the word does not.
+// The text after `word` in the line; empty if the line does not have the word.
 struct piece lines_behind(struct piece line, const char *word);
 
-// The field, separated by blanks or a comma, that stands behind `word` and an equals sign; it may
-// be empty. False: there is no such thing.
+// The field after `word` and an equals sign, separated by spaces or a comma; it may be empty.
+// False: the line does not have the word with an equals sign.
 bool lines_value(struct piece line, const char *word, struct piece *value);
 
-// True if `text` (upper case) stands anywhere in the line, whatever its case.
+// True if the line contains `text` (upper case), in any case.
 bool lines_contain(struct piece line, const char *text);
 
 // How reading a field as a number ended.
 enum number { NUMBER_OK, NUMBER_BAD, NUMBER_RANGE };
 
-// A decimal number as C or Fortran writes it, and nothing else: also 1.5D-3, .5E+00, 1.234567-105
-// (an exponent of three digits has driven out its E).
+// Reads the whole field as a decimal number of C or Fortran: also 1.5D-3, .5E+00, 1.234567-105
+// (Fortran drops the E before an exponent of three digits).
 enum number lines_number(struct piece field, double *value);
 
-// True if the field begins like a number, or is one of the words nan and inf: a typing error in a
-// number must not make it a word.
+// True if the field begins like a number, or is nan or inf. So a number with a typing error does
+// not count as a word.
 bool lines_number_like(struct piece field);
 
 // `field` for a message: at most 40 bytes, control characters and stray bytes as \xNN.
@@ -83,11 +84,12 @@ struct excerpt {
 };
 struct excerpt lines_excerpt(struct piece field);
 
-// error_set with STATUS_INPUT and "path:line: " in front; no line if it is 0.
+// Sets an error of STATUS_INPUT whose message begins with "path:line: ", or "path: " if line is 0.
 int lines_error(struct error *e, const char *path, int line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-// "path:line" for a message; a path over 200 bytes loses its beginning, so that the cause is seen.
+// "path:line" for a message. A path over 200 bytes loses its beginning, to leave room for the
+// cause.
 struct line_place {
     char text[240];
 };
@@ -106,11 +108,12 @@ struct number_field {
     struct piece field;
 };
 
-// Refuses the stars of an overflow; the message has `what` and `where` around them.
+// Sets an error of STATUS_INPUT about the stars of an overflow, with `what` before and `where`
+// after them.
 int lines_overflow_error(struct error *e, const struct record_text *t, int line, const char *what,
                          struct piece stars, const char *where);
 
-// lines_number, with STATUS_INPUT and the reason if it is none.
+// Reads the field as lines_number does; STATUS_INPUT with the reason if it is not a number.
 int lines_read_number(const struct number_field *f, double *value, struct error *e);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The factors that bring ground motions near to a target spectrum.
+// Scale factors that fit ground motions to a target spectrum.
 #ifndef JOSTLE_MOTION_MATCH_H
 #define JOSTLE_MOTION_MATCH_H
 
@@ -8,7 +8,7 @@
 
 struct arena;
 
-// A period, and the mean of the scaled spectra over the target there.
+// A period, and the mean of the scaled spectra divided by the target there.
 struct match_ratio {
     double period, value;
 };
@@ -16,7 +16,7 @@ struct match_ratio {
 struct match {
     double *factor;                     // (n_record)
     double *misfit;                     // (n_record) root of the mean of ln(f PSA / target)^2
-    struct match_ratio least, largest;  // at the periods that were compared
+    struct match_ratio least, largest;  // over all periods compared
 };
 
 // Compares the spectra of unscaled records, of the first damping ratio, with the target's values

@@ -160,7 +160,7 @@ static int read_text(struct arena *a, const struct matrix_request *q, const stru
     struct table table;
     int status = record_clean(t, &text, e);
     if (!status && !table_find(&text, &table)) {
-        return lines_error(e, t->path, 0, "there is no line of numbers");
+        return lines_error(e, t->path, 0, "the file has no line of numbers");
     }
     status = status ? status : table_check(&text, &table, e);
     status = status ? status : check_size(&text, &table, q, e);

@@ -9,16 +9,16 @@ struct arena;
 
 struct matrix_request {
     const char *path;
-    int n;             // rows and columns that are needed
-    const char *of;    // what needs them, for messages: "building A"
+    int n;             // required number of rows and columns
+    const char *of;    // the owner of the matrix, for messages: "building A"
     const char *unit;  // of the values, for messages
-    double from, to;   // that unit and the one wanted
+    double from, to;   // unit of the file and unit of the result
 };
 
 // Reads a stiffness matrix, rows separated by line ends, which must be symmetric to rounding and
 // positive definite; *value is (n, n) from `a`, symmetric. Errors: STATUS_INPUT with the path and
-// the cause, and the line and column where there is one; STATUS_SYSTEM when the file cannot be read
-// or memory runs out.
+// the cause, and the line and column if known; STATUS_SYSTEM: the file cannot be read, no
+// memory.
 int matrix_read(struct arena *a, const struct matrix_request *request, double **value,
                 struct error *e);
 

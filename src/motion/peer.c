@@ -214,7 +214,7 @@ static int peer_read(struct arena *a, const struct record_request *request,
     struct piece npts_text, dt_text;
     if (!find_npts(&l)) {
         return lines_error(e, t->path, 0,
-                           "no NPTS in the first %d lines; a PEER header says "
+                           "the file has no NPTS in the first %d lines; a PEER header says "
                            "'NPTS= n, DT= dt SEC' or 'n dt NPTS, DT'",
                            HEADER_LINES_MAX);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a record: the file as text, its format, what it says, and whether that can be believed.
+// Reads a record: reads the file as text, finds its format, reads its values and checks them.
 #include "jostle/record.h"
 
 #include <string.h>
@@ -43,7 +43,7 @@ static const struct record_format *find_by_name(const struct record_text *t, con
     return NULL;
 }
 
-// The first of the formats, certain or not, that the text looks like.
+// The first format whose `matches` accepts the text.
 static const struct record_format *first_match(const struct record_request *request,
                                                const struct record_text *t, bool certain) {
     for (int i = 0; i < N_FORMAT; i++) {
@@ -55,7 +55,7 @@ static const struct record_format *first_match(const struct record_request *requ
     return NULL;
 }
 
-// The first format that the text looks like; NULL after having set the error.
+// The first format that accepts the text; NULL after having set the error.
 static const struct record_format *find_by_content(const struct record_request *request,
                                                    const struct record_text *t, struct error *e) {
     const struct record_format *f = first_match(request, t, true);
@@ -72,7 +72,7 @@ static const struct record_format *find_by_content(const struct record_request *
         return f;
     }
     lines_error(e, t->path, 0,
-                "no record format fits: no header with NPTS and DT, no line of "
+                "unknown record format: no header with NPTS and DT, no line of "
                 "numbers");
     return NULL;
 }
@@ -94,7 +94,8 @@ static bool is_control(char c) {
     return c == 0x7f || ((unsigned char)c < 0x20 && (c < '\t' || c > '\r'));
 }
 
-// Refuses what is no text. Headers need not be UTF-8, but have no control characters.
+// STATUS_INPUT if the file is not text. Headers may be other than UTF-8, but must not have control
+// characters.
 static int check_text(const struct record_text *t, struct error *e) {
     if (t->size == 0) {
         return lines_error(e, t->path, 0, "the file is empty");

@@ -1,75 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a record format is given and what it hands back. Internal to src/motion/.
+// The input and the output of a record format. Internal to src/motion/.
 #ifndef JOSTLE_MOTION_RECORD_FORMAT_H
 #define JOSTLE_MOTION_RECORD_FORMAT_H
 
 #include "jostle/record.h"
 #include "motion/lines.h"
 
-// A file that was read whole and is known to be text, without byte-order mark and DOS end mark.
+// A whole file that has been checked to be text, without byte-order mark and DOS end mark.
 struct record_text {
     const char *path;
     const char *text;  // 0-terminated, line ends as in the file
     size_t size;
 };
 
-// Reads the file whole. The text is to be freed by arena_free of *scratch; after an error there is
-// none. Errors: those of text_file.
+// Reads the whole file. The caller frees the text with arena_free of *scratch, except after an
+// error. Errors: those of text_file.
 int record_text_open(const char *path, size_t limit, struct record_text *out,
                      struct arena **scratch, struct error *e);
 
-// What a file says about itself. Lines are counted from 1.
+// The values of a file, and what the file states about them. Lines are counted from 1.
 struct record_content {
     enum record_part wrong;  // after an error, as in struct record
 
     size_t n;
     double *value;  // (n) from the arena, as printed
     size_t peak;    // index of the first largest |value|
-    int peak_line;  // where it stands
+    int peak_line;  // line of the peak
 
-    size_t n_filling;  // so many values at the end repeat the one before, beyond the stated number
-    int count_line;    // where that is stated
+    size_t n_filling;  // values beyond the stated number, which repeat the last value
+    int count_line;    // line that states the number
 
-    double npts, other_npts;  // numbers of values where a header states two
-    int other_line;           // where it states the other one; 0: it states one
+    double npts, other_npts;  // numbers of values, if a header states two
+    int other_line;           // line of other_npts; 0: the header states one number
 
-    double dt;            // [s] > 0; 0: the file does not say it
-    int dt_line;          // where it says or should say so
-    double dt_tolerance;  // [s] how well the file says it; 0 unless made from rounded times
+    double dt;            // [s] > 0; 0: the file does not state it
+    int dt_line;          // line that states it or should state it
+    double dt_tolerance;  // [s] rounding error of dt if it is computed from times; else 0
 
-    double unit;               // [m/s^2]; 0: the file does not say one that is an acceleration
-    struct excerpt unit_text;  // as the file writes it
-    int unit_line;             // where; 0: the file says nothing about a unit
+    double unit;               // [m/s^2]; 0: the file does not state a unit of acceleration
+    struct excerpt unit_text;  // text of the unit in the file
+    int unit_line;             // line of the unit; 0: the file does not state a unit
 
     double stated_peak;      // the largest acceleration that the file states, in its unit
-    double stated_rounding;  // its last digit
-    bool stated_about_mean;  // it is that of the values less their mean
-    int stated_line;         // where; 0: the file states none
+    double stated_rounding;  // one unit of its last digit
+    bool stated_about_mean;  // it is the peak of the values minus their mean
+    int stated_line;         // line of the stated peak; 0: the file does not state one
 
-    double noted_dt;  // [s] of a comment above the values
-    int noted_line;   // where; 0: there is none
+    double noted_dt;  // [s] time step in a comment above the values
+    int noted_line;   // line of this comment; 0: there is none
 
     double time_offset;  // [s] time of the first sample
     double time_error;   // largest distance of a time from the even grid, in steps
 };
 
-// Reads a text in memory; `t` need not be checked before. What record_read does after having read
-// the file.
+// Reads a record from a text in memory, as record_read does from a file. `t` may be any bytes.
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e);
 
-// `t` without the byte-order mark that spreadsheets write and the Ctrl-Z that DOS ended files with.
-// Errors: STATUS_INPUT (empty, or no text).
+// Removes the byte-order mark of spreadsheets and the final Ctrl-Z of DOS. Errors: STATUS_INPUT
+// (empty, or not text).
 int record_clean(const struct record_text *t, struct record_text *out, struct error *e);
 
-// The name of a known format that cannot be read yet; NULL: none looks like it.
+// The name of a format that jostle recognises but cannot read; NULL: another format.
 const char *foreign_format(const struct record_text *t);
 
-// What the file is if it is certainly no record: "an HTML page"; NULL: may be one.
+// A description of a file that cannot be a record, such as "an HTML page"; NULL: it may be a
+// record.
 const char *foreign_file(const struct record_text *t);
 
-// The final value of dt and unit from what the user and the file say, and whether the record is
-// believable as an accelerogram.
+// Decides time step and unit from those of the user and the file, and checks that the record is
+// plausible as an accelerogram.
 int record_check(const struct record_request *request, const struct record_text *t,
                  const struct record_content *content, struct record *out, struct error *e);
 

@@ -6,8 +6,8 @@
 #include "jostle/units.h"
 #include "motion/lines.h"
 
-// Reads the whole of `text` as a unit: those of unit_parse, and also G, CM/S/S, cm/sec/sec,
-// cm/sec**2. False: it is none.
+// Reads the whole of `text` as a unit: a unit of unit_parse, or also G, CM/S/S, cm/sec/sec,
+// cm/sec**2. False: it is not a unit.
 bool record_unit(struct piece text, double gravity, struct dimension *dimension, double *si);
 
 #endif

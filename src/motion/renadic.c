@@ -19,7 +19,7 @@ static const struct volume1 layout = {
     .title = "UNCORRECTED ACCELEROGRAM DATA",
     .units = "UNITS OF UNCOR ACCEL",
     .length = "RECORD LENGTH",
-    .none = "no line 'UNCORRECTED ACCELEROGRAM DATA'",
+    .none = "the file has no line 'UNCORRECTED ACCELEROGRAM DATA'",
     .format = {.n = 5, .width = 7, .timed = true},
     .next = renadic_next,
 };

@@ -18,7 +18,7 @@ static int series_read(struct arena *a, const struct record_request *request,
     (void)request;
     struct table table;
     if (!table_find(t, &table)) {
-        return lines_error(e, t->path, 0, "there is no line of numbers");
+        return lines_error(e, t->path, 0, "the file has no line of numbers");
     }
     int status = table_check(t, &table, e);
     if (status) {

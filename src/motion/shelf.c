@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Entries in the order of their last use, the latest first. Those that have not been used for
-// longest make room, so that memory does not grow with the number of records of a study.
+// Entries are in the order of their last use, the latest first. The least recently used entries are
+// removed, so that memory does not grow with the number of records of a study.
 #include "motion/shelf.h"
 
 #include <pthread.h>
@@ -11,7 +11,7 @@
 
 struct entry {
     struct entry *next;
-    struct arena *arena;  // of what follows, and of itself
+    struct arena *arena;  // owns the entry and its arrays
     struct record_request request;
     struct record record;
 };
@@ -61,7 +61,7 @@ static size_t bytes_of(const struct record *r) {
     return sizeof(struct entry) + r->n * sizeof *r->value;
 }
 
-// The entry, moved to the front; NULL: none.
+// Finds the entry and moves it to the front; NULL: there is none.
 static struct entry *find(struct shelf *s, const struct record_request *request) {
     for (struct entry **at = &s->first; *at; at = &(*at)->next) {
         struct entry *found = *at;
@@ -75,7 +75,7 @@ static struct entry *find(struct shelf *s, const struct record_request *request)
     return NULL;
 }
 
-// Takes off the shelf what is behind the entries that fit.
+// Removes the entries after those that fit into the cache.
 static void make_room(struct shelf *s) {
     size_t bytes = 0;
     for (struct entry **at = &s->first; *at;) {
@@ -91,7 +91,7 @@ static void make_room(struct shelf *s) {
     s->bytes = bytes;
 }
 
-// `r` with a copy of its values from `a`; false: no memory.
+// Copies the values of `r` into memory from `a`; false: no memory.
 static bool copy(struct arena *a, const struct record *r, struct record *out) {
     double *value = arena_alloc(a, r->n, sizeof *value);
     if (!value) {
@@ -103,7 +103,7 @@ static bool copy(struct arena *a, const struct record *r, struct record *out) {
     return true;
 }
 
-// `request` with copies of its texts from `a`; false: no memory.
+// Copies the texts of `request` into memory from `a`; false: no memory.
 static bool copy_request(struct arena *a, const struct record_request *request,
                          struct record_request *out) {
     *out = *request;

@@ -56,7 +56,7 @@ static int read_lines(struct smc *s, struct error *e) {
     }
     return is_title(s->line[1].line)
                ? STATUS_OK
-               : lines_error(e, s->text->path, 1, "no '2 CORRECTED ACCELEROGRAM'");
+               : lines_error(e, s->text->path, 1, "the line has no \'2 CORRECTED ACCELEROGRAM'");
 }
 
 // Number `i`, from 1, of those in fields of this format from line `first`.
@@ -82,7 +82,8 @@ static int skip_comments(const struct smc *s, struct lines *l, struct error *e) 
     return status != STATUS_OK || told == n
                ? status
                : lines_error(e, s->text->path, entry.line,
-                             "%.0f lines of comment are told; %d lines begin with a |", told, n);
+                             "the header states %.0f lines of comment; %d lines begin with a |",
+                             told, n);
 }
 
 static int read_peak(const struct smc *s, struct record_content *out, struct error *e) {

@@ -18,7 +18,7 @@ const struct spectrum_point *spectra_at(const struct spectra *s, int series, int
     return point_at(s, series, damping, period);
 }
 
-// `value` has room for one value of each record.
+// `value` is scratch with one value per record.
 static void take_statistics(const struct spectra *s, int damping, int period, double *value) {
     static const double fraction[SPECTRA_STATISTICS] = {
         [SPECTRA_P16] = 0.16, [SPECTRA_P50] = 0.50, [SPECTRA_P84] = 0.84};

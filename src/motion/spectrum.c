@@ -9,10 +9,10 @@
 // The closed forms of h1 and h2 cancel where omega tau is small; Taylor's series is used there.
 //
 // Peaks: u, v and the total acceleration -(omega^2 u + 2 zeta omega v) are all y = p u + q v. In a
-// step y is a straight line plus a damped sine, so y'' is a damped sine alone, whose zeros are
-// known and half a damped period apart. Between two of them y' is monotone: it has one zero at
-// most, which is bracketed and found by Newton's method. So no peak is missed, however long the
-// step is against the period. Behind the record the largest of all lies within one damped period.
+// step y is a straight line plus a damped sine, so y'' is a damped sine. Its zeros are known and
+// half a damped period apart. Between two zeros y' is monotone and has at most one zero, which
+// Newton's method finds in a bracket. So no peak is missed, even in a step longer than the period.
+// After the end of the record the largest peak is within one damped period.
 //
 // In a step of length T a function lies within T^2 / 8 max |y''| of the line through its ends, and
 // y'' within the amplitude of its sine: most steps are seen to hold no peak by that.
@@ -29,7 +29,7 @@ struct oscillator {
     double decay;           // [1/T] zeta omega
 };
 
-// h, h' and the integrals of h at one tau.
+// The values of h, h' and the integrals of h at one tau.
 struct kernel {
     double h, dh, h1, h2;
 };
@@ -54,7 +54,7 @@ struct value {
     double tau, y, dy, ddy, dddy;
 };
 
-// Terms beyond the last one kept are below 1e-18 of the first where omega tau <= 1.
+// Terms after the last one kept are below 1e-18 of the first one for omega tau <= 1.
 enum { SERIES_TERMS = 22 };
 static const double SERIES_REACH = 1.0;
 
@@ -147,7 +147,7 @@ static struct value turning_point(const struct oscillator *o, const struct step 
     return at;
 }
 
-// Notes the peak of a piece in which y' is monotone.
+// Records the peak of a piece in which y' is monotone.
 static void note_piece(const struct oscillator *o, const struct step *s, struct quantity *q,
                        const struct value *from, const struct value *to) {
     const double span = to->tau - from->tau;
@@ -182,7 +182,7 @@ static void search_step(const struct oscillator *o, const struct step *s, struct
     note_piece(o, s, q, &at, end);
 }
 
-// Notes the peak of a step from one instant to another.
+// Records the peak of a step from one instant to another.
 static void note_step(const struct oscillator *o, const struct step *s, struct quantity *q,
                       const struct course *from, const struct course *to) {
     const struct value start = value_of(q, from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of numbers in rows: where the numbers begin, how many there are, and what stands above.
+// Files of numbers in rows: the first row, the numbers of rows and columns, and the text above.
 #include "motion/table.h"
 
 #include <string.h>
@@ -65,7 +65,8 @@ static bool find_first_row(const struct record_text *t, struct table *out) {
     return false;
 }
 
-// True if the comma of a field can only be a decimal one: 1,234 may be 1234.
+// True if the comma of a field must be a decimal comma. The comma of 1,234 need not: it may be
+// 1234.
 static bool is_decimal_comma(struct piece field, const char *comma) {
     const bool has_sign = field.text[0] == '+' || field.text[0] == '-';
     const char *whole = field.text + has_sign;
@@ -129,7 +130,7 @@ int table_number(const struct table *table, const struct number_field *f, double
     return lines_read_number(&with_point, value, e);
 }
 
-// Seconds in the unit of a time step, without regard to case; 0: not such a unit.
+// The unit of a time step in s, in any case; 0: not a unit of time.
 static double step_unit(struct piece word) {
     static const struct {
         const char *name;
@@ -143,7 +144,7 @@ static double step_unit(struct piece word) {
     return 0;
 }
 
-// The step behind its name: `= 0.02`, `: 0.02 s`, `0.02s`, ` (ms) = 20`. 0: there is none.
+// The step after its name: `= 0.02`, `: 0.02 s`, `0.02s`, ` (ms) = 20`. 0: there is none.
 static double read_step(struct piece rest) {
     static const char marks[] = "=:,()[]";
     double step = 0, unit = 1;
@@ -196,7 +197,7 @@ static bool has_odd_commas(struct piece line) {
     return n_comma > 0 && n_other > 0;
 }
 
-// True if the caption is a row but for one of its fields, or for what stands behind a #.
+// True if the caption is a row except for one of its fields, or for the text after a #.
 static bool caption_is_row(const struct table *table) {
     struct piece rest = table->caption;
     const char *mark = memchr(rest.text, '#', rest.n);

@@ -99,12 +99,12 @@ static int check_order(const struct file *f, const struct series_row *r, struct 
     const char *name = f->column[0].name;
     return r->index == 0 || time[0] > time[-1]
                ? STATUS_OK
-               : error_set(e, STATUS_INPUT, "%s: %s %.9g s after %.9g s; %ss must grow",
+               : error_set(e, STATUS_INPUT, "%s: %s %.9g s after %.9g s; %ss must increase",
                            lines_place_field(&f->text, r->line, r->field[0]).text, name, time[0],
                            time[-1], name);
 }
 
-// Reads row `index`, on which `l` stands.
+// Reads row `index`, the current line of `l`.
 static int read_row(struct file *f, const struct lines *l, size_t index, struct error *e) {
     struct series_row r = {.index = index, .line = l->number};
     struct piece rest = l->line;
@@ -143,7 +143,7 @@ static int read_text(struct arena *a, struct file *f, struct error *e) {
     struct record_text raw = f->text;
     int status = record_clean(&raw, &f->text, e);
     if (status == STATUS_OK && !table_find(&f->text, &f->table)) {
-        return lines_error(e, f->text.path, 0, "there is no line of numbers");
+        return lines_error(e, f->text.path, 0, "the file has no line of numbers");
     }
     if (status == STATUS_OK) {
         status = table_check(&f->text, &f->table, e);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of two columns with their units, the first of which ascends: a quantity over time or over
-// the period.
+// Files of two columns with units: a quantity over time or over the period. The first column
+// ascends.
 #ifndef JOSTLE_MOTION_TIME_SERIES_H
 #define JOSTLE_MOTION_TIME_SERIES_H
 
@@ -15,7 +15,7 @@ enum { TIME_SERIES_COLUMNS = 2 };
 struct time_series_column {
     const char *name;  // in messages: "time", "value"
     struct dimension dimension;
-    double unit;                // in SI, where the caption gives none; 0: it must
+    double unit;                // in SI, if the caption gives no unit; 0: the caption must give it
     const struct range *range;  // NULL: any number
 };
 
@@ -25,7 +25,7 @@ struct time_series {
     const double *value;  // (n) in SI
 };
 
-// Reads two columns of different dimensions, separated by blanks, tabs, commas or semicolons. The
+// Reads two columns of different dimensions, separated by spaces, tabs, commas or semicolons. The
 // last line above the numbers may give units in brackets: `time [ms], force [kN]`. Errors:
 // STATUS_INPUT with "path:line: cause" or "path:line:column: cause", STATUS_SYSTEM.
 int time_series_read(struct arena *a, const char *path,

@@ -158,10 +158,11 @@ static int unam_read(struct arena *a, const struct record_request *request,
     struct piece names = {0};
     lines_init(&rows.from, t);
     if (!find_data(&rows.from, &names)) {
-        return lines_error(e, t->path, 0,
-                           "no 'DATOS DE ACELERACION:' with four lines, the last a rule, in the "
-                           "first %d lines; it ends the header of a UNAM file",
-                           HEADER_LINES_MAX);
+        return lines_error(
+            e, t->path, 0,
+            "the file has no 'DATOS DE ACELERACION:' with four lines, the last a rule, in the "
+            "first %d lines; it ends the header of a UNAM file",
+            HEADER_LINES_MAX);
     }
     const struct header h = {t, rows.from.number};
     int status = check_entry(&h, "VERSION DEL FORMATO", 2, e);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values that run on from line to line to the end of the file. They are counted before they are
-// read, so that the memory asked for is what the file holds, whatever its header says.
+// Values that continue from line to line up to the end of the file. They are counted before they
+// are read, so that the memory depends on the file and not on the number in its header.
 #include "motion/values.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ int values_check_comments(const struct record_text *t, struct lines from, struct
         if (lines_without_comment(from.line).n > 0) {
             if (comment.number > 0) {
                 return error_set(e, STATUS_INPUT,
-                                 "%s: the comment '%s' stands between numbers, where it may hide "
+                                 "%s: the comment '%s' is between numbers, where it may hide "
                                  "one; remove the line",
                                  lines_place_field(t, comment.number, comment.line).text,
                                  lines_excerpt(comment.line).text);
@@ -73,7 +73,7 @@ void values_note_peak(struct record_content *out, const double *value, size_t in
     }
 }
 
-// The mean of what the values are above `base`.
+// The mean of the differences between the values and `base`.
 static double mean_above(const double *value, size_t n, double base) {
     double sum = 0;
     for (size_t i = 0; i < n; i++) {
@@ -87,7 +87,7 @@ double values_mean(const double *value, size_t n) {
     return mean + mean_above(value, n, mean);
 }
 
-// Reads the values that a field holds, up to the n-th of the record.
+// Reads the values of a field, up to value n of the record.
 static int read_field(const struct record_text *t, int line, struct piece field, size_t n,
                       struct record_content *out, struct error *e) {
     struct compound c = compound_of(field);
@@ -126,7 +126,7 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
     return status;
 }
 
-// Where there are fewer than stated, what comes last may be half a number and is not read.
+// If the file has fewer values than stated, its last value may be incomplete and is not read.
 int values_read_stated(struct arena *a, const struct record_text *t, struct lines from,
                        double stated, int stated_line, struct record_content *out,
                        struct error *e) {

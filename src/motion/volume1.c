@@ -99,7 +99,7 @@ static int check_end(const struct record_text *t, struct lines l, size_t n, stru
             return l.line.n > 1 && l.line.text[0] == '/' && l.line.text[1] == '&'
                        ? STATUS_OK
                        : lines_error(e, t->path, l.number,
-                                     "'%s' stands where '/&' should end the channel of %zu values",
+                                     "'%s' is where '/&' should end the channel of %zu values",
                                      lines_excerpt(l.line).text, n);
         }
     }

@@ -133,7 +133,7 @@ run "$jostle" check channel.deck
 expect "a channel of a file is read" '[ $status -eq 0 ] && grep -q "cwa.dat: peak 0.8999 m/s^2" "$out"'
 two_buildings channel.deck 'ground record cwa.dat -channel 4'
 run "$jostle" check channel.deck
-expect "the caret of a wrong channel is below it" '[ $status -eq 2 ] && said "channel.deck:11:32: error" && said "there is no channel 4"'
+expect "the caret of a wrong channel is below it" '[ $status -eq 2 ] && said "channel.deck:11:32: error" && said "the file has no channel 4"'
 
 {
     cat idle.deck

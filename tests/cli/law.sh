@@ -82,7 +82,7 @@ law jankowski "-k
 title x" -e 0.5
 expect "a line end in a word is refused" '[ $status -eq 2 ] && said "a word of the command line has a line end"'
 law kelvin-voigt -k 1 -zeta 2 -m1 1 -v 1
-expect "bodies that do not part are a failure" '[ $status -eq 1 ] && said "under kelvin-voigt the bodies have not parted"'
+expect "bodies that do not part are a failure" '[ $status -eq 1 ] && said "under kelvin-voigt the bodies have not separated"'
 law $jankowski --tvs
 expect "a wrong option is named with the nearest" '[ $status -eq 2 ] && said "unknown option '"'--tvs'; did you mean '--tsv'?"'"'
 law $jankowski --tsv=yes

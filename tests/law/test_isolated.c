@@ -356,7 +356,7 @@ static void bodies_that_do_not_part_are_an_error(void **state) {
     const struct contact_law *law = impact_law("kelvin-voigt", "k 1 zeta 2", value);
     assert_int_equal(law->prepare(value, 1.0, constant, &e), STATUS_OK);
     assert_int_equal(isolated_run(law, constant, 1.0, 1.0, NULL, &i, &e), STATUS_FAILED);
-    assert_non_null(strstr(e.message, "under kelvin-voigt the bodies have not parted "));
+    assert_non_null(strstr(e.message, "under kelvin-voigt the bodies have not separated "));
 }
 
 static void scales_of_bodies_and_units_do_not_matter(void **state) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Holds the layers of docs/house-style.md: a file includes nothing from a higher layer, nor from
-# another folder of its own layer; src/solve and src/deck have such an order within, too; HDF5 belongs to
-# src/result; below src/command nothing prints, exits or reads the environment.
+# another folder of its own layer; the files of src/solve and of src/deck have an order, too; HDF5
+# belongs to src/result; below src/command nothing prints, exits or reads the environment.
 set -euo pipefail
 status=0
 

@@ -75,13 +75,14 @@ static void a_column_is_counted_in_characters_of_the_line(void **state) {
     (void)state;
     assert_refused("0 0\n  1   2\n\t3   1\n",
                    "pad.txt:3:6: loading force 1 after 2; loading forces must not fall");
-    assert_refused("0 0\r1 2\r1 3", "pad.txt:3:1: penetration 1 after 1; penetrations must grow");
+    assert_refused("0 0\r1 2\r1 3",
+                   "pad.txt:3:1: penetration 1 after 1; penetrations must increase");
 }
 
 static void what_is_no_curve_is_refused(void **state) {
     (void)state;
     assert_refused("", "pad.txt: the file is empty");
-    assert_refused("a pad\n", "pad.txt: there is no line of numbers");
+    assert_refused("a pad\n", "pad.txt: the file has no line of numbers");
     assert_refused("0 0\n1,5 2,5\n", "pad.txt:2: '1,5 2,5' has commas beside other separators; "
                                      "numbers need a decimal point");
     assert_refused("0 0 0 0\n1 1 1 1\n", "pad.txt:1: row of 4 values; a curve has 2 or 3 columns: "

@@ -61,7 +61,7 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("${sqrt(-4)}", "15: sqrt of -4; it must be >= 0"),
         CASE("${log(0)}", "14: log of 0; it must be > 0"),
         CASE("${10^400}", "12: the result is too large for a number"),
-        CASE("${(-8)^0.5}", "14: the negative number -8 has no power 0.5"),
+        CASE("${(-8)^0.5}", "14: the negative number -8 cannot be raised to the power 0.5"),
         CASE("${a + m}", "12: a length (m) and a mass (t) cannot be added"),
         CASE("${max(a,m)}", "16: a length (m) and a mass (t) cannot be compared"),
         CASE("${sin(a)}", "14: the argument of sin is a length (m); a pure number is needed"),
@@ -89,8 +89,9 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("2m.s", "10: unexpected '.s' after the number; units are written as in kN*s/m or "
                      "N/m^1.5"),
         CASE("${2**3}", "12: unexpected '*'; a power is written ^"),
-        CASE("2+3",
-             "9: unexpected '+3' after the number; write expressions as ${...} and texts in quotes"),
+        CASE(
+            "2+3",
+            "9: unexpected '+3' after the number; write expressions as ${...} and texts in quotes"),
         CASE("2*N/m",
              "9: unexpected '*N/m' after the number; write a unit directly after its number"),
         CASE("2\u00b5m",

@@ -60,7 +60,7 @@ static void files_that_are_no_records_are_called_by_their_name(void **state) {
         const char *text, *message;
     } c[] = {
         {"", "a.txt: the file is empty"},
-        {"\n\n", "a.txt: no record format fits: no header with NPTS and DT, no line of numbers"},
+        {"\n\n", "a.txt: unknown record format: no header with NPTS and DT, no line of numbers"},
         {"\n <!DOCTYPE html>\n1 2\n", "a.txt: this is an HTML or XML page, not a record"},
         {"version https://git-lfs.github.com/spec/v1\n1\n",
          "a.txt: this is a Git LFS pointer, not a record"},
@@ -158,10 +158,10 @@ static void broken_files_are_refused_with_file_and_line(void **state) {
         {"value_overflow.AT2", ":15: value 51 '.1000000E+999' is out of range: over 1.8e308"},
         {"velocity_file.VT2",
          ":3: this is not an acceleration: 'VELOCITY TIME HISTORY IN UNITS OF CM/S'"},
-        {"time_goes_back.txt", ":101: time 0.5 after 0.99; times must grow"},
+        {"time_goes_back.txt", ":101: time 0.5 after 0.99; times must increase"},
         {"time_gap.txt", ":91: step of 0.21 s to time 1.1; the first step is 0.01 s and steps must "
                          "be even"},
-        {"three_columns.txt", ":1: 3 columns; -channel chooses one of those behind the times; "
+        {"three_columns.txt", ":1: 3 columns; -channel chooses a column after the times; "
                               "-format series reads values that run on from line to line"},
         {"overflow_stars.txt", ":9:6: value 6 '********' is an overflow of Fortran: the value did "
                                "not fit its field"},

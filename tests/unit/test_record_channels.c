@@ -43,8 +43,9 @@ static void without_a_channel_there_is_a_list(void **state) {
     assert_int_equal(r->record.wrong, RECORD_PATH);
     r->request.channel = 4;
     reading_of_file(r, "tests/records/good/cwa.dat");
-    assert_refused(r, "tests/records/good/cwa.dat: there is no channel 4; there are 1 'U', 2 'N', "
-                      "3 'E'");
+    assert_refused(
+        r, "tests/records/good/cwa.dat: the file has no channel 4; available: 1 'U', 2 'N', "
+           "3 'E'");
     assert_int_equal(r->record.wrong, RECORD_CHANNEL);
 }
 
@@ -66,14 +67,13 @@ static void wrong_afad_files_are_refused(void **state) {
     static const struct {
         const char *text, *message;
     } c[] = {
-        {AFAD COUNT STEP PEAKS "1 2 3\n", "a.txt: no line 'N-S E-W U-D' in the first 32 lines; it "
-                                          "ends the header of an AFAD file"},
-        {AFAD STEP PEAKS NAMES "1 2 3\n4 5 6\n",
-         "a.txt: there is no 'NUMBER OF DATA' in the header"},
+        {AFAD COUNT STEP PEAKS "1 2 3\n",
+         "a.txt: the file has no line 'N-S E-W U-D' in the first 32 lines; it "
+         "ends the header of an AFAD file"},
+        {AFAD STEP PEAKS NAMES "1 2 3\n4 5 6\n", "a.txt: the header has no 'NUMBER OF DATA'"},
         {AFAD COUNT PEAKS NAMES "1 2 3\n4 5 6\n",
-         "a.txt: there is no 'SAMPLING INTERVAL (sec)' in the header"},
-        {AFAD COUNT STEP NAMES "1 2 3\n4 5 6\n",
-         "a.txt: there is no 'RAW PGA VALUES (gal)' in the header"},
+         "a.txt: the header has no 'SAMPLING INTERVAL (sec)'"},
+        {AFAD COUNT STEP NAMES "1 2 3\n4 5 6\n", "a.txt: the header has no 'RAW PGA VALUES (gal)'"},
         {AFAD COUNT STEP PEAKS NAMES "1 2 3\n",
          "a.txt:6: the file ends after 1 rows; its header (line 2) says 2"},
         {AFAD COUNT STEP PEAKS NAMES "1 2 3\n4 5 6\n7 8 9\n",
@@ -116,14 +116,12 @@ static void wrong_cwa_files_are_refused(void **state) {
         const char *text, *message;
     } c[] = {
         {CWA LENGTH RATE UNIT SEQUENCE "0 1 2\n",
-         "a.txt: no '#Data:' in the first 64 lines; it ends the header of a CWA file"},
-        {CWA RATE UNIT SEQUENCE DATA "0 1 2\n",
-         "a.txt: there is no '#RecordLength(sec)' in the header"},
-        {CWA LENGTH UNIT SEQUENCE DATA "0 1 2\n",
-         "a.txt: there is no '#SampleRate(Hz)' in the header"},
-        {CWA LENGTH RATE SEQUENCE DATA "0 1 2\n", "a.txt: there is no '#AmplitudeUnit' in the "
-                                                  "header"},
-        {CWA LENGTH RATE UNIT DATA "0 1 2\n", "a.txt: there is no '#DataSequence' in the header"},
+         "a.txt: the file has no '#Data:' in the first 64 lines; it ends the header of a CWA file"},
+        {CWA RATE UNIT SEQUENCE DATA "0 1 2\n", "a.txt: the header has no '#RecordLength(sec)'"},
+        {CWA LENGTH UNIT SEQUENCE DATA "0 1 2\n", "a.txt: the header has no '#SampleRate(Hz)'"},
+        {CWA LENGTH RATE SEQUENCE DATA "0 1 2\n", "a.txt: the header has "
+                                                  "no '#AmplitudeUnit'"},
+        {CWA LENGTH RATE UNIT DATA "0 1 2\n", "a.txt: the header has no '#DataSequence'"},
         {CWA LENGTH RATE UNIT "#DataSequence: U(+); N(+)\n" DATA "0 1 2\n",
          "a.txt:5: #DataSequence 'U(+); N(+)' is not of the form Time U(+); N(+); E(+)"},
         {CWA LENGTH RATE "#AmplitudeUnit:  count.\n" SEQUENCE DATA "0 1 2\n.02 3 4\n",
@@ -171,7 +169,8 @@ static void wrong_unam_files_are_refused(void **state) {
         {": Gal (", ": m/s (",
          "a.txt:24: 'm/s' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {"N00E\r\n---", "N00E\r\n1 2",
-         "a.txt: no 'DATOS DE ACELERACION:' with four lines, the last a rule, in the first 200 "
+         "a.txt: the file has no 'DATOS DE ACELERACION:' with four lines, the last a rule, in the "
+         "first 200 "
          "lines; it ends the header of a UNAM file"},
     };
     struct reading *r = *state;

@@ -88,7 +88,7 @@ static void times_must_grow_in_even_steps(void **state) {
     struct reading *r = *state;
     r->request.unit = "g";
     reading_of_text(r, "0 0\n.01 0\n.01 0\n");
-    assert_refused(r, "a.txt:3: time 0.01 after 0.01; times must grow");
+    assert_refused(r, "a.txt:3: time 0.01 after 0.01; times must increase");
     reading_of_text(r, "0 0\n.01 0\n.02 0\n.04 0\n");
     assert_refused(r, "a.txt:4: step of 0.02 s to time 0.04; the first step is 0.01 s and steps "
                       "must be even");
@@ -127,7 +127,7 @@ static void rows_that_could_be_misread_are_refused(void **state) {
     assert_refused(r, "a.txt:1: '0,5;1.5' has commas beside other separators; numbers need a "
                       "decimal point");
     reading_of_text(r, "0,007\n0,009\n");
-    assert_refused(r, "a.txt:2: time 0 after 0; times must grow (a comma ends a number)");
+    assert_refused(r, "a.txt:2: time 0 after 0; times must increase (a comma ends a number)");
     reading_of_text(r, "0 1\n.01 2 3\n");
     assert_refused(r, "a.txt:2: row of 3 values; the first (line 1) has 2");
     reading_of_text(r, "0,1\n.01,,2\n");
@@ -149,7 +149,7 @@ static void three_columns_are_not_guessed_at(void **state) {
     r->request.unit = "g";
     r->request.dt = 0.01;
     reading_of_text(r, "0 1 2\n.01 1 2\n");
-    assert_refused(r, "a.txt:1: 3 columns; -channel chooses one of those behind the times; -format "
+    assert_refused(r, "a.txt:1: 3 columns; -channel chooses a column after the times; -format "
                       "series reads values that run on from line to line");
     r->request.plain = true;
     reading_of_text(r, "0 1 2\n.01 1 2\n");
@@ -193,10 +193,10 @@ static void a_channel_is_a_column_behind_the_times(void **state) {
                       "gal, ...)");
     r->request.channel = 2;
     reading_of_text(r, "a (g)\n.1\n.2\n");
-    assert_refused(r, "a.txt:2: there is no channel 2; the file has 1, one a column");
+    assert_refused(r, "a.txt:2: the file has no channel 2; it has 1, one per column");
     assert_int_equal(r->record.wrong, RECORD_CHANNEL);
     reading_of_text(r, "t (s) a (g)\n0 .1\n.01 .2\n");
-    assert_refused(r, "a.txt:2: there is no channel 2; the file has 1, one a column behind the "
+    assert_refused(r, "a.txt:2: the file has no channel 2; it has 1, one per column after the "
                       "times");
 }
 

@@ -79,19 +79,19 @@ static void wrong_cosmos_files_are_refused(void **state) {
          "...)"},
         {"     50  acc", "    5.5  acc",
          "a.txt:45: number of values is 5.5; it must be a whole number from 2 to 1e9"},
-        {"     50  acc", "     49  acc",
-         "a.txt:52: '-7.30546' stands behind the last value of the line"},
-        {"     50  acc", "     48  acc", "a.txt:52: more than the 48 values that are told"},
+        {"     50  acc", "     49  acc", "a.txt:52: '-7.30546' follows the last value of the line"},
+        {"     50  acc", "     48  acc",
+         "a.txt:52: more than the 48 values that the header states"},
         {"     50  acc", "     60  acc", "a.txt:52: value 51 is empty"},
         {"approx    1", "approx    3",
          "a.txt:45: 50 values in approx 3 s; the time step of 0.02 s (line 36) makes it 1"},
-        {"Format=(8F10.5)", "Format=(8I10)", "a.txt:45: no format such as (8F10.5)"},
+        {"Format=(8F10.5)", "Format=(8I10)", "a.txt:45: the line has no format such as (8F10.5)"},
         {"    20.000000", "     0.000000", "a.txt:36: a time step of 0 ms; it must be > 0"},
         {"    20.000000", "    2x.000000", "a.txt:36: real 62 '2x.000000' is not a number"},
         {"Real-header", "Reel-header",
-         "a.txt:45: no line 'Real-header values follow' with their format before it"},
+         "a.txt:45: the header has no line 'Real-header values follow' with a format above it"},
         {"  24.25497", "-999.00000",
-         "a.txt:45: value 2 of those below is -999, which stands for one that is not known "
+         "a.txt:45: value 2 of those below is -999, which marks a value that is not known "
          "(line 13)"},
     };
     struct reading *r = *state;
@@ -102,9 +102,10 @@ static void wrong_cosmos_files_are_refused(void **state) {
     }
     reading_of_text(r, "Corrected acceleration (Format v01.20 with 13 text lines)\n"
                        "9 acceleration pts, approx 1 secs, units=g,Format=(8F10.5)\n");
-    assert_refused(r, "a.txt:2: no line 'Real-header values follow' with their format before it");
+    assert_refused(
+        r, "a.txt:2: the header has no line 'Real-header values follow' with a format above it");
     reading_of_text(r, "Corrected velocity (Format v01.20 with 13 text lines)\n");
-    assert_refused(r, "a.txt: no line 'acceleration pts' with 'units=' and 'Format='");
+    assert_refused(r, "a.txt: the file has no line 'acceleration pts' with 'units=' and 'Format='");
 }
 
 static void an_smc_file_is_read(void **state) {
@@ -126,11 +127,11 @@ static void wrong_smc_files_are_refused(void **state) {
         {"2 CORRECTED ACCELEROGRAM", "3 VELOCITY",
          "a.txt: looks like format SMC of velocities, which cannot be read yet"},
         {"        50 ", "        51 ", "a.txt:36: value 51 is empty"},
-        {"        50 ", "        48 ", "a.txt:36: more than the 48 values that are told"},
+        {"        50 ", "        48 ", "a.txt:36: more than the 48 values that the header states"},
         {"        50 ", "    -32768 ",
          "a.txt:14: number of values is -32768; it must be a whole number from 2 to 1e9"},
         {"         2\n", "         3\n",
-         "a.txt:13: 3 lines of comment are told; 2 lines begin with a |"},
+         "a.txt:13: the header states 3 lines of comment; 2 lines begin with a |"},
         {"  5.0000000E+01", "  0.0000000E+00",
          "a.txt:18: samples a second is 0.0000000E+00; it must be > 0"},
         {"-5.1649E+1-5.9155E+1", "-5.1649E+1-5.9x55E+1",
@@ -145,7 +146,7 @@ static void wrong_smc_files_are_refused(void **state) {
     assert_refused(r, "a.txt:2: the file ends after 2 of the 27 lines of a header");
     r->request.format = "smc";
     reading_of_file(r, COSMOS);
-    assert_refused(r, COSMOS ":1: no '2 CORRECTED ACCELEROGRAM'");
+    assert_refused(r, COSMOS ":1: the line has no \'2 CORRECTED ACCELEROGRAM'");
 }
 
 int main(void) {

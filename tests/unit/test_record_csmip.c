@@ -85,7 +85,7 @@ static void volume_2_of_usc_is_read(void **state) {
     assert_close(r->record.value[2], 242.395, 1e-15);
     r->request.channel = 2;
     reading_of_text(r, text);
-    assert_refused(r, "a.txt: there is no channel 2; there are 1 'N08W'");
+    assert_refused(r, "a.txt: the file has no channel 2; available: 1 'N08W'");
 }
 
 static void later_volume_2_parts_the_unit_by_a_comma(void **state) {
@@ -112,8 +112,9 @@ static void a_channel_is_chosen_by_its_place(void **state) {
     assert_close(r->record.value[0], 0.5, 1e-15);
     r->request.channel = 3;
     reading_of_text(r, two);
-    assert_refused(r, "a.txt: there is no channel 3; there are 1 'Chan  7:  90 Deg', 2 'Chan  8:  "
-                      "Up'");
+    assert_refused(
+        r, "a.txt: the file has no channel 3; available: 1 'Chan  7:  90 Deg', 2 'Chan  8:  "
+           "Up'");
 }
 
 static void another_peak_than_the_one_stated_is_warned_of(void **state) {
@@ -134,9 +135,9 @@ static void what_a_file_says_wrongly_is_refused(void **state) {
         {VOLUME_1("Chan 1: Up", "1.500", TITLE, " -.125000 -.250000-1.500000\r\n"),
          "a.txt:9: value 4 '/&  -----' is not a number"},
         {VOLUME_1("Chan 1: Up", "1.500", TITLE, VALUES "  .000003\r\n"),
-         "a.txt:10: more than the 5 values that are told"},
+         "a.txt:10: more than the 5 values that the header states"},
         {VOLUME_1("Chan 1: Up", "1.500", TITLE, " -.125000 -.250000-1.500000 9\r\n  .000001\r\n"),
-         "a.txt:8: '9' stands behind the last value of the line"},
+         "a.txt:8: '9' follows the last value of the line"},
         {VOLUME_1("Chan 1: Up", "1.500", TITLE, " -.125000 -.2 0000-1.500000\r\n  .000001\r\n"),
          "a.txt:8: value 2 ' -.2 0000' is not a number"},
         {VOLUME_1("Chan 1: Up", "1.500",
@@ -148,7 +149,7 @@ static void what_a_file_says_wrongly_is_refused(void **state) {
          "a.txt:7: '0' after AT is not a number > 0"},
         {VOLUME_1("Chan 1: Up", "1.500", " 5 Accelerogram points at 100 pts/sec in units of g.",
                   VALUES),
-         "a.txt:7: no format such as (8F9.6)"},
+         "a.txt:7: the line has no format such as (8F9.6)"},
         {VOLUME_1("Chan 1: Up", "1.500",
                   " 5.5 Accelerogram points at 100 pts/sec in units of g. (3f9.6)", VALUES),
          "a.txt:7: '5.5' is not a number of values: it must be whole and at least 2"},

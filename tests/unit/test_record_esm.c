@@ -76,12 +76,12 @@ static void headers_that_do_not_say_enough_are_refused(void **state) {
     static const struct {
         const char *text, *message;
     } c[] = {
-        {"EVENT_NAME: X\n1\n2\n", "a.txt: there is no 'DATA_TYPE' in the header"},
-        {TOP UNIT TYPE "1\n2\n", "a.txt: there is no 'NDATA' in the header"},
+        {"EVENT_NAME: X\n1\n2\n", "a.txt: the header has no 'DATA_TYPE'"},
+        {TOP UNIT TYPE "1\n2\n", "a.txt: the header has no 'NDATA'"},
         {TOP "NDATA: \n" UNIT TYPE "1\n2\n", "a.txt:4: NDATA is empty"},
         {TOP "NDATA: 2.5\n" UNIT TYPE "1\n2\n",
          "a.txt:4: NDATA is 2.5; it must be a whole number from 2 to 1e9"},
-        {TOP COUNT TYPE "1\n2\n3\n", "a.txt: there is no 'UNITS' in the header"},
+        {TOP COUNT TYPE "1\n2\n3\n", "a.txt: the header has no 'UNITS'"},
         {TOP COUNT "UNITS: cm\n" TYPE "1\n2\n3\n",
          "a.txt:5: 'cm' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {"EVENT_NAME:\nSAMPLING_INTERVAL_S: -1\n" COUNT UNIT TYPE "1\n2\n3\n",

@@ -58,7 +58,7 @@ static void stars_before_the_first_number_are_an_overflow_unless_they_frame_a_te
 
 static void no_comment_stands_among_the_numbers(void **state) {
 #define AMONG(where, what)                                                                         \
-    "a.txt:" where ": the comment " what " stands between numbers, where it may hide one; remove " \
+    "a.txt:" where ": the comment " what " is between numbers, where it may hide one; remove "     \
     "the line"
     static const struct refusal c[] = {
         {".1\n# none\n.3\n", AMONG("2:1", "'# none'")},
@@ -130,7 +130,7 @@ static void numbers_that_touch_and_repeat_counts_are_read_where_values_run_on(vo
 static void numbers_that_can_be_parted_in_two_ways_are_refused(void **state) {
 #define NO_LETTER                                                                                  \
     " is not a number: an exponent without a letter has three digits; write an E before its sign"
-#define TWO_WAYS " are numbers that touch and can be parted in two ways; put blanks between them"
+#define TWO_WAYS " are numbers that touch and can be separated in two ways; put spaces between them"
     static const struct refusal c[] = {
         {PEER_4 ".1 .2 .3 1.234-103.500\n", "a.txt:5: value 4 '1.234-103.500'" TWO_WAYS},
         {PEER_4 ".1 .2 1.2E-012.3\n.4\n", "a.txt:5: value 3 '1.2E-012.3'" TWO_WAYS},
@@ -143,7 +143,7 @@ static void numbers_that_can_be_parted_in_two_ways_are_refused(void **state) {
         {PEER_4 ".1 .2 4*.5\n", "a.txt:4: the header says 4 values; the file holds 6"},
         {PEER_4 ".1 1.5-2.5\n",
          "a.txt:5: the file ends after 3 values; its header (line 4) says 4"},
-        {"0 .1-.2\n.01 .3-.4\n", "a.txt:1: value 1 '.1-.2' are numbers that touch; put blanks "
+        {"0 .1-.2\n.01 .3-.4\n", "a.txt:1: value 1 '.1-.2' are numbers that touch; put spaces "
                                  "between them, or read values that run on with -format series"},
         {".1\n60*.2\n", "a.txt:2: value 2 '60*.2' is a repeat count; only values that run on "
                         "(-format series) have one"},

@@ -70,7 +70,8 @@ static void what_a_header_says_wrongly_is_refused(void **state) {
         {"0.0200  0.0200", "0.0200  0.02x0", "a.txt:23: number 6 '0.02x0' is not a number"},
         {"   1.000    0.00", "   2.000    0.00",
          "a.txt:21: a factor of 2 makes mm/s/s of the values; only files in mm/s/s are read"},
-        {"Acceleration:", "Velocity:", "a.txt:14: no 'Acceleration:  Peak' with its unit"},
+        {"Acceleration:", "Velocity:",
+         "a.txt:14: the line has no 'Acceleration:  Peak' with its unit"},
         {"peak     85.9 mm/s/s", "peak     85.9 mm/s",
          "a.txt:14: 'mm/s' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {"      50      50      50", "     5.5      50      50",
@@ -103,8 +104,9 @@ static void a_format_that_is_named_must_be_that_of_the_file(void **state) {
     struct reading *r = *state;
     r->request.format = "geonet";
     reading_of_text(r, "Corrected accelerogram\n");
-    assert_refused(r, "a.txt: no line 'Corrected accelerogram' or 'Uncorrected accelerogram' of "
-                      "'GNS Science'");
+    assert_refused(
+        r, "a.txt: the file has no line 'Corrected accelerogram' or 'Uncorrected accelerogram' of "
+           "'GNS Science'");
 }
 
 int main(void) {

@@ -56,10 +56,10 @@ static void headers_that_do_not_say_enough_are_refused(void **state) {
     static const struct {
         const char *text, *message;
     } c[] = {
-        {RATE "1 2\n",
-         "a.txt: no 'Memo.' in the first 32 lines; it ends the header of a K-NET file"},
-        {RATE SCALE "Memo.\n1 2\n", "a.txt: there is no 'Duration Time(s)' in the header"},
-        {RATE DURATION "Memo.\n1 2\n", "a.txt: there is no 'Scale Factor' in the header"},
+        {RATE "1 2\n", "a.txt: the file has no 'Memo.' in the first 32 lines; it ends the header "
+                       "of a K-NET file"},
+        {RATE SCALE "Memo.\n1 2\n", "a.txt: the header has no 'Duration Time(s)'"},
+        {RATE DURATION "Memo.\n1 2\n", "a.txt: the header has no 'Scale Factor'"},
         {"Sampling Freq(Hz)\n" DURATION SCALE "Memo.\n1 2\n",
          "a.txt:1: Sampling Freq(Hz) is empty"},
         {"Sampling Freq(Hz) 1OOHz\n" DURATION SCALE "Memo.\n1 2\n",

@@ -141,8 +141,9 @@ static void wrong_counts_name_both_numbers(void **state) {
     reading_of_text(r, PEER_TITLE "NPTS\n.1\n");
     assert_refused(r, "a.txt:4: neither 'NPTS= n, DT= dt SEC' nor 'n dt NPTS, DT'");
     reading_of_text(r, PEER_TITLE "DT= .01 SEC\n.1\n");
-    assert_refused(r, "a.txt: no NPTS in the first 64 lines; a PEER header says 'NPTS= n, DT= dt "
-                      "SEC' or 'n dt NPTS, DT'");
+    assert_refused(
+        r, "a.txt: the file has no NPTS in the first 64 lines; a PEER header says 'NPTS= n, DT= dt "
+           "SEC' or 'n dt NPTS, DT'");
 }
 
 static void numbers_in_the_ways_of_c_and_fortran_are_read(void **state) {
@@ -187,11 +188,14 @@ static void what_is_not_a_number_is_named_with_line_and_index(void **state) {
         {"0x10", "'0x10' is not a number"},
         {"-.", "'-.' is not a number"},
         {"1.5E", "'1.5E' is not a number"},
-        {"1.5-2", "'1.5-2' is not a number"},
+        {"1.5-2", "'1.5-2' is not a number: an exponent without a letter has three digits; "
+                  "write an E before its sign"},
         {"1e999", "'1e999' is out of range: over 1.8e308"},
         {"1.0D+400", "'1.0D+400' is out of range: over 1.8e308"},
         {"0,5", "'0,5' has a comma; numbers need a decimal point"},
-        {"2.3489E-2-16", "'2.3489E-2-16' is not a number"},
+        {"2.3489E-2-16",
+         "'2.3489E-2-16' is not a number: an exponent without a letter has three digits; "
+         "write an E before its sign"},
     };
     struct reading *r = *state;
     for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {

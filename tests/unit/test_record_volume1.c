@@ -66,9 +66,9 @@ static void what_a_file_says_wrongly_is_refused(void **state) {
         {BHRC, "DURATION =   0.250", "DURATION =   5.003",
          "a.txt:11: 50 values in 5.003 s are 9.994 a second; that must be a whole number"},
         {BHRC, "     50      DURATION =   0.250", "     49      DURATION =   0.245",
-         "a.txt:32: '-.730546E-01' stands behind the last value of the line"},
+         "a.txt:32: '-.730546E-01' follows the last value of the line"},
         {BHRC, "     50      DURATION =   0.250", "     40      DURATION =   0.200",
-         "a.txt:32: '-.216234E+00 -.276457E+00 -.316633E+00 -...' stands where '/&' should end the "
+         "a.txt:32: '-.216234E+00 -.276457E+00 -.316633E+00 -...' is where '/&' should end the "
          "channel of 40 values"},
         {BHRC, "     50      DURATION =   0.250", "     60      DURATION =   0.300",
          "a.txt:33: value 51 '/&' is not a number"},
@@ -97,7 +97,7 @@ static void a_file_that_breaks_off_is_refused(void **state) {
     struct reading *r = *state;
     r->request.format = "bhrc";
     reading_of_text(r, "* VOL2DS FILE\n");
-    assert_refused(r, "a.txt: no line 'VOL1DS FILE'");
+    assert_refused(r, "a.txt: the file has no line 'VOL1DS FILE'");
     reading_of_text(r, "* VOL1DS FILE\n\n");
     assert_refused(r, "a.txt:2: no 'NO. OF POINTS =' and 'DURATION ='");
 }
