@@ -45,12 +45,12 @@ static const struct record_format *find_by_name(const struct record_text *t, con
 
 int record_text_open(const char *path, size_t limit, struct record_text *out,
                      struct arena **scratch, struct error *e) {
+    *out = (struct record_text){.path = path};
     *scratch = arena_create();
     if (!*scratch) {
         return error_no_memory(e);
     }
     char *text;
-    *out = (struct record_text){.path = path};
     const int status = text_file(*scratch, path, limit, &text, &out->size, e);
     if (status != STATUS_OK) {
         arena_free(*scratch);
