@@ -200,11 +200,11 @@ static int checksum_statements(struct deck *d, struct checksum *out, struct erro
 int deck_meaning(const char *text, struct checksum *out, struct error *e) {
     struct deck *d;
     const int status = deck_open_text("", text, NULL, 0, &d, e);
-    return status == STATUS_OK ? checksum_statements(d, out, e) : status;
+    return d ? checksum_statements(d, out, e) : status;
 }
 
 int deck_meaning_of_file(const char *path, struct checksum *out, struct error *e) {
     struct deck *d;
     const int status = deck_open(path, NULL, 0, &d, e);
-    return status == STATUS_OK ? checksum_statements(d, out, e) : status;
+    return d ? checksum_statements(d, out, e) : status;
 }

@@ -5,6 +5,9 @@
 #include <string.h>
 
 #include "law/contact_list.h"
+#include "law/power.h"
+
+const struct range power_range = {.min = 1.0, .max = 3.0, .text = ">= 1 and <= 3"};
 
 #define CONTACT_LAW(descriptor) &descriptor,
 const struct contact_law *const contact_laws[] = {

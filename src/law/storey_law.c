@@ -5,6 +5,10 @@
 #include <string.h>
 
 #include "law/storey_list.h"
+#include "law/yield.h"
+
+const struct range yield_hardening_range = {
+    .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
 
 #define STOREY_LAW(descriptor) &descriptor,
 const struct storey_law *const storey_laws[] = {

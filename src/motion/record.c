@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "motion/record_format.h"
 
-// A day at 200 samples a second in 15 bytes each.
+// A day at 200 samples per second with 15 bytes each.
 enum { FILE_SIZE_MAX = 256 << 20 };
 
 #define RECORD_FORMAT(name) extern const struct record_format record_##name;
@@ -41,6 +41,23 @@ static const struct record_format *find_by_name(const struct record_text *t, con
                 near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "",
                 text_list(list, sizeof list, names, N_FORMAT));
     return NULL;
+}
+
+int record_text_open(const char *path, size_t limit, struct record_text *out,
+                     struct arena **scratch, struct error *e) {
+    *out = (struct record_text){.path = path};
+    *scratch = arena_create();
+    if (!*scratch) {
+        return error_no_memory(e);
+    }
+    char *text;
+    const int status = text_file(*scratch, path, limit, &text, &out->size, e);
+    if (status != STATUS_OK) {
+        arena_free(*scratch);
+        return status;
+    }
+    out->text = text;
+    return STATUS_OK;
 }
 
 // The first format whose `matches` accepts the text.
