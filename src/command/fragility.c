@@ -269,11 +269,11 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
     }
     for (int i = 0; i < n; i++) {
         if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST) {
-            return error_set(e, STATUS_INPUT,
-                             "--method ida cannot locate the first exceedance of 0 on %s, which is 0 "
-                             "until the first contact; use --method counts%s",
-                             s->edp.text,
-                             quantity->owner == EDP_OF_CONTACT ? ", or --edp penetration" : "");
+            return error_set(
+                e, STATUS_INPUT,
+                "--method ida cannot locate the first exceedance of 0 on %s, which is 0 "
+                "until the first contact; use --method counts%s",
+                s->edp.text, quantity->owner == EDP_OF_CONTACT ? ", or --edp penetration" : "");
         }
     }
     return STATUS_OK;
@@ -284,8 +284,7 @@ static int check_suite(const struct request *q, const struct suite *s, const dou
                        struct error *e) {
     if (s->point_name) {
         return error_set(e, STATUS_INPUT, "--im %s: %s", s->abscissa->name,
-                         s->mixed ? "it only numbers paired sweeps"
-                                  : "its values are not numbers");
+                         s->mixed ? "it only numbers paired sweeps" : "its values are not numbers");
     }
     return q->method == METHOD_IDA ? check_ida(s, limit, n, e) : STATUS_OK;
 }

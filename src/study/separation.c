@@ -44,8 +44,7 @@ const struct separation_rule separation_rules[SEPARATION_RULES] = {
     {"srss", "SRSS", "sqrt(uA^2 + uB^2)",
      "on one property: ASCE/SEI 7-16, 12.12.3; EN 1998-1:2004, 4.4.2.7(2)b", root_of_squares},
     {"srss_level", "0.7 SRSS", "0.7 sqrt(uA^2 + uB^2)",
-     "the same if all floors are at the same levels: EN 1998-1:2004, 4.4.2.7(3)",
-     reduced_root},
+     "the same if all floors are at the same levels: EN 1998-1:2004, 4.4.2.7(3)", reduced_root},
     {"double_difference", "double diff.", "sqrt(uA^2 + uB^2 - 2 rho uA uB)",
      "Jeng, Kasai & Maison (1992); Penzien (1997); rho: Der Kiureghian (1980)", double_difference},
 };

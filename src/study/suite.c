@@ -144,8 +144,7 @@ static void order_points(struct maker *m) {
 // Why other things change along the abscissa, too.
 static const char *find_mixed(const struct suite *s, const struct sweep *dimension) {
     if (s->abscissa != dimension) {
-        return s->abscissa->random ? "a random parameter"
-                                   : "a sweep that is paired with others";
+        return s->abscissa->random ? "a random parameter" : "a sweep that is paired with others";
     }
     return sweep_named(dimension->along) ? "a dimension of paired sweeps" : NULL;
 }

@@ -49,10 +49,8 @@ static void wrong_characters_and_quotes_are_reported_where_they_stand(void **sta
         {"a it's 0\u20132 \"\u201Cb\u201D \u2013\u00A0'c'\"", ""},
         {"a 'b'", "1:3: an apostrophe does not quote; use \"...\""},
         {"a \u201Cb\u201D", "1:3: a typographic quotation mark; use \"...\""},
-        {"a \u22125",
-         "1:3: a typographic dash; options and negative numbers start with '-'"},
-        {"a 5\u00A0t",
-         "1:4: a typographic space; use an ordinary space"},
+        {"a \u22125", "1:3: a typographic dash; options and negative numbers start with '-'"},
+        {"a 5\u00A0t", "1:4: a typographic space; use an ordinary space"},
         {"-gap 3", "1:1: a statement must start with its name"},
         {"\"a\" 3", "1:1: a statement must start with its name"},
         {"a \"b\na \"c", "1:3: the quoted text does not end on its line | "

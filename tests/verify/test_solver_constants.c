@@ -119,12 +119,12 @@ static enum branch answer(const char *law, double d_free, double v_free, double 
         m->link[0].law->close(m->link[0].constant, 1.0, history);
     }
     struct equation e = {.link = &m->link[0],
-                        .history = history,
-                        .d_free = d_free,
-                        .v_free = v_free,
-                        .d_force = 0.25,
-                        .v_force = 0.5,
-                        .closed = true};
+                         .history = history,
+                         .d_free = d_free,
+                         .v_free = v_free,
+                         .d_force = 0.25,
+                         .v_force = 0.5,
+                         .closed = true};
     enum branch branch = exact_force(&e, 0.0, force);
     model_free(m);
     return branch;

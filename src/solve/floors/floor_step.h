@@ -233,9 +233,9 @@ LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t 
     } else {
         FLOORS_SET(input, slot) -= WORK_OF_GROUND(p->ground_2x, CHAIN_AT(p, mass, i), moved);
     }
-    const floor_lanes force = BANDS(CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own),
-                              CHAIN_AT(p, damping, i), pair->v_own, CHAIN_AT(p, damping_above, i),
-                              ABOVE(pair->v_own, v_over));
+    const floor_lanes force = BANDS(
+        CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own), CHAIN_AT(p, damping, i),
+        pair->v_own, CHAIN_AT(p, damping_above, i), ABOVE(pair->v_own, v_over));
     FLOORS_SET(damping, slot) += WORK_OF_DAMPING(moved, force);
     floor_lanes total, drift = u - JOINED(p, i, BELOW(pair->u_under, u));
     floors_total(p, i, &total);
