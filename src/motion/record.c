@@ -168,9 +168,7 @@ int record_read_text(struct arena *a, const struct record_request *request,
     }
     if (request->channel > 0 && !f->channels) {
         out->wrong = RECORD_CHANNEL;
-        return lines_error(e, t->path, 0,
-                           "a file of format %s has one channel; -channel is not "
-                           "for it",
+        return lines_error(e, t->path, 0, "a file of format %s has one channel; remove -channel",
                            f->name);
     }
     struct record_content content = {0};

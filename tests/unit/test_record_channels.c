@@ -53,7 +53,7 @@ static void formats_of_one_channel_refuse_to_be_asked(void **state) {
     struct reading *r = *state;
     r->request.channel = 1;
     reading_of_text(r, PEER_TITLE "NPTS= 2, DT= .01 SEC\n.1 -.1\n");
-    assert_refused(r, "a.txt: a file of format peer has one channel; -channel is not for it");
+    assert_refused(r, "a.txt: a file of format peer has one channel; remove -channel");
     assert_int_equal(r->record.wrong, RECORD_CHANNEL);
 }
 
