@@ -56,7 +56,7 @@ bool bundle_name(struct deck *d, const struct argument *as, const struct word *a
 
 // Defines the parameter that numbers the paired values, and sets its number in this run.
 static bool number_bundle(struct deck *d, const struct bundle_request *q, struct bundle *b) {
-    const struct define *define = define_find(d, q->name.text);
+    const struct define *define = deck_define_find(d, q->name.text);
     if (!sweep_bound(d, q->name.text, &b->choice) || b->choice >= b->n) {
         b->choice = 0;
     }
@@ -147,9 +147,9 @@ static int count_text(const struct sweep *s, const char *text, int *at) {
 }
 
 bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct sweep *own) {
-    struct define *define = define_find(d, own->name);
+    struct define *define = deck_define_find(d, own->name);
     int at = 0;
-    if (!define || !q->name.text || define_find(d, q->name.text)) {
+    if (!define || !q->name.text || deck_define_find(d, q->name.text)) {
         return false;
     }
     const int n = count_text(own, define->value.text, &at);
@@ -158,7 +158,7 @@ bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct 
                    own->name, q->name.text);
         define->taken = true;
     } else if (n == 1) {
-        define_turn(d, define, q->name.text, at + 1);
+        deck_define_turn(d, define, q->name.text, at + 1);
     }
     return n > 0;
 }

@@ -45,7 +45,7 @@ static void begin(struct deck *d, struct source *top) {
     d->torn = false;
     diagnostics_init(&d->diagnostics, d->arena);
     unit_system_init(&d->units);
-    define_check(d);
+    deck_define_check(d);
     source_enter(d, top);
 }
 
@@ -58,7 +58,7 @@ static int deck_start(struct deck *d, const char *text, size_t size, const char 
     }
     d->text = text;
     struct source *source = source_add(d, d->path, text, size);
-    if (!source || !define_open(d, define, n_define)) {
+    if (!source || !deck_define_open(d, define, n_define)) {
         return error_no_memory(e);
     }
     begin(d, source);
@@ -116,7 +116,7 @@ void deck_bind(struct deck *d, const struct deck *first, const int *choice) {
     d->reader->first_reading = first;
     d->reader->bound = first->sweeps;
     d->reader->choice = choice;
-    define_bind(d, first);
+    deck_define_bind(d, first);
 }
 
 bool deck_next(struct deck *d, struct statement *out) {

@@ -103,7 +103,7 @@ bool parameter_is_free(struct deck *d, const struct word *name, enum definition 
 // reading. A sweep that does not fit is ignored here and reported at its statement. True if a -D
 // gives the value.
 static bool replace_value(struct deck *d, enum definition by, struct parameter *p) {
-    struct define *define = define_find(d, p->name);
+    struct define *define = deck_define_find(d, p->name);
     int choice;
     const struct sweep *s = by == BY_PARAM ? sweep_bound(d, p->name, &choice) : NULL;
     if (define) {
@@ -132,7 +132,7 @@ static void take_value(struct parameter *to, const struct parameter *from) {
 static bool add_definition(struct deck *d, const struct word *name, enum definition by,
                            struct parameter *p, struct parameter *value) {
     const struct place *first = by == BY_PARAM ? &p->sweep : &p->param;
-    struct define *define = define_find(d, p->name);
+    struct define *define = deck_define_find(d, p->name);
     const bool found =  // the -D is a label whose file the sweep has found
         define && define->beside && by == BY_SWEEP && p->kind == PARAMETER_TEXT;
     value->name = p->name;

@@ -50,8 +50,9 @@ static bool parameter_number(struct deck *d, const struct word *w, const char *f
     }
     if (parameter->kind == PARAMETER_TEXT) {
         struct text_short name, text;
-        return report_false(d, w, from, to, "parameter '%s' is the text '%s'; a number is needed",
-                            text_short(&name, parameter->name), text_short(&text, parameter->text));
+        return deck_report_false(
+            d, w, from, to, "parameter '%s' is the text '%s'; a number is needed",
+            text_short(&name, parameter->name), text_short(&text, parameter->text));
     }
     *out = parameter->number;
     return true;
@@ -63,7 +64,8 @@ static bool name_is(const char *from, const char *to, const char *name) {
 
 static bool close_bracket(struct parser *p, const char *open) {
     if (next(p) != ')') {
-        return report_false(p->deck, p->word, open, open + 1, "the ')' to this '(' is missing");
+        return deck_report_false(p->deck, p->word, open, open + 1,
+                                 "the ')' to this '(' is missing");
     }
     p->at++;
     return true;
@@ -73,8 +75,8 @@ static bool close_bracket(struct parser *p, const char *open) {
 static bool choice(struct parser *p, int sign, const char *name, const char *name_end,
                    struct quantity *out) {
     if (next(p) != ',') {
-        return report_false(p->deck, p->word, name, name_end,
-                            "at least two values are needed here");
+        return deck_report_false(p->deck, p->word, name, name_end,
+                                 "at least two values are needed here");
     }
     while (next(p) == ',') {
         const char *from = ++p->at;
@@ -84,7 +86,7 @@ static bool choice(struct parser *p, int sign, const char *name, const char *nam
             return false;
         }
         if (quantity_choose(&p->deck->units, sign, out, &other, &e) != STATUS_OK) {
-            return report_false(p->deck, p->word, from, p->at, "%s", e.message);
+            return deck_report_false(p->deck, p->word, from, p->at, "%s", e.message);
         }
     }
     return true;
@@ -96,7 +98,7 @@ static bool unknown_function(struct parser *p, const char *name, const char *end
     for (int i = 0; i < n_quantity_function && n < 32; i++) {
         known[n++] = quantity_functions[i].name;
     }
-    struct word part = report_part(p->deck, p->word, name, end);
+    struct word part = deck_report_part(p->deck, p->word, name, end);
     deck_unknown(p->deck, &part, part.text, "function", known, n);
     return false;
 }
@@ -117,10 +119,11 @@ static bool call(struct parser *p, const char *name, const char *name_end, struc
     }
     struct error e;
     if (quantity_function(&p->deck->units, name, (size_t)(name_end - name), out, &e) != STATUS_OK) {
-        return report_false(p->deck, p->word, from, p->at, "%s", e.message);
+        return deck_report_false(p->deck, p->word, from, p->at, "%s", e.message);
     }
     if (next(p) == ',') {
-        return report_false(p->deck, p->word, p->at, p->at + 1, "this function takes one value");
+        return deck_report_false(p->deck, p->word, p->at, p->at + 1,
+                                 "this function takes one value");
     }
     return close_bracket(p, open);
 }
@@ -137,23 +140,24 @@ static bool name_or_call(struct parser *p, struct quantity *out) {
         return true;
     }
     if (quantity_is_reserved(name, (size_t)(end - name))) {
-        return report_false(p->deck, p->word, name, end, "a '(' must follow a function");
+        return deck_report_false(p->deck, p->word, name, end, "a '(' must follow a function");
     }
     if (!parameter_find(p->deck, name, (size_t)(end - name)) &&
-        literal_is_unit(p->deck, name, (size_t)(end - name))) {
-        return report_false(p->deck, p->word, name, end,
-                            "unknown parameter '%.*s'; write 1%.*s if the unit is meant",
-                            (int)(end - name), name, (int)(end - name), name);
+        quantity_is_unit(p->deck, name, (size_t)(end - name))) {
+        return deck_report_false(p->deck, p->word, name, end,
+                                 "unknown parameter '%.*s'; write 1%.*s if the unit is meant",
+                                 (int)(end - name), name, (int)(end - name), name);
     }
     return parameter_number(p->deck, p->word, name, end, out);
 }
 
 static bool unexpected(struct parser *p) {
     if (next(p) == 0) {
-        return report_false(p->deck, p->word, p->end, p->end, "the expression is not complete");
+        return deck_report_false(p->deck, p->word, p->end, p->end,
+                                 "the expression is not complete");
     }
     size_t bytes = text_character(p->at, (size_t)(p->end - p->at));
-    struct word part = report_part(p->deck, p->word, p->at, p->at + (bytes ? bytes : 1));
+    struct word part = deck_report_part(p->deck, p->word, p->at, p->at + (bytes ? bytes : 1));
     struct text_short t;
     const char before = p->at > p->word->text ? p->at[-1] : '\0';
     const char *hint = before == '*' && *p->at == '*' ? "; a power is written ^"
@@ -167,7 +171,7 @@ static bool unexpected(struct parser *p) {
 static bool primary(struct parser *p, struct quantity *out) {
     char c = next(p);
     if ((c >= '0' && c <= '9') || (c == '.' && p->at[1] >= '0' && p->at[1] <= '9')) {
-        return literal_read(p->deck, p->word, &p->at, out);
+        return quantity_read(p->deck, p->word, &p->at, out);
     }
     if (c == '(') {
         const char *open = p->at++;
@@ -196,7 +200,7 @@ static bool combine(struct parser *p, const char *op, struct quantity *a,
         from = op + 1 + strspn(op + 1, " \t");
         to = p->at;
     }
-    return report_false(p->deck, p->word, from, to, "%s", e.message);
+    return deck_report_false(p->deck, p->word, from, to, "%s", e.message);
 }
 
 static bool sign(struct parser *p, struct quantity *out);
@@ -216,8 +220,8 @@ static bool power(struct parser *p, struct quantity *out) {
 static bool sign(struct parser *p, struct quantity *out) {
     char c = next(p);
     if (p->depth == DEPTH_MAX) {
-        return report_false(p->deck, p->word, p->at, p->at + (c != 0),
-                            "more than %d levels of brackets, signs and powers", DEPTH_MAX);
+        return deck_report_false(p->deck, p->word, p->at, p->at + (c != 0),
+                                 "more than %d levels of brackets, signs and powers", DEPTH_MAX);
     }
     p->depth++;
     bool ok;
@@ -270,14 +274,14 @@ static bool dollar(struct deck *d, const struct word *w, const char **at, struct
     if (*from == '{') {
         const char *close = strchr(from, '}');
         if (!close) {
-            return report_false(d, w, *at, from + 1, "the '}' to this '${' is missing");
+            return deck_report_false(d, w, *at, from + 1, "the '}' to this '${' is missing");
         }
         *at = close + 1;
         return expression_evaluate(d, w, from + 1, close, out);
     }
     const char *to = parameter_name_end(from);
     if (to == from) {
-        return report_false(d, w, *at, from, "a name or '{' must follow '$'");
+        return deck_report_false(d, w, *at, from, "a name or '{' must follow '$'");
     }
     *at = to;
     return parameter_number(d, w, from, to, out);
@@ -294,7 +298,7 @@ bool expression_number(struct deck *d, const struct word *w, const char *from,
         ok = dollar(d, w, &at, out);
         out->value = ok && negative ? -out->value : out->value;
     } else {
-        ok = literal_read(d, w, &at, out);
+        ok = quantity_read(d, w, &at, out);
     }
-    return ok && (*at == 0 || literal_end(d, w, at, out));
+    return ok && (*at == 0 || quantity_end(d, w, at, out));
 }

@@ -52,7 +52,7 @@ struct parameter *parameter_get(struct deck *d, const struct word *w, const char
                                 const char *to) {
     struct parameter *p = parameter_find(d, from, (size_t)(to - from));
     if (!p) {
-        struct word part = report_part(d, w, from, to);
+        struct word part = deck_report_part(d, w, from, to);
         report_unknown(d, &part);
     } else {
         p->used = true;
@@ -117,7 +117,7 @@ bool parameter_check_name(struct deck *d, const struct word *w) {
     return true;
 }
 
-struct define *define_find(const struct deck *d, const char *name) {
+struct define *deck_define_find(const struct deck *d, const char *name) {
     for (int i = 0; i < d->reader->n_define; i++) {
         if (strcmp(d->reader->define[i].name, name) == 0) {
             return &d->reader->define[i];
@@ -163,7 +163,7 @@ static bool split(struct deck *d, const char *text, struct define *define) {
     return true;
 }
 
-bool define_open(struct deck *d, const char *const *define, int n_define) {
+bool deck_define_open(struct deck *d, const char *const *define, int n_define) {
     d->reader->define = arena_alloc(d->arena, (size_t)n_define, sizeof *d->reader->define);
     if (!d->reader->define) {
         return false;
@@ -177,13 +177,13 @@ bool define_open(struct deck *d, const char *const *define, int n_define) {
     return true;
 }
 
-void define_check(struct deck *d) {
+void deck_define_check(struct deck *d) {
     for (int i = 0; i < d->reader->n_define; i++) {
         check(d, &d->reader->define[i]);
     }
 }
 
-void define_turn(struct deck *d, struct define *define, const char *name, int number) {
+void deck_define_turn(struct deck *d, struct define *define, const char *name, int number) {
     const char *text = arena_format(d->arena, "%d", number);
     if (!text) {
         diagnostics_no_memory(&d->diagnostics);
@@ -195,7 +195,7 @@ void define_turn(struct deck *d, struct define *define, const char *name, int nu
     d->reader->turned = true;
 }
 
-void define_bind(struct deck *d, const struct deck *first) {
+void deck_define_bind(struct deck *d, const struct deck *first) {
     for (int i = 0; i < d->reader->n_define; i++) {
         d->reader->define[i].name = first->reader->define[i].name;
         d->reader->define[i].value.text = first->reader->define[i].value.text;
@@ -204,7 +204,7 @@ void define_bind(struct deck *d, const struct deck *first) {
 }
 
 static void report_unused(struct deck *d, const struct parameter *p) {
-    const struct define *define = define_find(d, p->name);
+    const struct define *define = deck_define_find(d, p->name);
     if (define) {
         struct word value = define->value;
         deck_error(d, &value, "nothing in the deck uses parameter '%s'", p->name);

@@ -23,15 +23,15 @@ struct parameter *parameter_add(struct deck *d, const struct parameter *value);
 void parameter_close(struct deck *d);
 
 // Splits the texts NAME=VALUE of the command line; false: no memory.
-bool define_open(struct deck *d, const char *const *define, int n_define);
+bool deck_define_open(struct deck *d, const char *const *define, int n_define);
 // Reports each -D with a wrong name or value.
-void define_check(struct deck *d);
+void deck_define_check(struct deck *d);
 // Takes over the -D of `first`, an earlier reading of the same deck, as that reading changed them.
 // Their texts are borrowed.
-void define_bind(struct deck *d, const struct deck *first);
+void deck_define_bind(struct deck *d, const struct deck *first);
 // Changes `define` into -D NAME=NUMBER. The change acts when the deck is read again.
-void define_turn(struct deck *d, struct define *define, const char *name, int number);
+void deck_define_turn(struct deck *d, struct define *define, const char *name, int number);
 // The -D of the parameter; NULL: there is none.
-struct define *define_find(const struct deck *d, const char *name);
+struct define *deck_define_find(const struct deck *d, const char *name);
 
 #endif

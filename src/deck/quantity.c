@@ -203,7 +203,7 @@ static const char *letters_end(const char *at) {
     return at;
 }
 
-bool literal_is_unit(const struct deck *d, const char *text, size_t n) {
+bool quantity_is_unit(const struct deck *d, const char *text, size_t n) {
     const char *end;
     struct dimension dimension;
     double si;
@@ -223,7 +223,7 @@ static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     while (unit_names[n]) {
         n++;
     }
-    struct word part = report_part(d, w, at, letters_end(at));
+    struct word part = deck_report_part(d, w, at, letters_end(at));
     deck_unknown(d, &part, part.text, "unit", unit_names, n);
     return false;
 }
@@ -237,7 +237,7 @@ static bool literal_unit(struct deck *d, const struct word *w, const char **at,
     }
     note_gravity(d, unit, size);
     if (**at == '^') {
-        return report_false(
+        return deck_report_false(
             d, w, *at, *at + 1,
             "this is not a power of a unit, as in m^1.5; put the quantity in brackets to "
             "raise it");
@@ -245,21 +245,21 @@ static bool literal_unit(struct deck *d, const struct word *w, const char **at,
     out->known = true;
     out->value = unit_convert(out->value, size, unit_size(&d->units, out->dimension));
     if (!isfinite(out->value) || !isfinite(size) || !(size > 0)) {
-        return report_false(d, w, unit, *at, "the value is too large in this unit");
+        return deck_report_false(d, w, unit, *at, "the value is too large in this unit");
     }
     return true;
 }
 
-bool literal_read(struct deck *d, const struct word *w, const char **at, struct quantity *out) {
+bool quantity_read(struct deck *d, const struct word *w, const char **at, struct quantity *out) {
     const char *start = *at;
     *out = (struct quantity){0};
     enum text_number found = text_number(start, at, &out->value);
     if (found == TEXT_NUMBER_RANGE) {
-        return report_false(d, w, start, *at,
-                            "the number is too large; at most 1.8e308 is possible");
+        return deck_report_false(d, w, start, *at,
+                                 "the number is too large; at most 1.8e308 is possible");
     }
     if (found == TEXT_NUMBER_NONE) {
-        struct word part = report_part(d, w, start, w->text + strlen(w->text));
+        struct word part = deck_report_part(d, w, start, w->text + strlen(w->text));
         struct text_short t;
         deck_error(d, &part, "'%s' is not a number", text_short(&t, part.text));
         return false;
@@ -281,12 +281,12 @@ static const char *advice(const struct quantity *q, const char *rest) {
     return "write expressions as ${...} and texts in quotes";
 }
 
-bool literal_end(struct deck *d, const struct word *w, const char *at,
-                 const struct quantity *number) {
+bool quantity_end(struct deck *d, const struct word *w, const char *at,
+                  const struct quantity *number) {
     struct text_short t;
     if (number->known && (*at == '*' || *at == '/') && starts_unit(at[1])) {
         return unknown_unit(d, w, at + 1);
     }
-    return report_false(d, w, at, at + strlen(at), "unexpected '%s' after the number; %s",
-                        text_short(&t, at), advice(number, at));
+    return deck_report_false(d, w, at, at + strlen(at), "unexpected '%s' after the number; %s",
+                             text_short(&t, at), advice(number, at));
 }

@@ -33,11 +33,11 @@ const char *quantity_describe(const struct unit_system *u, struct dimension dime
 bool quantity_is_reserved(const char *name, size_t n);
 
 // Are the n characters of `text` a unit?
-bool literal_is_unit(const struct deck *d, const char *text, size_t n);
+bool quantity_is_unit(const struct deck *d, const char *text, size_t n);
 // A literal with its unit at *at, which moves past it.
-bool literal_read(struct deck *d, const struct word *w, const char **at, struct quantity *out);
+bool quantity_read(struct deck *d, const struct word *w, const char **at, struct quantity *out);
 // Reports what is at `at`, after the `number`, where the word should end; false.
-bool literal_end(struct deck *d, const struct word *w, const char *at,
-                 const struct quantity *number);
+bool quantity_end(struct deck *d, const struct word *w, const char *at,
+                  const struct quantity *number);
 
 #endif

@@ -103,7 +103,7 @@ struct reader {
     int n_sweep;
     bool swept;   // a parameter was read whose value depends on a sweep
     bool late;    // a sweep replaces the value of a parameter that was used above the sweep
-    bool turned;  // define_turn changed a -D: the deck must be read again
+    bool turned;  // deck_define_turn changed a -D: the deck must be read again
     bool ended;
     size_t n_repeated;  // values from repeats so far
     size_t n_replaced;  // bytes of words with replaced parameters so far
@@ -119,10 +119,11 @@ void source_enter(struct deck *d, struct source *s);
 const char *source_mention(struct deck *d, const struct place *p, const struct place *from);
 
 // The part of `w` from `from` to `to` as a word of its own, for messages.
-struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to);
+struct word deck_report_part(struct deck *d, const struct word *w, const char *from,
+                             const char *to);
 // Reports an error at this part of `w`; returns false.
-bool report_false(struct deck *d, const struct word *w, const char *from, const char *to,
-                  const char *format, ...) __attribute__((format(printf, 5, 6)));
+bool deck_report_false(struct deck *d, const struct word *w, const char *from, const char *to,
+                       const char *format, ...) __attribute__((format(printf, 5, 6)));
 
 // Whether a word depends on a sweep is noted in deck.varies. Call reader_note_sweeps before the
 // word is read and give its result to reader_noted_sweeps afterwards.

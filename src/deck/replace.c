@@ -68,7 +68,7 @@ static bool append_dollar(struct deck *d, const struct word *w, struct buffer *b
     if (*from == '{') {
         const char *close = strchr(from, '}');
         if (!close) {
-            struct word part = report_part(d, w, *at, from + 1);
+            struct word part = deck_report_part(d, w, *at, from + 1);
             deck_error(d, &part, "the '}' to this '${' is missing");
             return false;
         }

@@ -207,7 +207,8 @@ int deck_keyword(struct deck *d, const struct word *w, const char *what, const c
     return -1;
 }
 
-struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to) {
+struct word deck_report_part(struct deck *d, const struct word *w, const char *from,
+                             const char *to) {
     size_t n = (size_t)(to - from);
     struct word part = *w;
     part.place.column += (w->quoted ? 1 : 0) + text_columns(w->text, (size_t)(from - w->text));
@@ -221,9 +222,9 @@ struct word report_part(struct deck *d, const struct word *w, const char *from, 
     return part;
 }
 
-bool report_false(struct deck *d, const struct word *w, const char *from, const char *to,
-                  const char *format, ...) {
-    struct word part = report_part(d, w, from, to);
+bool deck_report_false(struct deck *d, const struct word *w, const char *from, const char *to,
+                       const char *format, ...) {
+    struct word part = deck_report_part(d, w, from, to);
     va_list list;
     va_start(list, format);
     report(d, &part, SEVERITY_ERROR, format, list);

@@ -173,7 +173,7 @@ void sweep_run(struct deck *d, const struct statement *s) {
     struct parameter p = {.kind = PARAMETER_WRONG};
     bool alone = true;  // not paired; a -D of one sweep ends its pairing
     if (s->n_plain >= 4 && read(d, s, own, &q) && !bundle_choose(d, &q, own)) {
-        alone = !q.name.text || define_find(d, own->name);
+        alone = !q.name.text || deck_define_find(d, own->name);
         if (alone) {
             p = chosen(d, own);
         } else {

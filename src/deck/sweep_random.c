@@ -187,7 +187,7 @@ bool sweep_random(struct deck *d, const struct statement *s, struct sweep *own,
         !bundle_name(d, &q.argument[AS], &s->word[2], default_sample, own, bundle)) {
         return false;
     }
-    if (define_find(d, own->name)) {
+    if (deck_define_find(d, own->name)) {
         return sweep_take(d, own, &q.first, 1);
     }
     bundle->count = &q.argument[N].word[0];

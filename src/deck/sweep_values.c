@@ -319,7 +319,7 @@ static bool may_be_file(struct deck *d, const struct sweep *s, const char *text)
 // Changes a -D that gives the label of a file, as tables show it, into the path of the file. False
 // after having reported that the -D is neither a label nor a file.
 static bool take_label(struct deck *d, const struct sweep *s) {
-    struct define *define = define_find(d, s->name);
+    struct define *define = deck_define_find(d, s->name);
     for (int i = 0; define && i < s->n; i++) {
         if (strcmp(define->value.text, s->label[i]) == 0) {
             define->value.text = s->text[i];
@@ -360,7 +360,7 @@ static const char *text_of(const struct sweep *s, const char *name, enum extensi
 }
 
 void sweep_take_short_name(struct deck *d, const struct sweep *s) {
-    struct define *define = s->text ? define_find(d, s->name) : NULL;
+    struct define *define = s->text ? deck_define_find(d, s->name) : NULL;
     bool listed = false;
     for (int i = 0; define && i < s->n; i++) {
         listed = listed || strcmp(define->value.text, s->text[i]) == 0;
@@ -379,8 +379,9 @@ void sweep_take_short_name(struct deck *d, const struct sweep *s) {
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
     int choice;
     const struct sweep *from = sweep_bound(d, out->name, &choice);
-    const bool one = from && from->fixed &&
-                     !define_find(d, out->name);  // the one that a -D of its dimension has kept
+    const bool one =
+        from && from->fixed &&
+        !deck_define_find(d, out->name);  // the one that a -D of its dimension has kept
     if (from && from->text && !one) {
         out->n = from->n;
         out->text = from->text;

@@ -39,7 +39,7 @@ static bool check_repeat(struct deck *d, const struct row *row, const struct wor
     if (!mark || (row->kind == ROW_LIST && repeat_count(w) > 0)) {
         return true;
     }
-    struct word part = report_part(d, w, w->text, mark);
+    struct word part = deck_report_part(d, w, w->text, mark);
     struct text_short t;
     if (row->kind != ROW_LIST) {
         deck_error(d, w, "%s takes one value, not a repeat; write a product in ${...}", row->key);
@@ -132,11 +132,11 @@ static bool check_number_like(struct deck *d, const struct row *row, const struc
     if ((*at >= '0' && *at <= '9') || *at == '.' || *at == '$') {
         return true;
     }
-    struct word part = report_part(d, w, from, w->text + strlen(w->text));
+    struct word part = deck_report_part(d, w, from, w->text + strlen(w->text));
     struct text_short t;
     text_short(&t, part.text);
     bool parameter = parameter_find(d, from, strlen(from)) != NULL;
-    if (!parameter && literal_is_unit(d, from, strlen(from))) {
+    if (!parameter && quantity_is_unit(d, from, strlen(from))) {
         deck_error(d, &part, "%s needs a number, not '%s'; write a unit directly after its number",
                    row->key, t.text);
     } else if (parameter) {

@@ -243,7 +243,7 @@ static void draw_strip(const struct view *v, struct canvas *c, double right, int
         const char *colour = script_colour[k];
         const int i = index_in(v, k, v->strip[strip]);
         if (i >= 0) {
-            panel_series(c, style_line(colour, 0.8), "$force%d%d using 1:2", k, strip);
+            panel_series(c, panel_line(colour, 0.8), "$force%d%d using 1:2", k, strip);
         }
         if (i >= 0 && i < v->s->r[k]->n_contact) {
             panel_series(c, (struct style){STYLE_UPRIGHT, .colour = colour}, "$peaks%d%d using 1:2",

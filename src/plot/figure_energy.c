@@ -90,11 +90,11 @@ static void write_head(const struct runs *s, const struct view *v, struct canvas
     canvas_head(c, s->title, text);
     for (int p = 0; p < PARTS; p++) {
         if (v->part[p]) {
-            legend_add(&l, style_area(parts[p].colour),
+            legend_add(&l, panel_area(parts[p].colour),
                        parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name, "");
         }
     }
-    legend_add(&l, style_line(curve.colour, 0),
+    legend_add(&l, panel_line(curve.colour, 0),
                s->r[0]->initial_energy > 0 ? "initial + input" : "input", "");
     legend_write(&l, c);
 }

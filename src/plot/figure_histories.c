@@ -194,11 +194,11 @@ static void draw_facing(const struct view *v, struct canvas *c, struct area a, b
                      "$rows0 using 1:2:3");
     }
     if (two) {
-        panel_series(c, style_line(script_colour[1], 0), "$rows0 using 1:3");
+        panel_series(c, panel_line(script_colour[1], 0), "$rows0 using 1:3");
     }
-    panel_series(c, style_line(script_colour[0], 0), "$rows0 using 1:2");
+    panel_series(c, panel_line(script_colour[0], 0), "$rows0 using 1:2");
     if (hit) {
-        panel_series(c, style_points("#000000", POINT_DISC, 0.8), "$marks0 using 1:2");
+        panel_series(c, panel_points("#000000", POINT_DISC, 0.8), "$marks0 using 1:2");
     }
     panel_close(c);
 }
@@ -217,10 +217,10 @@ static void draw_floor(const struct view *v, struct canvas *c, struct area a, in
                                   .caption = side_name(v, side),
                                   .tail = floor});
     for (int k = 0; k < v->s->n; k++) {
-        panel_series(c, style_line(script_colour[k], 0), "$rows%d using 1:%d", k, LEFT + side + 1);
+        panel_series(c, panel_line(script_colour[k], 0), "$rows%d using 1:%d", k, LEFT + side + 1);
     }
     for (int k = 0; k < v->s->n && v->contact[0] >= 0; k++) {
-        panel_series(c, style_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 0.9),
+        panel_series(c, panel_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 0.9),
                      "$marks%d%d using 1:2", k, side);
     }
     panel_close(c);
@@ -246,7 +246,7 @@ static void draw_ground(const struct view *v, struct canvas *c, struct area a) {
                                   .y = {.name = v->s->n > 1 ? "ground" : "ground acc.",
                                         .dimension = dimension_acceleration,
                                         .span = span_with_room(span, NAN)}});
-    struct style line = style_line(one ? dark : script_colour[0], 0.7);
+    struct style line = panel_line(one ? dark : script_colour[0], 0.7);
     panel_series(c, line, "$rows0 using 1:%d", first + 1);
     if (!one) {
         line.colour = script_colour[1];
@@ -263,11 +263,11 @@ static void add_sides(const struct view *v, struct legend *l) {
         write_floor_name(v, side, floor, sizeof floor);
         snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
         if (hit || v->building[side] >= 0) {
-            legend_add(l, style_line(script_colour[side], 0), side_name(v, side), tail);
+            legend_add(l, panel_line(script_colour[side], 0), side_name(v, side), tail);
         }
     }
     if (hit) {
-        legend_add(l, style_area(gap_colour), "gap", "");
+        legend_add(l, panel_area(gap_colour), "gap", "");
     }
 }
 
@@ -279,7 +279,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
         add_sides(v, &l);
     }
     if (v->contact[0] >= 0) {
-        legend_add(&l, style_points("#000000", POINT_DISC, 0.8), "impacts", "");
+        legend_add(&l, panel_points("#000000", POINT_DISC, 0.8), "impacts", "");
     }
     legend_write(&l, c);
 }

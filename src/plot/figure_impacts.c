@@ -212,7 +212,7 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     }
     for (int k = 0; k < v->s->n; k++) {
         panel_series(c,
-                     style_points(k > 0 ? script_colour[1] : "#700072b2",
+                     panel_points(k > 0 ? script_colour[1] : "#700072b2",
                                   k > 0 ? POINT_RING : POINT_DISC, -1),
                      "$impacts%d using 1:2:($3*point)", k);
     }
@@ -233,7 +233,7 @@ static void add_sizes(const struct view *v, struct legend *l) {
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
         snprintf(text, sizeof text, "%.6g%s%s %s", shown[i] / pow(10, exponent),
                  power[0] ? "\u00b7" : "", power, unit);
-        legend_add(l, style_points("#707070", POINT_DISC, point_size(v, shown[i])), text, "");
+        legend_add(l, panel_points("#707070", POINT_DISC, point_size(v, shown[i])), text, "");
     }
 }
 
@@ -262,7 +262,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     canvas_head(c, v->s->title, text);
     struct legend l = {0};
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        legend_add(&l, style_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 2),
+        legend_add(&l, panel_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 2),
                    v->s->name[k], "");
     }
     add_sizes(v, &l);

@@ -185,12 +185,12 @@ static void draw_contact(const struct view *v, struct canvas *c, struct area a) 
     for (int k = 0; k < v->s->n; k++) {
         const char *colour = script_colour[k];
         if (v->impact[k] >= 0) {
-            panel_series(c, style_line(colour, 0.5), "$loops%d using 1:2", k);
+            panel_series(c, panel_line(colour, 0.5), "$loops%d using 1:2", k);
             panel_series(c,
                          (struct style){STYLE_BOTH, .colour = colour, .width = 1.3,
                                         .point = k > 0 ? POINT_RING : POINT_DISC, .size = 0.8},
                          "$hardest%d using 1:2", k);
-            panel_series(c, style_points(k > 0 ? colour : "#404040", POINT_CROSS, 1.3),
+            panel_series(c, panel_points(k > 0 ? colour : "#404040", POINT_CROSS, 1.3),
                          "$largest%d using 1:2", k);
         }
     }
@@ -205,7 +205,7 @@ static void draw_storey(const struct view *v, struct canvas *c, struct area a, i
     p.tail = storey;
     panel_open(c, &p);
     for (int run = 0; run < v->s->n; run++) {
-        panel_series(c, style_line(script_colour[run], 0.7), "$storey%d%d using 2:3", run, k);
+        panel_series(c, panel_line(script_colour[run], 0.7), "$storey%d%d using 2:3", run, k);
     }
     panel_close(c);
 }
@@ -218,7 +218,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     }
     canvas_head(c, v->s->title, text);
     if (v->impact[0] >= 0) {
-        legend_add(&l, style_points("#404040", POINT_CROSS, 1.3), "largest force, penetration", "");
+        legend_add(&l, panel_points("#404040", POINT_CROSS, 1.3), "largest force, penetration", "");
     }
     if (v->rows[0] > 0 && v->s->n == 1) {
         legend_add(&l,

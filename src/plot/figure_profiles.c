@@ -188,8 +188,8 @@ static void draw_series(const struct selection *s, const struct profile *p, stru
     for (int k = 0; k < s->n * s->s->n; k++) {
         const int run = k / s->n, building = k % s->n;
         const bool points = s->rows || (s->points && !p->storeys);
-        struct style line = style_line(script_colour[building], s->rows ? 1.5 : 0);
-        struct style point = style_points(
+        struct style line = panel_line(script_colour[building], s->rows ? 1.5 : 0);
+        struct style point = panel_points(
             line.colour, run > 0 ? POINT_RING : script_point[building], s->rows ? 1.8 : 1.2);
         line.dash = run > 0 ? "(10,6)" : "solid";
         if (s->rows) {
@@ -204,7 +204,7 @@ static void draw_series(const struct selection *s, const struct profile *p, stru
     }
     // Large rings around the accelerations of floors that were hit.
     for (int k = 0; p->peak == PEAK_ACCELERATION && s->hit && k < s->n * s->s->n; k++) {
-        panel_series(c, style_points(script_colour[k % s->n], POINT_RING, 2.8),
+        panel_series(c, panel_points(script_colour[k % s->n], POINT_RING, 2.8),
                      "$hit%d%d using 2:1", k / s->n, k % s->n);
     }
     panel_close(c);
@@ -274,7 +274,7 @@ static void write_legend(const struct selection *s, struct canvas *c) {
                    b->name, "");
     }
     if (s->hit) {
-        legend_add(&l, style_points("#808080", POINT_RING, 2.8), report_hit_name, "");
+        legend_add(&l, panel_points("#808080", POINT_RING, 2.8), report_hit_name, "");
     }
     runs_legend(s->s, "#808080", &l);
     legend_write(&l, c);

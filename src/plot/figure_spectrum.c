@@ -181,7 +181,7 @@ static void write_head(const struct view *v, struct canvas *c) {
             name = v->n_ground > 1 ? name : "";
             snprintf(text, sizeof text, "%sground", name[0] ? ", " : "");
         }
-        legend_add(&l, style_line(colour(v, i), 0), name, text);
+        legend_add(&l, panel_line(colour(v, i), 0), name, text);
     }
     runs_legend(v->s, "#000000", &l);
     legend_write(&l, c);
@@ -199,7 +199,7 @@ static void draw_panel(const struct view *v, struct canvas *c) {
                                         .span = span_with_room(v->acceleration, 0)}});
     for (int k = 0; k < v->n * v->s->n; k++) {
         const int run = k / v->n, i = k % v->n;
-        struct style line = style_line(colour(v, i), 0);
+        struct style line = panel_line(colour(v, i), 0);
         line.dash = run > 0 ? "(10,6)" : "solid";
         panel_series(c, line, "$spectrum%d%d using 1:2", run, i);
     }

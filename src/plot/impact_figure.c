@@ -114,10 +114,10 @@ static void write_head(const struct impact_figure *f, struct canvas *c) {
     }
     struct legend l = {0};
     for (int k = 0; k < f->n_curve; k++) {
-        legend_add(&l, style_line(script_colour[k], 0), f->curve[k].name, "");
+        legend_add(&l, panel_line(script_colour[k], 0), f->curve[k].name, "");
     }
     if (f->n_sample > 0) {
-        legend_add(&l, style_points(sample_colour, POINT_DISC, 0.8), "measured", "");
+        legend_add(&l, panel_points(sample_colour, POINT_DISC, 0.8), "measured", "");
     }
     legend_write(&l, c);
 }
@@ -133,10 +133,10 @@ static void draw_panel(const struct impact_figure *f, const struct panel *p, int
     panel_open(c, p);
     fprintf(c->to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\n");
     if (f->n_sample > 0 && column == 1) {
-        panel_series(c, style_points(sample_colour, POINT_DISC, 0.8), "$measured using 1:2");
+        panel_series(c, panel_points(sample_colour, POINT_DISC, 0.8), "$measured using 1:2");
     }
     for (int k = 0; k < f->n_curve; k++) {
-        panel_series(c, style_line(script_colour[k], 0), "$curve%d using %d:2", k, column);
+        panel_series(c, panel_line(script_colour[k], 0), "$curve%d using %d:2", k, column);
     }
     panel_close(c);
 }

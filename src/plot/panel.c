@@ -6,15 +6,15 @@
 
 #include "plot/script.h"
 
-struct style style_line(const char *colour, double width) {
+struct style panel_line(const char *colour, double width) {
     return (struct style){STYLE_LINE, .colour = colour, .width = width};
 }
 
-struct style style_area(const char *colour) {
+struct style panel_area(const char *colour) {
     return (struct style){STYLE_AREA, .colour = colour};
 }
 
-struct style style_points(const char *colour, int point, double size) {
+struct style panel_points(const char *colour, int point, double size) {
     return (struct style){STYLE_POINTS, .colour = colour, .point = point, .size = size};
 }
 

@@ -36,9 +36,9 @@ struct style {
     double size;       // of points; 0: as usual; below 0: the third column has it
 };
 
-struct style style_line(const char *colour, double width);
-struct style style_area(const char *colour);
-struct style style_points(const char *colour, int point, double size);
+struct style panel_line(const char *colour, double width);
+struct style panel_area(const char *colour);
+struct style panel_points(const char *colour, int point, double size);
 
 // Draws the axes and texts of a panel. Other commands for it, such as tics with names, follow
 // before its first series.

@@ -107,7 +107,7 @@ static void write_records(const struct response_sheet *sheet, struct legend *l) 
     char text[128];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
-        legend_add(l, style_line(other_colour, 0), text, "");
+        legend_add(l, panel_line(other_colour, 0), text, "");
         return;
     }
     for (int r = 0; r < s->n_record; r++) {
@@ -115,7 +115,7 @@ static void write_records(const struct response_sheet *sheet, struct legend *l) 
         if (!sheet->target) {
             snprintf(text, sizeof text, ": %.2g g", sheet->intensity[r].pga / sheet->gravity);
         }
-        legend_add(l, style_line(record_colour[r], 0), sheet->name[r], text);
+        legend_add(l, panel_line(record_colour[r], 0), sheet->name[r], text);
     }
 }
 
@@ -124,8 +124,8 @@ static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
     struct legend l = {0};
     if (s->n_damping == 1 && s->n_record > 1) {
         write_records(sheet, &l);
-        legend_add(&l, style_line(mean_colour, 0), "mean", "");
-        legend_add(&l, style_area(band_colour), "16 to 84 %", "");
+        legend_add(&l, panel_line(mean_colour, 0), "mean", "");
+        legend_add(&l, panel_area(band_colour), "16 to 84 %", "");
     }
     if (sheet->target) {
         legend_add(&l, target, "target", "");
@@ -134,7 +134,7 @@ static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
         char text[64];
         snprintf(text, sizeof text, "%g %% damping", 100.0 * s->damping[d]);
         const char *colour = script_colour[d % SCRIPT_COLOURS];
-        legend_add(&l, style_line(colour, 0), text, "");
+        legend_add(&l, panel_line(colour, 0), text, "");
     }
     legend_write(&l, c);
 }
@@ -185,7 +185,7 @@ static void write_match(const struct response_sheet *sheet, struct span shown, F
 }
 
 static void draw_line(struct canvas *c, int at, const char *colour, double width) {
-    panel_series(c, style_line(colour, width), "$spectra using 1:%d", at);
+    panel_series(c, panel_line(colour, width), "$spectra using 1:%d", at);
 }
 
 // Of several damping ratios the means; of one the records, with mean and band where they are many.
@@ -198,7 +198,7 @@ static void draw_series(const struct response_sheet *sheet, struct canvas *c) {
     if (s->n_damping == 1 && n == 1) {
         draw_line(c, column(s, 0, 0), script_colour[0], 1.2);
     } else if (s->n_damping == 1) {
-        panel_series(c, style_area(band_colour), "$spectra using 1:%d:%d",
+        panel_series(c, panel_area(band_colour), "$spectra using 1:%d:%d",
                      column(s, n + SPECTRA_P16, 0), column(s, n + SPECTRA_P84, 0));
         for (int r = 0; r < n; r++) {
             draw_line(c, column(s, r, 0), n > NAMED_MAX ? other_colour : record_colour[r], 0.7);

@@ -255,7 +255,7 @@ struct axis runs_height_axis(bool first, bool heights, double top) {
 
 void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
     for (int k = 0; k < s->n && s->n > 1; k++) {
-        struct style mark = style_line(colour ? colour : script_colour[k], 0);
+        struct style mark = panel_line(colour ? colour : script_colour[k], 0);
         mark.dash = colour && k > 0 ? "(10,6)" : NULL;
         legend_add(l, mark, s->name[k], "");
     }

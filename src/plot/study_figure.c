@@ -120,13 +120,13 @@ void study_head(struct canvas *c, const struct suite *s, const char *what) {
 
 void study_hit_legend(const struct suite *s, struct legend *l) {
     if (s->n_hit > 0) {
-        legend_add(l, style_points("#808080", POINT_RING, 2.8), report_hit_name, "");
+        legend_add(l, panel_points("#808080", POINT_RING, 2.8), report_hit_name, "");
     }
 }
 
 void study_hit_series(const struct suite *s, struct canvas *c) {
     if (s->n_hit > 0) {
-        panel_series(c, style_points("#808080", POINT_RING, 2.8), "$hit using 1:2");
+        panel_series(c, panel_points("#808080", POINT_RING, 2.8), "$hit using 1:2");
     }
 }
 

@@ -114,10 +114,10 @@ static void draw_panel(const struct view *v, struct canvas *c) {
         .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
     study_panel(c, 3.2, &v->x, &y);
     for (int i = 0; i < v->n; i++) {
-        panel_series(c, style_points(script_colour[i], script_point[i], mark_size(v, i)),
+        panel_series(c, panel_points(script_colour[i], script_point[i], mark_size(v, i)),
                      "$counts%d using 1:2", i);
         if (v->fit[i].outcome == FRAGILITY_FITTED) {
-            panel_series(c, style_line(script_colour[i], 1.5), "$curve%d using 1:2", i);
+            panel_series(c, panel_line(script_colour[i], 1.5), "$curve%d using 1:2", i);
         }
     }
     panel_close(c);

@@ -120,12 +120,12 @@ static void write_legend(const struct view *v, const struct study_picture *p, st
         legend_add(&l, curve[i].style, curve[i].name, "");
     }
     snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
-    legend_add(&l, style_line(record_colour, 0), text, "");
+    legend_add(&l, panel_line(record_colour, 0), text, "");
     if (p->n_limit > 0) {
-        legend_add(&l, style_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
+        legend_add(&l, panel_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
     }
     if (v->crosses) {
-        legend_add(&l, style_points("#000000", POINT_CROSS, 0), "the next run failed", "");
+        legend_add(&l, panel_points("#000000", POINT_CROSS, 0), "the next run failed", "");
     }
     study_hit_legend(v->s, &l);
     legend_write(&l, c);
@@ -145,12 +145,12 @@ static void draw_panel(const struct view *v, const struct study_picture *p, stru
     const struct axis y = study_abscissa_axis(v->s);
     study_panel(c, 3.2, &x, &y);
     write_limits(v, p, c);
-    panel_series(c, style_line(record_colour, 0.8), "$samples using 1:2");
+    panel_series(c, panel_line(record_colour, 0.8), "$samples using 1:2");
     for (int i = CURVES - 1; v->s->n_sample > 1 && i >= 0; i--) {
         panel_series(c, curve[i].style, "$percentiles using %d:1", i + 2);
     }
     if (v->crosses) {
-        panel_series(c, style_points("#000000", POINT_CROSS, 0), "$failures using 1:2");
+        panel_series(c, panel_points("#000000", POINT_CROSS, 0), "$failures using 1:2");
     }
     study_hit_series(v->s, c);
     panel_close(c);

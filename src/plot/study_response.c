@@ -170,10 +170,10 @@ static void draw_panel(const struct view *v, struct canvas *c) {
         panel_series(c, (struct style){STYLE_BARS, .colour = script_colour[0], .width = 1},
                      "$group0 using 1:2:3:4");
     } else if (v->band) {
-        panel_series(c, style_area(band_colour), "$group0 using 1:3:4");
+        panel_series(c, panel_area(band_colour), "$group0 using 1:3:4");
     }
     for (int g = 0; g < s->n_group; g++) {
-        struct style median = style_points(script_colour[g], script_point[g], 0);
+        struct style median = panel_points(script_colour[g], script_point[g], 0);
         if (!points) {
             median.kind = STYLE_BOTH;
             median.width = 1.3;

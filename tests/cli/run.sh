@@ -45,7 +45,7 @@ for name in table.csv picture.PNG results/one.deck; do
 done
 cp pair.deck pair.old
 run "$jostle" run pair.deck -o pair.old --force
-expect "--force does not replace what is no HDF5 file" '[ $status -eq 2 ] && said "pair.old exists and is no HDF5 file" && cmp -s pair.deck pair.old'
+expect "--force does not replace what is no HDF5 file" '[ $status -eq 2 ] && said "pair.old exists and is not an HDF5 file" && cmp -s pair.deck pair.old'
 for name in empty.old junk.h5; do
     [ $name = empty.old ] || echo junk >$name
     : >>$name

@@ -54,7 +54,7 @@ static void check_places(const struct text *text, int n) {
 }
 
 static void add(struct legend *l, const char *name, const char *tail) {
-    legend_add(l, style_line("#000000", 0), name, tail);
+    legend_add(l, panel_line("#000000", 0), name, tail);
 }
 
 static void short_names_stand_in_one_line(void **state) {
