@@ -159,7 +159,7 @@ demo: setup  ## a study of two towers: result file and picture below build/demo
 test: setup  ## everything that is needed, installed and built, and all tests
 	@$(MAKE) check
 
-check: $(PROGRAM) $(TESTS)  # test without looking for what is missing
+check: $(PROGRAM) $(LIBRARY) $(TESTS)  # test without looking for what is missing
 	@JOSTLE=$(abspath $(PROGRAM)) LIMIT=$(TEST_SECONDS) JOBS=$(CORES) BUILT='$(BUILT)' \
 	    bash tests/support/run_tests.sh $(B)/log $(filter-out $(EXCEPT),$(TESTS) $(SCRIPTS))
 
@@ -167,7 +167,7 @@ test-long: setup  ## the tests, and those that take long (tests/*/long_*), JOSTL
 	@$(MAKE) check-long
 
 .PHONY: check-long
-check-long: $(PROGRAM) $(TESTS) $(LONG)
+check-long: $(PROGRAM) $(LIBRARY) $(TESTS) $(LONG)
 	@JOSTLE=$(abspath $(PROGRAM)) JOSTLE_LONG=1 LIMIT=3600 JOBS=$(CORES) BUILT='$(BUILT)' \
 	    bash tests/support/run_tests.sh \
 	    $(B)/log $(TESTS) $(LONG) $(SCRIPTS) $(LONG_SCRIPTS)
