@@ -128,7 +128,7 @@ static void copy_at(const struct model *m, long step, struct met *met) {
 // At several steps from the first to the one before the last.
 static void copy_often(const struct model *m, int n, struct met *met) {
     for (int i = 0; i < n; i++) {
-        long step = (m->n_step - 1) * (2 * i + 1) / (2 * n);
+        long step = (m->n_step - 1) * (2L * i + 1) / (2L * n);
         copy_at(m, step > 1 ? step : 1, met);
     }
 }

@@ -109,9 +109,10 @@ static const struct part_kind slider = {
 static void put(struct model *m, struct part *part, int n, double *tangents) {
     struct building *g = (struct building *)&m->building[0];
     static const double zero[8] = {0};
-    const struct part_sums sums = {.by_drift = tangents, .by_rate = tangents + STOREYS * STOREYS};
+    const struct part_sums sums = {.by_drift = tangents,
+                                   .by_rate = tangents + (size_t)STOREYS * STOREYS};
     assert_int_equal(g->n_floor, STOREYS);
-    memset(tangents, 0, 2 * STOREYS * STOREYS * sizeof *tangents);
+    memset(tangents, 0, (size_t)2 * STOREYS * STOREYS * sizeof *tangents);
     for (int i = 0; i < n; i++) {
         part[i].n = STOREYS;
         part[i].history = m->n_storey_history;

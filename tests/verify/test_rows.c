@@ -238,7 +238,10 @@ static void links_that_act_are_in_the_share_of_their_run(void **state) {
     struct arena *a = arena_create();
     struct gaps gaps;
     struct results r = {0};
-    assert_true(peaks_alloc(&r, m, a) && gaps_alloc(&gaps, m, &r, a));
+    if (!peaks_alloc(&r, m, a) || !gaps_alloc(&gaps, m, &r, a)) {
+        fail_msg("no memory");
+        return;
+    }
     for (int round = 0; round < 2; round++) {
         for (int i = 0; i < n; i++) {
             gaps_touch(&gaps, acting[i]);
