@@ -70,24 +70,33 @@ static double halvings(const struct refined *f, double finest, double rtol) {
     return ceil(log2(c->error / (rtol * fabs(finest))) / c->order);
 }
 
-static void print_label(struct printer *t, const struct model *m, const struct refined *f) {
-    char unit[48], label[96];
-    snprintf(label, sizeof label, f->dimension ? "%s [%s]" : "%s", f->quantity,
-             f->dimension ? unit_of(m, f, unit, sizeof unit) : "");
-    printer_text(t, label);
-}
-
-static void print_result(struct printer *t, const struct model *m, const struct refinement *r,
-                         const struct refined *f) {
+// Values are divided by `size`, that of `unit` in the deck's; an empty unit is none.
+static void print_row(struct printer *t, const struct refinement *r, const struct refined *f,
+                      const char *unit, double size) {
     const struct convergence *c = &f->convergence;
     const double *last = f->value + r->n_level - 1;
-    print_label(t, m, f);
-    printer_numbers(t, last + 1 - SHOWN_LEVELS, SHOWN_LEVELS);
+    char label[96];
+    snprintf(label, sizeof label, unit[0] ? "%s [%s]" : "%s", f->quantity, unit);
+    printer_text(t, label);
+    for (int i = SHOWN_LEVELS - 1; i >= 0; i--) {
+        printer_number(t, last[-i] / size);
+    }
     printer_number(t, c->order);
-    printer_number(t, c->estimate);
+    printer_number(t, c->estimate / size);
     printer_number(t, c->error != 0.0 ? c->error / fabs(*last) : 0.0);
     printer_text(t, f->within ? "yes" : "no");
     printer_line(t);
+}
+
+// A result; below it, an acceleration in g.
+static void print_result(struct printer *t, const struct model *m, const struct refinement *r,
+                         const struct refined *f) {
+    char unit[48];
+    print_row(t, r, f, f->dimension ? unit_of(m, f, unit, sizeof unit) : "", 1.0);
+    if (f->dimension && dimension_equal(*f->dimension, dimension_acceleration)) {
+        const struct unit_system *u = &m->deck->units;
+        print_row(t, r, f, "g", u->gravity / unit_size(u, dimension_acceleration));
+    }
 }
 
 static void print_heading(struct printer *t, const struct refinement *r, const struct model *m) {

@@ -48,7 +48,8 @@ static void print_answer(const struct gap_search_request *q, const struct gap_se
            spacing(q), length);
 }
 
-static void print_point(struct printer *t, const struct gap_point *p) {
+static void print_point(struct printer *t, const struct gap_search_request *q,
+                        const struct gap_point *p) {
     static const char *const stage[] = {
         [GAP_SCAN] = "scan", [GAP_BISECTION] = "bisection", [GAP_OPEN] = "no contact"};
     const bool text = t->form == FORM_TEXT;
@@ -62,7 +63,9 @@ static void print_point(struct printer *t, const struct gap_point *p) {
     } else {
         printer_number(t, p->gap);
     }
-    printer_number(t, text && p->n_failed > 0 ? (double)NAN : p->value);
+    const double value = text && p->n_failed > 0 ? (double)NAN : p->value;
+    printer_number(t, value);
+    printer_text(t, isnan(value) ? "" : study_print_g(t->units, q->edp.units, value).text);
     printer_text(t, text ? (p->kept ? "met" : "exceeded") : (p->kept ? "kept" : "broken"));
     printer_whole(t, p->n_failed);
     printer_whole(t, p->run + 1);
@@ -70,20 +73,22 @@ static void print_point(struct printer *t, const struct gap_point *p) {
     printer_line(t);
 }
 
-static void print_points(struct printer *t, const struct gap_search *s) {
+static void print_points(struct printer *t, const struct gap_search_request *q,
+                         const struct gap_search *s) {
     const bool text = t->form == FORM_TEXT;
     printer_head(t);
     for (int i = 0; i < s->n_point; i++) {
         if (!text || s->point[i].stage == GAP_SCAN) {
-            print_point(t, &s->point[i]);
+            print_point(t, q, &s->point[i]);
         }
     }
     if (s->opened) {
-        print_point(t, &s->open);
+        print_point(t, q, &s->open);
     }
     if (!text && s->found) {
         printer_text(t, "result");
         printer_number(t, s->gap);
+        printer_empty(t);
         printer_empty(t);
         printer_text(t, "kept");
         printer_line(t);
@@ -94,11 +99,13 @@ int gap_print_search(const struct gap_search_request *q, const struct gap_search
                      enum printer_form form) {
     const struct unit_system *u = &q->plan->first->deck->units;
     const bool counts = dimension_equal(q->edp.dimension, dimension_none);
+    const bool in_g = study_print_g(u, q->edp.units, q->limit).text[0];
     const struct printer_column columns[] = {COLUMN_DATA("stage"),
                                              {"gap", "gap", NULL, &dimension_length, 12, 5, LOOK_G},
                                              {"value", q->edp.text,
                                               form == FORM_TEXT && counts ? "" : q->edp.units, NULL,
                                               14, 6, LOOK_G},
+                                             {.head = in_g ? "[g]" : NULL, .width = 9},
                                              {.head = "limit", .key = "limit", .width = 8},
                                              COLUMN_DATA("failed"),
                                              {.head = "in run", .key = "run", .width = 8},
@@ -112,7 +119,7 @@ int gap_print_search(const struct gap_search_request *q, const struct gap_search
                q->parameter ? q->parameter : "gaps of all contacts", q->n, q->from, q->to,
                u->length_name, q->tolerance, u->length_name, s->n_point);
     }
-    print_points(&t, s);
+    print_points(&t, q, s);
     if (form == FORM_TEXT) {
         print_answer(q, s);
     }

@@ -19,6 +19,7 @@ expect "nothing is written" 'only bodies.deck'
 expect "the title and the levels stand on top" 'grep -qx "two bodies" "$out" && grep -qx "4 levels, steps 0.0002 0.0001 5e-05 2.5e-05 s" "$out"'
 expect "buildings and contacts have their results" 'grep -qx "building B" "$out" && grep -qx "contact A:1-B:1" "$out" && grep -qE "^  force \[N\] .* yes$" "$out"'
 expect "the verdict counts them" 'grep -qx "12 of 12 results have converged to 0.001" "$out"'
+expect "accelerations stand in g, too" 'awk "/acceleration \\[m/ { a = \$5 } /acceleration \\[g\\]/ { g = \$5; n++; if (a < 9.806 * g || a > 9.807 * g) bad = 1 } END { exit bad || n != 2 }" "$out"'
 expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
 
 column() {

@@ -98,6 +98,7 @@ for option in --limit --range --tolerance --percentile --parameter; do
 done
 refuses "--range goes with --limit" swing.deck --range 0:1:3
 run "$jostle" gap swing.deck --limit acceleration:A=20
+expect "and so does each value" 'awk "/\\[g\\]/ { head = 1 } head && \$1 ~ /^[0-9]/ { n++; if (\$2 < 9.80 * \$3 || \$2 > 9.81 * \$3) bad = 1 } END { exit bad || n < 3 }" "$out"'
 expect "a limit of accelerations shows g too" 'grep -q "^largest acceleration:A at most 20 m/s^2 (2.039 g) in all 3 runs$" "$out"'
 refuses "unknown EDP 'forc'; did you mean 'force'?" swing.deck --limit forc=1
 refuses "--limit takes EDP=VALUE" swing.deck --limit force
