@@ -232,7 +232,8 @@ double runs_level(const struct report_building *b, int floors, bool heights) {
     return level;
 }
 
-double runs_duration(const struct runs *s) {
+// The longest duration.
+static double runs_duration(const struct runs *s) {
     return s->n == 1 ? s->r[0]->duration : fmax(s->r[0]->duration, s->r[1]->duration);
 }
 

@@ -77,9 +77,6 @@ struct axis runs_time_axis(const struct runs *s, bool at_foot);
 // for the first of the panels beside each other, or one right of it.
 struct axis runs_height_axis(bool first, bool heights, double top);
 
-// The longest duration.
-double runs_duration(const struct runs *s);
-
 // Entries of the legend that tell two runs apart: by their colours, or where all is of one `colour`
 // the second by dashes. None for one run.
 void runs_legend(const struct runs *s, const char *colour, struct legend *l);

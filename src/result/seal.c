@@ -313,7 +313,8 @@ static void add_group(struct walk *w, hid_t group) {
     add_attributes(w, group);
 }
 
-void seal_find(struct h5 *h, struct result_sums *out) {
+// The checksums of the open file. An error is noted in `h`.
+static void seal_find(struct h5 *h, struct result_sums *out) {
     struct walk w = {.h = h, .buffer = malloc(BUFFER_BYTES)};
     w.to = &w.data;
     checksum_start(&w.data);

@@ -10,15 +10,12 @@
 #include "jostle/result.h"
 #include "result/h5.h"
 
-// The checksums of the open file. An error is noted in `h`.
-void seal_find(struct h5 *h, struct result_sums *out);
-
 // Writes the checksum of the file, which is otherwise complete, into its attribute.
 void seal_put(struct h5 *h);
 
-// seal_find, and compares the checksum with the attribute. Errors, with the cause in `h`:
-// STATUS_FAILED (the data differ, or cannot be read), STATUS_INPUT (there is no checksum),
-// STATUS_SYSTEM (no memory).
+// Computes the checksums of the open file, and compares that of the data with the attribute.
+// Errors, with the cause in `h`: STATUS_FAILED (the data differ, or cannot be read), STATUS_INPUT
+// (there is no checksum), STATUS_SYSTEM (no memory).
 int seal_check(struct h5 *h, struct result_sums *out);
 
 #endif

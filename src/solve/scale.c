@@ -27,10 +27,6 @@ static const struct fields_row list[] = {
 };
 const struct fields scale_fields = FIELDS(list);
 
-bool scale_alloc(struct scales *s, const struct model *m, struct arena *a) {
-    return fields_alloc(&scale_fields, m, s, a);
-}
-
 void scale_expect(struct scales *s, const struct model *m) {
     double acceleration = 0.0;
     double time = m->duration;

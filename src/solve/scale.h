@@ -22,9 +22,6 @@ struct scales {
 };
 extern const struct fields scale_fields;  // but for `square` and `memory`, which stay
 
-// Room for the scales of a model; false: no memory.
-bool scale_alloc(struct scales *s, const struct model *m, struct arena *a);
-
 // Starts with sizes that motions will at least reach: those of the slowest mode under a hundredth
 // of the excitation. Without them a start from rest, under forces that have a kink there, would
 // take steps without end.

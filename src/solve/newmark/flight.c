@@ -124,15 +124,11 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
     return true;
 }
 
-void flight_deepen(const struct flight *f, struct state *s) {
-    gaps_update(&f->work->gaps, s);
-    gaps_peaks(&f->work->gaps, s);
-}
-
 // Computes what steps in flight leave out.
 static void complete(const struct flight *f, struct state *s) {
     const struct model *m = f->model;
-    flight_deepen(f, s);
+    gaps_update(&f->work->gaps, s);
+    gaps_peaks(&f->work->gaps, s);
     if (f->on_lines) {
         excitation_floors(s, m, s->time);
         state_internal_forces(s, m, s->u, s->v);

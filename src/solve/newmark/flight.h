@@ -39,7 +39,4 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a);
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// Computes the penetrations of `s`, a state in flight, and records those that are nearer than ever.
-void flight_deepen(const struct flight *f, struct state *s);
-
 #endif
