@@ -6,7 +6,6 @@
 
 #include "solve/account/energy.h"
 #include "solve/account/impacts.h"
-#include "solve/memory.h"
 #include "solve/newmark/flight.h"
 #include "solve/newmark/step_length.h"
 #include "solve/work.h"

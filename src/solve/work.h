@@ -10,7 +10,6 @@
 #include "solve/floors/chain.h"
 #include "solve/floors/effective.h"
 #include "solve/floors/floors.h"
-#include "solve/memory.h"
 #include "solve/scale.h"
 #include "solve/state.h"
 
