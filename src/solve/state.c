@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "model/parts.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 #include "solve/floors/chain.h"
 
 static const struct fields_row list[] = {

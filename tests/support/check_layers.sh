@@ -63,9 +63,9 @@ path_of() {
 # Headers of scratch hold what struct work is made of, and nothing of how it is computed.
 solve_group() {
     case ${1#src/solve/} in
-    fields.* | pace.* | forcing.* | scale.*) echo "0 base" ;;
+    fields.* | pace.* | scale.*) echo "0 base" ;;
     floors/chain.* | floors/effective* | floors/floor_terms.h | floors/floor_vectors.h) echo "1 matrix" ;;
-    state.* | excitation.*) echo "2 state" ;;
+    state.* | forcing.*) echo "2 state" ;;
     event/*) echo "3 event" ;;
     account/*) echo "4 account" ;;
     contact/gaps.* | contact/cluster.h) echo "5 scratch" ;;

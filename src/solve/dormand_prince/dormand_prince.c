@@ -7,7 +7,7 @@
 
 #include "core/arena.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 #include "solve/method.h"
 
 // Times that differ by less than this share of them are the same: of steps, corners and rows.

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "solve/event/rest.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 #include "solve/floors/chain.h"
 
 // M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.

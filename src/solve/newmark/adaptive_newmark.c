@@ -4,7 +4,7 @@
 
 #include "solve/account/peaks.h"
 #include "solve/event/equilibrium.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 
 // The forcing jumps at the present state, and the accelerations with it: a step from the old ones
 // would begin with a first-order error. Rigid bodies at rest may part.
