@@ -12,7 +12,7 @@
 #include "core/wall.h"
 #include "solve/account/peaks.h"
 #include "solve/account/residual_drift.h"
-#include "solve/event/equilibrium.h"
+#include "solve/event/rest.h"
 #include "solve/method.h"
 
 int run_poll_now(struct run *r, double time) {

@@ -13,7 +13,6 @@
 #include "solve/account/energy.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/sweep.h"
-#include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
 #include "solve/newmark/newmark.h"
 #include "support/analysis.h"

@@ -3,7 +3,7 @@
 #include "solve/method.h"
 
 #include "solve/account/peaks.h"
-#include "solve/event/equilibrium.h"
+#include "solve/event/rest.h"
 #include "solve/forcing.h"
 
 // The forcing jumps at the present state, and the accelerations with it: a step from the old ones
