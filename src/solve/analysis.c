@@ -139,17 +139,16 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->now = &r->store[0];
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
-    return energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
+    return fields_alloc(&energy_fields, m, &r->energy, a) && state_alloc(r->now, m, a) &&
            impacts_alloc(&r->impacts, m, r->results, &r->energy, a) &&
            peaks_alloc(r->results, m, a) && r->method->alloc(r, a);
 }
 
 static int run_start(struct run *r) {
     equilibrium_start(r->now, r->model);
-    energy_start(&r->energy, r->model, r->now);
     peaks_update(r->results, r->model, r->now);
     struct link_peak *link = r->results->link;
-    if (energy_start_links(&r->energy, r->model, r->now, link, r->error) != STATUS_OK) {
+    if (energy_start(&r->energy, r->model, r->now, link, r->error) != STATUS_OK) {
         return r->error->status;
     }
     state_commit_links(r->now, r->model);
