@@ -76,9 +76,9 @@ solve_group() {
     dormand_prince/dormand_prince.c) echo "10 method" ;;
     newmark/* | work.c) echo "8 newmark" ;;
     dormand_prince/*) echo "8 dormand_prince" ;;
-    run.h | method.h | method_list.inc) echo "9 run" ;;
+    run.h | method_list.inc) echo "9 run" ;;
     ensemble/*) echo "11 ensemble" ;;
-    analysis.c | method.c) echo "12 analysis" ;;
+    analysis.c) echo "12 analysis" ;;
     *) echo "check_layers: no group is known for '$1'" >&2 && exit 1 ;;
     esac
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newmark's method with steps as long as the tolerance allows (step_length.c), which end at events.
-#include "solve/method.h"
+#include "solve/run.h"
 
 #include "solve/account/peaks.h"
 #include "solve/event/rest.h"
