@@ -33,7 +33,6 @@ const struct fields forcing_fields = FIELDS(list);
 
 void forcing_init(struct forcing *f, const struct model *m) {
     f->model = m;
-    f->corner = -INFINITY;
 }
 
 static double forcing_slack(const struct signal *s, double t) {
@@ -82,12 +81,7 @@ static double forcing_rounding(const struct piece *p, double t) {
 }
 
 // Replaces the piece by the next one where it has ended. True if the signal jumps there.
-static bool forcing_turn_piece(const struct forcing *f, struct piece *p, const struct signal *s,
-                               double t) {
-    if (f->corner == -INFINITY) {
-        *p = forcing_piece_from(s, t);
-        return true;
-    }
+static bool forcing_turn_piece(struct piece *p, const struct signal *s, double t) {
     if (t < p->end - forcing_slack(s, t)) {
         return false;
     }
@@ -102,7 +96,7 @@ bool forcing_turn(struct forcing *f, double t) {
     bool jumps = false;
     double corner = INFINITY;
     struct piece *p = f->ground;
-    if (f->corner > -INFINITY && t >= m->duration * (1.0 - SAME_TIME)) {
+    if (t >= m->duration * (1.0 - SAME_TIME)) {
         f->corner = INFINITY;
         return false;
     }
@@ -110,7 +104,7 @@ bool forcing_turn(struct forcing *f, double t) {
     for (int k = 0; k < m->n_ground; k++) {
         struct sloping lines = {.start = t};
         for (int i = 0; i < m->ground[k].n_signal; i++, p++) {
-            jumps |= forcing_turn_piece(f, p, &m->ground[k].signal[i], t);
+            jumps |= forcing_turn_piece(p, &m->ground[k].signal[i], t);
             corner = fmin(corner, p->end);
             f->sines |= p->sine != NULL;
             lines.value += p->sine ? 0.0 : forcing_on_line(&p->line, t);
@@ -119,7 +113,7 @@ bool forcing_turn(struct forcing *f, double t) {
         f->lines[k] = lines;
     }
     for (int k = 0; k < m->n_load; k++) {
-        jumps |= forcing_turn_piece(f, &f->load[k], &m->load[k].signal, t);
+        jumps |= forcing_turn_piece(&f->load[k], &m->load[k].signal, t);
         corner = fmin(corner, f->load[k].end);
     }
     f->corner = corner;

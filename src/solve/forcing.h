@@ -39,7 +39,8 @@ struct forcing_values {
     double *v, *u;  // [L/T] [L] only where there is more than one ground
 };
 
-// Before all pieces, in storage that fields_alloc makes.
+// Before all pieces, in storage that fields_alloc makes: they end at t = 0, where forcing_turn is
+// due for the first time.
 void forcing_init(struct forcing *f, const struct model *m);
 
 // Replaces the pieces that end at time t by those that begin there. True if a signal jumps. At the

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "model/parts.h"
-#include "solve/forcing.h"
 #include "solve/floors/chain.h"
+#include "solve/forcing.h"
 
 static const struct fields_row list[] = {
     FIELD_VALUE(struct state, time),
@@ -66,8 +66,7 @@ void state_assert(const struct state *s, const struct model *m) {
 
 void state_open_links(struct state *s) {
     for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        s->link[k] = (struct link_state){0};
+        s->link[s->live[i]] = (struct link_state){0};
     }
     s->n_live = 0;
 }
@@ -214,8 +213,7 @@ void state_push(const struct link *l, const struct model *m, double f, double *x
 
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor) {
     for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        link_push(&m->link[k], s->link[k].force, floor);
+        link_push(&m->link[s->live[i]], s->link[s->live[i]].force, floor);
     }
 }
 

@@ -88,7 +88,7 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
     state_assert(s, m);
     for (int q = 0; q < PEAK_COUNT; q++) {
         for (int i = 0; i < m->n_dof; i++) {
-            peak_raise(value[q][i], s->time, &r->peak[q][i], &r->peak_time[q][i]);
+            peak_larger(fabs(value[q][i]), s->time, &r->peak[q][i], &r->peak_time[q][i]);
         }
     }
     peaks_speed(r, 0, m->n_dof);
