@@ -42,6 +42,7 @@ bool cluster_alloc(struct clusters *c, const struct model *m, struct arena *a) {
         .leader = arena_alloc(a, n, sizeof *c->leader),
         .first = arena_alloc(a, n, sizeof *c->first),
         .after = arena_alloc(a, n_link, sizeof *c->after),
+        .position = arena_alloc(a, n, sizeof *c->position),
         .nearest = arena_alloc(a, n, sizeof *c->nearest),
         .most = (int)most,
         .link = arena_alloc(a, most, sizeof *c->link),
@@ -63,7 +64,7 @@ static int cluster_leader(int *leader, int i) {
 void cluster_find(struct clusters *c, const struct model *m, const struct state *s) {
     for (int i = 0; i < m->n_building; i++) {
         c->leader[i] = i;
-        c->first[i] = -1;
+        c->first[i] = c->position[i] = -1;
         c->nearest[i] = INFINITY;
     }
     for (int i = 0; i < s->n_live; i++) {
@@ -81,42 +82,41 @@ void cluster_find(struct clusters *c, const struct model *m, const struct state 
     }
 }
 
-// Gaussian elimination with partial pivoting (Golub & Van Loan, Matrix Computations, section 3.4).
-// Rows whose entry is 0 already are passed over: in a row of buildings most are.
-LANES bool cluster_eliminate(double *a, double *b, ptrdiff_t n) {
+// Gaussian elimination with partial pivoting (Golub & Van Loan, Matrix Computations, section
+// 4.3.3): exchanges of rows let the band above the diagonal become twice as wide.
+LANES bool cluster_eliminate(double *a, double *b, ptrdiff_t n, ptrdiff_t width) {
+    bool finite = true;
     for (ptrdiff_t k = 0; k < n; k++) {
+        const ptrdiff_t below = k + width < n ? k + width + 1 : n;
+        const ptrdiff_t right = k + 2 * width < n ? k + 2 * width + 1 : n;
         double *restrict pivot = a + k * n;
         ptrdiff_t largest = k;
-        for (ptrdiff_t i = k + 1; i < n; i++) {
+        for (ptrdiff_t i = k + 1; i < below; i++) {
             largest = fabs(a[i * n + k]) > fabs(a[largest * n + k]) ? i : largest;
         }
-        if (a[largest * n + k] == 0.0) {
-            return false;
-        }
-        for (ptrdiff_t j = k; j < n && largest > k; j++) {
+        for (ptrdiff_t j = k; j < right && largest != k; j++) {
             const double kept = pivot[j];
             pivot[j] = a[largest * n + j];
             a[largest * n + j] = kept;
         }
-        const double right = b[largest];
-        b[largest] = b[k];
-        b[k] = right;
-        for (ptrdiff_t i = k + 1; i < n; i++) {
+        const double kept = b[k];
+        b[k] = b[largest];
+        b[largest] = kept;
+        if (pivot[k] == 0.0) {
+            return false;
+        }
+        for (ptrdiff_t i = k + 1; i < below; i++) {
             double *restrict row = a + i * n;
             const double share = row[k] / pivot[k];
-            if (share == 0.0) {
-                continue;
-            }
             LANES_LOOP
-            for (ptrdiff_t j = k + 1; j < n; j++) {
+            for (ptrdiff_t j = k + 1; j < right; j++) {
                 row[j] -= share * pivot[j];
             }
-            b[i] -= share * right;
+            b[i] -= share * b[k];
         }
     }
-    bool finite = true;
     for (ptrdiff_t k = n - 1; k >= 0; k--) {
-        for (ptrdiff_t j = k + 1; j < n; j++) {
+        for (ptrdiff_t j = k + 1; j < n && j <= k + 2 * width; j++) {
             b[k] -= a[k * n + j] * b[j];
         }
         b[k] /= a[k * n + k];
@@ -165,12 +165,13 @@ static bool cluster_newton(struct work *w, const struct state *now, const struct
         double force;
         enum branch branch = exact_force(&e, p->force, &force);
         double share = cluster_share(&e, branch, force) / p->flexibility;
-        for (int j = 0; j < c->n; j++) {
+        memset(row, 0, (size_t)c->n * sizeof *row);
+        for (int j = i > c->width ? i - c->width : 0; j < c->n && j <= i + c->width; j++) {
             row[j] = j == i ? 1.0 : share * cluster_flexibility(p, &w->model->link[c->link[j]]);
         }
         c->change[i] = force - p->force;
     }
-    return cluster_eliminate(c->matrix, c->change, c->n);
+    return cluster_eliminate(c->matrix, c->change, c->n, c->width);
 }
 
 static void cluster_apply(struct work *w, double part) {
@@ -274,13 +275,27 @@ static bool cluster_step(struct work *w, const struct state *now, struct state *
     return cluster_part_step(w, now, next);
 }
 
+// Takes link k into the cluster in hand. In a row of buildings whose links are in order, those of a
+// building are near each other.
+static void cluster_append(struct clusters *c, const struct model *m, int k) {
+    for (int side = 0; side < 2; side++) {
+        const int b = m->link[k].building[side];
+        if (b != WALL) {
+            c->position[b] = c->position[b] < 0 ? c->n : c->position[b];
+            c->width = c->n - c->position[b] > c->width ? c->n - c->position[b] : c->width;
+        }
+    }
+    c->link[c->n++] = k;
+}
+
 bool cluster_steps(struct work *w, const struct state *now, struct state *next) {
     struct clusters *c = &w->clusters;
     bool any = false;
     for (int i = 0; i < w->model->n_building; i++) {
         int k = c->first[i];
+        c->width = 0;
         for (c->n = 0; k >= 0 && c->n < c->most; k = c->after[k]) {
-            c->link[c->n++] = k;
+            cluster_append(c, w->model, k);
         }
         any |= k < 0 && c->n > 1 && cluster_step(w, now, next, &c->nearest[i]);
     }

@@ -14,9 +14,11 @@ struct clusters {
     int *leader;      // of each building, towards the one whose number its cluster has
     int *first;       // of each cluster, its first live link; -1: it has none
     int *after;       // (n_link) of each live link, the next one of its cluster; -1: none
+    int *position;    // of the first link of each building in its cluster; -1: none yet
     double *nearest;  // [L/T^2] the least that a sweep has moved the links of each cluster by
     int most;         // links of a cluster; larger ones are left to sweeps
     int n, *link;     // (most) links of the cluster in hand, in ascending order
+    int width;        // how far from each other in there links are that share a building, at most
     double *matrix;   // (most, most)
     double *change;   // [F] (most) of the forces
     double *kept_q;   // [L/T^2] (n_dof) corrections to be restored
@@ -33,8 +35,9 @@ void cluster_find(struct clusters *c, const struct model *m, const struct state 
 // the function that sweeps minimise. False: neither helped any cluster, and they were swept once.
 bool cluster_steps(struct work *w, const struct state *now, struct state *next);
 
-// Solves A x = b for the matrix A (n, n), rows after each other, in place of b (n). What is left of
-// A means nothing. False: A is singular, or not finite.
-bool cluster_eliminate(double *a, double *b, ptrdiff_t n);
+// Solves A x = b for the matrix A (n, n), rows after each other, in place of b (n). A is 0 farther
+// than `width` from its diagonal. What is left of A means nothing. False: A is singular, or not
+// finite.
+bool cluster_eliminate(double *a, double *b, ptrdiff_t n, ptrdiff_t width);
 
 #endif
