@@ -21,6 +21,7 @@
 // is infinite at every closure.
 #include "solve/contact/contact.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "core/number.h"
@@ -170,6 +171,18 @@ static bool contact_converged(const struct work *w, enum sweep_kind kind,
     return settled && (kind == SWEEP_EXACT || measured);
 }
 
+// Rounding error that the forces of other links cause in x (n_dof).
+static double contact_rounding(const struct work *w, const double *x) {
+    double largest = 0.0;
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            largest = number_max(largest, fabs(x[j]));
+        }
+    }
+    return 16.0 * DBL_EPSILON * largest;
+}
+
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter becomes that of
 // the totals which counts solutions by the means that were needed.
 static int contact_iterate(struct work *w, const struct state *now, struct state *next,
@@ -189,8 +202,8 @@ static int contact_iterate(struct work *w, const struct state *now, struct state
             if (!contact_is_hopeful(w, now, next)) {
                 return STATUS_RETRY;
             }
-            w->others_d = exact_rounding(w, w->u_trial);
-            w->others_v = exact_rounding(w, w->v_trial);
+            w->others_d = contact_rounding(w, w->u_trial);
+            w->others_v = contact_rounding(w, w->v_trial);
         }
         if (i + 1 == PLAIN_SWEEPS) {
             cluster_find(&w->clusters, w->model, next);
