@@ -9,7 +9,7 @@
 #include "core/number.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 
 // The runs of contacts, a vector at a time.
 static void group_contacts(struct flight *f, const struct gaps *gaps) {

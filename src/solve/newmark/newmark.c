@@ -23,7 +23,7 @@
 #include "core/lanes.h"
 #include "model/parts.h"
 #include "solve/contact/contact.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 
 static void newmark_begin(struct work *w, const struct state *now, struct state *next, double end) {
     const struct model *m = w->model;
