@@ -85,8 +85,7 @@ static double sweep_combine(struct effective *a, const struct link *l, int side,
     return flexibility;
 }
 
-// How the floors of its buildings respond to its force.
-static void sweep_find_columns(const struct work *w, struct link_scratch *p) {
+void sweep_find_columns(const struct work *w, struct link_scratch *p) {
     const struct link *l = p->link;
     double *combined = p->combined;
     p->factors = w->factors;
@@ -132,8 +131,7 @@ void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
     }
 }
 
-// d and v of a link without corrections, and its columns unless they are those of the last step.
-static inline void sweep_prepare(struct work *w, const struct state *next, struct link_scratch *p) {
+void sweep_prepare(struct work *w, const struct state *next, struct link_scratch *p) {
     p->trusted = p->branch == BRANCH_CLOSED && p->law->force && !p->clamped;
     p->open = false;
     p->stale = true;
