@@ -89,7 +89,7 @@ static double sweep_find_column(const struct work *w, struct link_scratch *p, in
     return size;
 }
 
-static void sweep_find_columns(const struct work *w, struct link_scratch *p) {
+void sweep_find_columns(const struct work *w, struct link_scratch *p) {
     double size = 0.0;
     p->factors = w->factors;
     p->flexibility = 0.0;
@@ -117,8 +117,7 @@ void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
     }
 }
 
-// d and v of a link without corrections, and its columns unless they are those of the last step.
-static inline void sweep_prepare(struct work *w, const struct state *next, struct link_scratch *p) {
+void sweep_prepare(struct work *w, const struct state *next, struct link_scratch *p) {
     p->trusted = p->branch == BRANCH_CLOSED && p->law->force && !p->clamped;
     p->open = false;
     p->stale = true;

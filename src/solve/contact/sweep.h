@@ -132,6 +132,13 @@ bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct are
 // Makes the live links of `next` the acting ones; *progress is that of the guess.
 void sweep_begin(struct work *w, const struct state *next, struct progress *progress);
 
+// Finds how the floors of its buildings respond to the force of a link.
+void sweep_find_columns(const struct work *w, struct link_scratch *p);
+
+// Finds d and v of a link without corrections, and its columns unless they are those of the last
+// step.
+void sweep_prepare(struct work *w, const struct state *next, struct link_scratch *p);
+
 // Gathers what changes from step to step of acting links `first` to end - 1, and evaluates their
 // laws.
 void sweep_gather(struct work *w, const struct state *next, int first, int end,
