@@ -10,7 +10,7 @@
 #include "command/run.h"
 #include "core/heap.h"
 #include "jostle/result.h"
-#include "model/damping_warn.h"
+#include "model/guidance.h"
 
 static int run_command(int argc, char **argv);
 
