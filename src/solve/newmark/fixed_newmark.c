@@ -67,7 +67,7 @@ static int advance(struct run *r, long *n, long end) {
 }
 
 static bool alloc(struct run *r, struct arena *a) {
-    return run_step_alloc(r, a) && flight_alloc(&r->flight, &r->work, a);
+    return run_step_alloc(r, a) && flight_alloc(&r->flight, &r->work, &r->impacts, a);
 }
 
 const struct method fixed_newmark = {

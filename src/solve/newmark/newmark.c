@@ -74,7 +74,7 @@ static void newmark_solve_residuals(struct work *w) {
         if (n == 0) {
             continue;
         }
-        effective_solve_row(&w->effective[k], n, s->residual + first, s->change + first);
+        effective_solve(&w->effective[k], n, s->residual + first, s->change + first);
         k += n - 1;
         for (int i = first; i < building[k].first + building[k].n_floor; i++) {
             w->correction[i] += s->change[i];
