@@ -272,7 +272,7 @@ static void finish_flight(const struct flight *f, const struct state *old, struc
         floors_catch_up(f->work, old, s);
     }
     complete(f, s);
-    peaks_speed(f->account->results, 0, f->model->n_dof);
+    peaks_speed(f->account->results, f->model->n_dof);
     t->steps += n;
     t->iterations += n;
 }
