@@ -150,15 +150,6 @@ static bool contact_is_hopeful(struct work *w, const struct state *now, const st
     return true;
 }
 
-// With laws that pull there may be no solution, or several between which sweeps go to and fro.
-// Without their tension there is just one.
-static void contact_clamp(struct work *w) {
-    for (int i = 0; i < w->n_acting; i++) {
-        struct link_scratch *p = w->acting[i];
-        p->clamped = !p->link->bilateral && (p->link->law->traits & CONTACT_MAY_PULL);
-    }
-}
-
 // Would another sweep change next to nothing? One of Newton steps measures that against the largest
 // force of the sweep before, which may have been much larger.
 static bool contact_converged(const struct work *w, enum sweep_kind kind,
@@ -208,8 +199,11 @@ static int contact_iterate(struct work *w, const struct state *now, struct state
         if (i + 1 == PLAIN_SWEEPS) {
             cluster_find(&w->clusters, w->model, next);
         }
-        if (i == PULLING_SWEEPS) {
-            contact_clamp(w);
+        // With laws that pull there may be no solution, or several between which sweeps go to and
+        // fro. Without their tension there is just one.
+        for (int k = 0; k < w->n_acting && i == PULLING_SWEEPS; k++) {
+            struct link_scratch *p = w->acting[k];
+            p->clamped = !p->bilateral && (p->law->traits & CONTACT_MAY_PULL);
         }
         const double change = number_max(s.moved[LAW_UNKNOWN], s.moved[LAW_KNOWN]);
         const bool slow = i + 1 >= PLAIN_SWEEPS && change > SLOW * before;

@@ -117,22 +117,6 @@ void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
     }
 }
 
-// d and v of a link without corrections, and its columns unless they are those of the last step.
-static inline void sweep_prepare(struct work *w, const struct state *next, struct link_scratch *p) {
-    p->trusted = p->branch == BRANCH_CLOSED && p->law->force && !p->clamped;
-    p->open = false;
-    p->stale = true;
-    p->d_trial = sweep_across(p, w->u_trial) - p->gap;
-    p->v_trial = sweep_across(p, w->v_trial);
-    if (p->moving_ground) {
-        p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
-        p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
-    }
-    if (p->factors != w->factors) {
-        sweep_find_columns(w, p);
-    }
-}
-
 // Evaluates the law of a link where it is.
 static inline void sweep_evaluate_here(struct work *w, struct link_scratch *p, struct progress *s) {
     const bool always = true;
@@ -145,8 +129,20 @@ static inline void sweep_evaluate_here(struct work *w, struct link_scratch *p, s
 void sweep_gather(struct work *w, const struct state *next, int first, int end,
                   struct progress *s) {
     for (int i = first; i < end; i++) {
-        sweep_prepare(w, next, w->acting[i]);
-        sweep_evaluate_here(w, w->acting[i], s);
+        struct link_scratch *p = w->acting[i];
+        p->trusted = p->branch == BRANCH_CLOSED && p->law->force && !p->clamped;
+        p->open = false;
+        p->stale = true;
+        p->d_trial = sweep_across(p, w->u_trial) - p->gap;
+        p->v_trial = sweep_across(p, w->v_trial);
+        if (p->moving_ground) {
+            p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
+            p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
+        }
+        if (p->factors != w->factors) {
+            sweep_find_columns(w, p);
+        }
+        sweep_evaluate_here(w, p, s);
     }
     s->law_tolerance = s->tolerance;
 }
@@ -159,25 +155,19 @@ void sweep_evaluate_again(struct work *w, struct progress *s) {
     }
 }
 
-// Does a link stay open?
-static inline bool sweep_stays_open(const struct work *w, const struct link_scratch *p,
-                                    struct progress *s) {
-    double d = p->d_trial + w->b * sweep_across(p, w->correction);
-    if (!(p->open && d <= 0.0)) {
-        return false;
-    }
-    s->margin = number_min(s->margin, -d * w->per_b * p->per_coupling);
-    return true;
-}
-
 LANES int sweep_newton(struct work *w, int first, int end, struct progress *progress) {
     struct progress s = *progress;  // in registers
     int i = first;
-    for (bool safe = true; i < end; i++) {
-        safe = true;
+    for (; i < end; i++) {
+        const struct link_scratch *p = w->acting[i];
+        bool safe = true;
         sweep_visit(w, w->acting[i], &safe, &s);
-        if (!safe && !sweep_stays_open(w, w->acting[i], &s)) {
-            break;
+        if (!safe) {
+            double d = p->d_trial + w->b * sweep_across(p, w->correction);
+            if (!(p->open && d <= 0.0)) {
+                break;
+            }
+            s.margin = number_min(s.margin, -d * w->per_b * p->per_coupling);  // it stays open
         }
     }
     *progress = s;
