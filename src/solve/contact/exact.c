@@ -55,29 +55,17 @@ static double exact_residual_at_rest(const struct equation *e, double f, double 
     return exact_residual(&at_rest, f);
 }
 
-// Moves one end of the bracket to the force that makes v = 0, where the law may jump or have a
-// kink. True if the root is there: both ends are.
-static bool exact_split_at_rest(const struct equation *e, struct root *r) {
-    double f = e->v_free / e->v_force;
-    if (!(f > r->low && f < r->high)) {
-        return false;
-    }
-    if (exact_residual_at_rest(e, f, -SMALLEST) < 0.0) {
-        r->low = f;
-        return false;
-    }
-    r->high = f;
-    if (exact_residual_at_rest(e, f, SMALLEST) <= 0.0) {
-        r->low = f;
-    }
-    return r->low == f;
-}
-
-// The root of g in [low, high], g(low) <= 0 <= g(high).
+// The root of g in [low, high], g(low) <= 0 <= g(high). Where v = 0 the law may jump or have a
+// kink: the root is there, or on one side.
 static double exact_search(const struct equation *e, double low, double high, double f) {
     struct root within = {low, high, 1.0};
-    if (exact_split_at_rest(e, &within)) {
-        return within.low;
+    const double rest = e->v_free / e->v_force;
+    if (rest > low && rest < high) {
+        bool above = exact_residual_at_rest(e, rest, -SMALLEST) < 0.0;
+        if (!above && exact_residual_at_rest(e, rest, SMALLEST) <= 0.0) {
+            return rest;
+        }
+        *(above ? &within.low : &within.high) = rest;
     }
     if (!(f > within.low && f < within.high)) {
         f = root_middle(&within);
