@@ -91,13 +91,6 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
     return (size_t)got == size && entry_is_sound(j->buffer, *n) ? 1 : 0;
 }
 
-// Is it the magic word of another version?
-static bool is_of_another(const char *found) {
-    const char version = found[MAGIC_VERSION];
-    return memcmp(found, magic, MAGIC_VERSION) == 0 && version >= '0' && version <= '9' &&
-           found[MAGIC_VERSION + 1] == magic[MAGIC_VERSION + 1];
-}
-
 static int take_foreign(struct journal *j, struct error *e) {
     j->head = calloc(1, 1);
     j->accepted = j->head;
@@ -129,7 +122,11 @@ static int load_head(struct journal *j, struct error *e) {
         return cannot(j, "read", e);
     }
     if (memcmp(found, magic, (size_t)got) != 0) {
-        if ((size_t)got == sizeof magic && is_of_another(found)) {
+        // Is it the magic word of another version?
+        const char version = found[MAGIC_VERSION];
+        if ((size_t)got == sizeof magic && memcmp(found, magic, MAGIC_VERSION) == 0 &&
+            version >= '0' && version <= '9' &&
+            found[MAGIC_VERSION + 1] == magic[MAGIC_VERSION + 1]) {
             return take_foreign(j, e);
         }
         return error_set(e, STATUS_INPUT,
@@ -153,20 +150,6 @@ static int attempt(void *context, struct error *e) {
     return file_claim(j->path, j->path, O_CREAT, &j->file, e);
 }
 
-// The name of the journal is on disk before anything is in it.
-static int open_file(struct journal *j, struct error *e) {
-    const int status = file_retry(j->path, j->path, attempt, j, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    const int folder = file_open_folder(j->path);
-    const int synced = file_sync_folder(folder);
-    if (folder >= 0) {
-        close(folder);
-    }
-    return synced == 0 ? load_head(j, e) : cannot(j, "write", e);
-}
-
 int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e) {
     *j = (struct journal){.file = -1, .n_run = n_run, .n_value = n_value};
     const size_t n = strlen(path) + 1;
@@ -178,7 +161,16 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
         return error_no_memory(e);
     }
     memcpy(j->path, path, n);
-    int status = open_file(j, e);
+    int status = file_retry(path, path, attempt, j, e);
+    if (status == STATUS_OK) {
+        // The name of the journal is on disk before anything is in it.
+        const int folder = file_open_folder(path);
+        const int synced = file_sync_folder(folder);
+        if (folder >= 0) {
+            close(folder);
+        }
+        status = synced == 0 ? load_head(j, e) : cannot(j, "write", e);
+    }
     if (status != STATUS_OK) {
         journal_close(j);
     }
