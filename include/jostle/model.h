@@ -187,9 +187,9 @@ struct model {
 // STATUS_INPUT. The model owns the deck when the call succeeds, and only then.
 int model_build(struct deck *deck, struct model **out, struct error *e);
 
-// The same with records from a shelf (motion/shelf.h) that many builds share; NULL: none.
-struct shelf;
-int model_build_shared(struct deck *deck, struct shelf *records, struct model **out,
+// The same with records from a cache (motion/record_cache.h) that many builds share; NULL: none.
+struct record_cache;
+int model_build_shared(struct deck *deck, struct record_cache *records, struct model **out,
                        struct error *e);
 void model_free(struct model *m);  // NULL is allowed
 

@@ -128,12 +128,12 @@ int result_analyse(struct result_writer *w, const struct observer *watch, struct
 // and is to be kept, or is not a regular file: a folder, a device, a symbolic link).
 int result_check_path(const char *path, enum result_existing existing, struct error *e);
 
-// Gives the complete file `draft` the name `path` in the same folder. `file` is the open draft,
+// Gives the complete file `partial` the name `path` in the same folder. `file` is the open file,
 // which the caller has locked. The content is on disk before the name appears, and the name is on
 // disk when this returns. An existing file survives RESULT_KEEP even when it comes into being at
-// the same moment; with RESULT_REPLACE there is always the old file or the new one. `draft` is gone
-// afterwards. Errors: STATUS_INPUT (exists, is not a regular file), STATUS_SYSTEM.
-int result_publish(int file, const char *draft, const char *path, enum result_existing existing,
+// the same moment; with RESULT_REPLACE there is always the old file or the new one. `partial` is
+// gone afterwards. Errors: STATUS_INPUT (exists, is not a regular file), STATUS_SYSTEM.
+int result_publish(int file, const char *partial, const char *path, enum result_existing existing,
                    struct error *e);
 
 // The checksums of a result file, which do not depend on how the file stores its data.

@@ -28,7 +28,7 @@ struct study_source {
 // What the runs of a study come from.
 struct study_origin {
     int numerics;          // the version of the numerics
-    const char *study;     // which study it is: see study/identity.h
+    const char *study;     // which study it is: see study/origin.h
     const char *define;    // its -D NAME=VALUE, a line each
     const char *programs;  // checksums of the programs that made runs or parts, a line each
     const char *accepted;  // what had changed when --accept went on, a line each; "": nothing

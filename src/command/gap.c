@@ -48,18 +48,18 @@ struct options {
 #define AT(member) offsetof(struct options, member)
 
 // EXIT_DONE, or the status of what ended the runs.
-static int run_apart(const struct plan *p, const struct options *o, struct apart *a) {
+static int run_apart(const struct plan *p, const struct options *o, struct contact_free *a) {
     struct progress progress;
     struct error e;
     const struct gap_runs how = {
         .n_thread = o->n_thread, .poll = progress_poll, .context = &progress};
     progress_start(&progress, (double)p->n_run, "runs");
-    int status = apart_run(p, &how, a, &e);
+    int status = contact_free_run(p, &how, a, &e);
     progress_end(&progress);
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-static int fail_runs(const struct plan *p, const struct apart *a) {
+static int fail_runs(const struct plan *p, const struct contact_free *a) {
     long run = 0;
     while (a->outcome[run].status != STUDY_FAILED) {
         run++;
@@ -72,7 +72,7 @@ static int fail_runs(const struct plan *p, const struct apart *a) {
 }
 
 static int print_apart(const struct plan *p, const struct options *o) {
-    struct apart a = {.n_run = 0};
+    struct contact_free a = {.n_run = 0};
     int status = run_apart(p, o, &a);
     double *scratch = status == EXIT_DONE ? calloc((size_t)a.n_run, sizeof *scratch) : NULL;
     if (status == EXIT_DONE && !scratch) {
@@ -85,20 +85,20 @@ static int print_apart(const struct plan *p, const struct options *o) {
         status = fail_runs(p, &a);
     }
     free(scratch);
-    apart_close(&a);
+    contact_free_close(&a);
     return status;
 }
 
 // From 0 to a thousandth beyond where nothing touches any more, or comes as near as the limit says.
 static int default_range(const struct plan *p, const struct options *o,
                          struct gap_search_request *q) {
-    struct apart a = {.n_run = 0};
+    struct contact_free a = {.n_run = 0};
     int status = run_apart(p, o, &a);
     q->from = q->to = 0.0;
     q->n = POINTS_DEFAULT;
     for (long run = 0; status == EXIT_DONE && run < a.n_run; run++) {
         for (int i = 0; i < a.n_contact; i++) {
-            q->to = fmax(q->to, apart_values(&a, run, i)[APART_CLOSING]);
+            q->to = fmax(q->to, contact_free_values(&a, run, i)[FREE_CLOSING]);
         }
     }
     // Only a penetration has limits below 0: the distance that is to be left.
@@ -107,7 +107,7 @@ static int default_range(const struct plan *p, const struct options *o,
     if (status == EXIT_DONE && a.n_failed > 0) {
         status = fail_runs(p, &a);
     }
-    apart_close(&a);
+    contact_free_close(&a);
     return status == EXIT_DONE && !(q->to > 0.0)
                ? command_usage(&command_gap, "the buildings never move towards each other; set the "
                                              "gaps to scan with --range")

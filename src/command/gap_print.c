@@ -19,7 +19,7 @@ static const struct printer_column closing[] = {COLUMN_NAME("of the closing", 14
 static const struct printer_column ratio[] = {COLUMN_F("mean", 6, 3), COLUMN_F("least", 6, 3)};
 static const struct printer_column modes[] = {COLUMN_NAME("first modes", 14), COLUMN_G("T", 9, 4),
                                               COLUMN_G("damp. [%]", 9, 4)};
-// Behind the sweeps, before the rules; the values in the order of enum apart_value.
+// Behind the sweeps, before the rules; the values in the order of enum contact_free_value.
 static const struct printer_column of_contact[] = {COLUMN_DATA("status"),
                                                    COLUMN_DATA("contact"),
                                                    COLUMN_OF("gap", dimension_length),
@@ -35,30 +35,30 @@ static const struct printer_column of_contact[] = {COLUMN_DATA("status"),
 // What the tables are about.
 struct view {
     const struct plan *p;
-    const struct apart *a;
+    const struct contact_free *a;
     double *scratch;  // (n_run)
 };
 
 static double mean(const struct view *v, int contact, int value) {
-    return apart_summarise(v->a, contact, value, APART_VALUES, v->scratch).mean;
+    return contact_free_summarise(v->a, contact, value, FREE_VALUES, v->scratch).mean;
 }
 
 static void print_closing(struct printer *t, const struct view *v, int i) {
-    const struct apart_summary s =
-        apart_summarise(v->a, i, APART_CLOSING, APART_VALUES, v->scratch);
+    const struct contact_free_summary s =
+        contact_free_summarise(v->a, i, FREE_CLOSING, FREE_VALUES, v->scratch);
     printer_numbers(t, (const double[]){s.mean, s.low, s.median, s.high, s.largest}, 5);
     printer_whole(t, s.run + 1);
-    printer_number(t, mean(v, i, APART_GAP));
-    printer_whole(t, apart_hits(v->a, i));
+    printer_number(t, mean(v, i, FREE_GAP));
+    printer_whole(t, contact_free_hits(v->a, i));
 }
 
 // Means over the runs: what goes into the rules, and what comes out.
 static void print_rules(struct printer *t, const struct view *v, int i) {
-    printer_number(t, mean(v, i, APART_LEFT));
-    printer_number(t, mean(v, i, APART_RIGHT));
-    printer_number(t, mean(v, i, APART_RHO));
+    printer_number(t, mean(v, i, FREE_LEFT));
+    printer_number(t, mean(v, i, FREE_RIGHT));
+    printer_number(t, mean(v, i, FREE_RHO));
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printer_number(t, mean(v, i, APART_RULE + k));
+        printer_number(t, mean(v, i, FREE_RULE + k));
     }
 }
 
@@ -66,8 +66,8 @@ static void print_rules(struct printer *t, const struct view *v, int i) {
 static void print_ratios(struct printer *t, const struct view *v, int i) {
     printer_empty(t);
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        const struct apart_summary s =
-            apart_summarise(v->a, i, APART_RULE + k, APART_CLOSING, v->scratch);
+        const struct contact_free_summary s =
+            contact_free_summarise(v->a, i, FREE_RULE + k, FREE_CLOSING, v->scratch);
         printer_number(t, s.mean);
         printer_number(t, s.least);
     }
@@ -97,15 +97,15 @@ static int print_modes(const struct view *v) {
         }
         if (at >= 0) {
             printer_text(&t, m->building[building].name);
-            printer_number(&t, mean(v, at / 2, APART_PERIOD_LEFT + at % 2));
-            printer_number(&t, 100.0 * mean(v, at / 2, APART_DAMPING_LEFT + at % 2));
+            printer_number(&t, mean(v, at / 2, FREE_PERIOD_LEFT + at % 2));
+            printer_number(&t, 100.0 * mean(v, at / 2, FREE_DAMPING_LEFT + at % 2));
             printer_line(&t);
         }
     }
     return printer_close(&t);
 }
 
-static void print_head(const struct plan *p, const struct apart *a) {
+static void print_head(const struct plan *p, const struct contact_free *a) {
     const struct deck *d = p->first->deck;
     if (d->title[0]) {
         safe_line(stdout, "%s", d->title);
@@ -122,7 +122,7 @@ static void print_head(const struct plan *p, const struct apart *a) {
     printf("\n");
 }
 
-int gap_print_apart(const struct plan *p, const struct apart *a, double *scratch) {
+int gap_print_apart(const struct plan *p, const struct contact_free *a, double *scratch) {
     const struct view v = {p, a, scratch};
     struct printer t[3] = {{.to = stdout}, {.to = stdout}, {.to = stdout}};
     PRINTER_ADD(&t[0], closings);
@@ -145,8 +145,8 @@ int gap_print_apart(const struct plan *p, const struct apart *a, double *scratch
     return status[0] | status[1] | status[2] | status[3];
 }
 
-static void print_run(struct printer *t, const struct plan *p, const struct apart *a, long run,
-                      int contact) {
+static void print_run(struct printer *t, const struct plan *p, const struct contact_free *a,
+                      long run, int contact) {
     int choice[STUDY_SWEEPS_MAX], k = 0;
     plan_choose(p, run, choice);
     printer_whole(t, run + 1);
@@ -155,12 +155,12 @@ static void print_run(struct printer *t, const struct plan *p, const struct apar
     }
     printer_text(t, study_print_status(&a->outcome[run]));
     printer_text(t, p->first->link[contact].name);
-    printer_numbers(t, apart_values(a, run, contact), APART_VALUES);
+    printer_numbers(t, contact_free_values(a, run, contact), FREE_VALUES);
     printer_text(t, a->outcome[run].message);
     printer_line(t);
 }
 
-int gap_print_runs(const struct plan *p, const struct apart *a, enum printer_form form) {
+int gap_print_runs(const struct plan *p, const struct contact_free *a, enum printer_form form) {
     const struct deck *d = p->first->deck;
     struct printer t = {.to = stdout, .form = form, .units = &d->units};
     printer_add(&t, &(struct printer_column)COLUMN_DATA("run"), 1);

@@ -4,15 +4,15 @@
 #define JOSTLE_GAP_PRINT_H
 
 #include "command/printer.h"
-#include "study/apart.h"
+#include "study/contact_free.h"
 #include "study/gap_search.h"
 
 // All return EXIT_DONE or, after a message, the exit status.
 
 // Closing displacements and what the rules give. `scratch` has room for the runs.
-int gap_print_apart(const struct plan *p, const struct apart *a, double *scratch);
+int gap_print_apart(const struct plan *p, const struct contact_free *a, double *scratch);
 // The same run by run, as data.
-int gap_print_runs(const struct plan *p, const struct apart *a, enum printer_form form);
+int gap_print_runs(const struct plan *p, const struct contact_free *a, enum printer_form form);
 
 // The gaps looked at, and in text the one found.
 int gap_print_search(const struct gap_search_request *q, const struct gap_search *s,

@@ -7,7 +7,7 @@
 #include "command/picture.h"
 #include "plot/figure.h"
 #include "plot/pictures.h"
-#include "result/draft.h"
+#include "result/partial_file.h"
 
 static int law_command(int argc, char **argv);
 
@@ -60,17 +60,17 @@ static int check_existing(const struct options *o, struct error *e) {
 
 // Returns the exit status.
 static int write_history(const struct options *o, const struct law_impact *i) {
-    struct draft draft;
+    struct partial_file partial;
     struct error e;
-    if (draft_open(&draft, o->history, o->picture.existing, &e) != STATUS_OK) {
+    if (partial_file_open(&partial, o->history, o->picture.existing, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    const int status = law_print_history(i, draft.to);
+    const int status = law_print_history(i, partial.to);
     if (status != EXIT_DONE) {
-        draft_drop(&draft);
+        partial_file_drop(&partial);
         return status;
     }
-    return draft_publish(&draft, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    return partial_file_publish(&partial, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 // What is written above the picture and its panels.

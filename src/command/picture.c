@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "command/interrupt.h"
-#include "result/draft.h"
+#include "result/partial_file.h"
 
 enum { PATH_SIZE = 4096, NOT_FOUND = 127 };
 
@@ -76,12 +76,12 @@ static int write_pair(const struct picture_request *q, const char *picture, cons
 }
 
 // Both get their names, or neither. If the script cannot have its own, new data does not stay.
-static int publish_pair(struct draft *data, struct draft *script, struct error *e) {
-    int status = draft_publish(data, e);
+static int publish_pair(struct partial_file *data, struct partial_file *script, struct error *e) {
+    int status = partial_file_publish(data, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = draft_publish(script, e);
+    status = partial_file_publish(script, e);
     if (status != STATUS_OK) {
         unlink(data->path);
     }
@@ -89,13 +89,13 @@ static int publish_pair(struct draft *data, struct draft *script, struct error *
 }
 
 static int write_script(const struct picture_request *q, const struct pair *p, struct error *e) {
-    struct draft data = {0}, script = {0};
+    struct partial_file data = {0}, script = {0};
     char picture[64];
     snprintf(picture, sizeof picture, "%s.%s", q->name,
              q->options.output ? figure_ending(q->options.output) : "png");
-    int status = draft_open(&data, p->data, q->options.existing, e);
+    int status = partial_file_open(&data, p->data, q->options.existing, e);
     if (status == STATUS_OK) {
-        status = draft_open(&script, p->script, q->options.existing, e);
+        status = partial_file_open(&script, p->script, q->options.existing, e);
     }
     if (status == STATUS_OK) {
         const struct figure_files to = {script.to, data.to, picture};
@@ -104,8 +104,8 @@ static int write_script(const struct picture_request *q, const struct pair *p, s
     if (status == STATUS_OK) {
         status = publish_pair(&data, &script, e);
     }
-    draft_drop(&script);
-    draft_drop(&data);
+    partial_file_drop(&script);
+    partial_file_drop(&data);
     return status;
 }
 
@@ -240,15 +240,15 @@ static int copy(const char *from_path, const struct picture_request *q, struct e
     if (!from) {
         return error_set(e, STATUS_SYSTEM, "gnuplot made no picture");
     }
-    struct draft draft;
-    int status = draft_open(&draft, q->options.output, q->options.existing, e);
+    struct partial_file partial;
+    int status = partial_file_open(&partial, q->options.output, q->options.existing, e);
     if (status == STATUS_OK) {
-        status = copy_into(draft.to, from, figure_last_mark(q->options.output), e);
+        status = copy_into(partial.to, from, figure_last_mark(q->options.output), e);
     }
     if (status == STATUS_OK) {
-        status = draft_publish(&draft, e);
+        status = partial_file_publish(&partial, e);
     }
-    draft_drop(&draft);
+    partial_file_drop(&partial);
     fclose(from);
     return status;
 }

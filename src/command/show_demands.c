@@ -54,16 +54,6 @@ static int take(void *context, const struct study_run *r, struct error *e) {
     return STATUS_OK;
 }
 
-static int print(struct study_file *f, struct show *p, struct error *e) {
-    static const struct printer_column demand[] = {COLUMN_DATA("edp"),    COLUMN_DATA("location"),
-                                                   COLUMN_DATA("value"),  COLUMN_DATA("unit"),
-                                                   COLUMN_DATA("status"), COLUMN_DATA("hit")};
-    show_add_sweeps(&p->table, p->view);
-    PRINTER_ADD(&p->table, demand);
-    printer_head(&p->table);
-    return printer_end(&p->table, study_file_each(f, take, p, e), e);
-}
-
 // Quantities that the file does not have are left out where all are asked for.
 static int read_demands(const struct study_view *v, const struct show_demands_request *q,
                         struct arena *a, struct edp *edp, int *n, struct error *e) {
@@ -81,6 +71,9 @@ static int read_demands(const struct study_view *v, const struct show_demands_re
 
 static int show(struct study_file *f, const struct show_demands_request *q, FILE *to,
                 struct error *e) {
+    static const struct printer_column demand[] = {COLUMN_DATA("edp"),    COLUMN_DATA("location"),
+                                                   COLUMN_DATA("value"),  COLUMN_DATA("unit"),
+                                                   COLUMN_DATA("status"), COLUMN_DATA("hit")};
     struct arena *a = arena_create();
     struct edp *edp =
         a ? arena_alloc(a, (size_t)q->n_edp + (size_t)n_edp_quantity, sizeof *edp) : NULL;
@@ -90,7 +83,10 @@ static int show(struct study_file *f, const struct show_demands_request *q, FILE
                      .edp = edp};
     int status = edp ? read_demands(p.view, q, a, edp, &p.n_edp, e) : error_no_memory(e);
     if (status == STATUS_OK) {
-        status = print(f, &p, e);
+        show_add_sweeps(&p.table, p.view);
+        PRINTER_ADD(&p.table, demand);
+        printer_head(&p.table);
+        status = printer_end(&p.table, study_file_each(f, take, &p, e), e);
     }
     arena_free(a);
     return status;

@@ -50,21 +50,17 @@ static void print_item(struct show *p, const struct study_run *r, const struct s
     }
 }
 
-static void print_failure(struct show *p, const struct study_run *r) {
-    begin_line(p, r);
-    printer_text(&p->table, "message");
-    for (int i = 0; i < 3; i++) {
-        printer_empty(&p->table);
-    }
-    printer_text(&p->table, r->outcome->message);
-    printer_line(&p->table);
-}
-
 static int take_lines(void *context, const struct study_run *r, struct error *e) {
     struct show *p = context;
     (void)e;
     if (r->outcome->status != STUDY_DONE) {
-        print_failure(p, r);
+        begin_line(p, r);
+        printer_text(&p->table, "message");
+        for (int i = 0; i < 3; i++) {
+            printer_empty(&p->table);
+        }
+        printer_text(&p->table, r->outcome->message);
+        printer_line(&p->table);
         return STATUS_OK;
     }
     for (int i = 0; i < p->view->table.n_item; i++) {

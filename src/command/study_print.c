@@ -7,6 +7,7 @@
 #include "command/sweeps.h"
 #include "core/safe.h"
 #include "core/text.h"
+#include "result/choice.h"
 #include "result/layout.h"
 #include "study/edp.h"
 
@@ -36,18 +37,15 @@ const char *study_print_name(const struct study_view *v, const struct study_item
     return i < n ? (contact ? v->contact : v->link)[i].name : "";
 }
 
-// Times of peaks are no quantities of their own.
-static bool is_shown(const struct study_item *item) {
-    const char *underscore = strrchr(item->name, '_');
-    return item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
-}
-
 static void add_values(struct study_peaks *p, const struct study_view *v,
                        const struct study_run *r) {
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         struct study_peak *peak = &p->peak[k];
-        for (size_t i = 0; is_shown(item) && i < item->n; i++) {
+        // Times of peaks are no quantities of their own.
+        const char *underscore = strrchr(item->name, '_');
+        const bool shown = item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
+        for (size_t i = 0; shown && i < item->n; i++) {
             const double x = r->value[item->first + i];
             if (!isnan(x) && (!peak->found || x > peak->value)) {
                 *peak = (struct study_peak){.found = true, .value = x, .run = r->number, .at = i};
@@ -111,50 +109,23 @@ static void print_head(const struct study_peaks *p, const struct study_view *v, 
     }
 }
 
-// Elastic storeys keep no drift.
-static bool is_nothing(const struct study_item *item, const struct study_peak *peak) {
-    return strcmp(item->name, layout_residual_drift_name) == 0 && peak->value == 0;
-}
-
 // The buildings that are shown: those with the largest drifts.
 struct shown {
     int n, n_building;
-    const char *owner[BUILDINGS_MAX];
-    double drift[BUILDINGS_MAX];  // (n) descending
+    struct choice choice[BUILDINGS_MAX];  // (n) items of drifts
 };
-
-static void choose(struct shown *s, const char *owner, double drift) {
-    int i = s->n < BUILDINGS_MAX ? s->n++ : s->n;
-    for (; i > 0 && drift > s->drift[i - 1]; i--) {
-        if (i < s->n) {
-            s->owner[i] = s->owner[i - 1];
-            s->drift[i] = s->drift[i - 1];
-        }
-    }
-    if (i < s->n) {
-        s->owner[i] = owner;
-        s->drift[i] = drift;
-    }
-    s->n_building++;
-}
 
 static struct shown choose_buildings(const struct study_peaks *p, const struct study_view *v) {
     struct shown s = {.n = 0};
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         if (item->leaf && item->owner && strcmp(item->name, "drift") == 0) {
-            choose(&s, item->owner, p->peak[k].found ? p->peak[k].value : -HUGE_VAL);
+            const double drift = p->peak[k].found ? p->peak[k].value : -HUGE_VAL;
+            s.n = choice_add(s.choice, s.n, BUILDINGS_MAX, (struct choice){drift, k});
+            s.n_building++;
         }
     }
     return s;
-}
-
-static bool is_hidden(const struct shown *s, const struct study_item *item) {
-    bool hidden = item->owner != NULL;
-    for (int i = 0; i < s->n && hidden; i++) {
-        hidden = strcmp(s->owner[i], item->owner) != 0;
-    }
-    return hidden;
 }
 
 struct study_g study_print_g(const struct unit_system *u, const char *units, double value) {
@@ -167,9 +138,16 @@ struct study_g study_print_g(const struct unit_system *u, const char *units, dou
     return g;
 }
 
-static bool is_printed(const struct shown *s, const struct study_item *item,
+// Elastic storeys keep no drift: it is not printed.
+static bool is_printed(const struct shown *s, const struct study_view *v, int k,
                        const struct study_peak *peak) {
-    return peak->found && !is_nothing(item, peak) && !is_hidden(s, item);
+    const struct study_item *item = &v->table.item[k];
+    bool hidden = item->owner != NULL;
+    for (int i = 0; i < s->n && hidden; i++) {
+        hidden = strcmp(v->table.item[s->choice[i].index].owner, item->owner) != 0;
+    }
+    const bool nothing = strcmp(item->name, layout_residual_drift_name) == 0 && peak->value == 0;
+    return peak->found && !nothing && !hidden;
 }
 
 // Of the longest name printed.
@@ -178,7 +156,7 @@ static int name_width(const struct study_peaks *p, const struct study_view *v,
     int width = NAME_WIDTH_MIN;
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
-        if (is_printed(s, item, &p->peak[k])) {
+        if (is_printed(s, v, k, &p->peak[k])) {
             const char *name = study_print_name(v, item, p->peak[k].at);
             const int n = text_columns(name, strlen(name));
             width = n > width ? n : width;
@@ -198,7 +176,7 @@ static void print_peaks(const struct study_peaks *p, const struct study_view *v,
         const struct study_peak *peak = &p->peak[k];
         struct text_short quantity, units;
         char floor[24] = "";
-        if (!is_printed(&shown, item, peak)) {
+        if (!is_printed(&shown, v, k, peak)) {
             continue;
         }
         if (item->owner) {

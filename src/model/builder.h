@@ -84,7 +84,7 @@ struct link_draft {
 struct builder {
     struct deck *deck;
     struct arena *arena;  // of the deck
-    struct shelf *records;
+    struct record_cache *records;
     struct list buildings, grounds, links, loads;
     struct name_index building_index;
 

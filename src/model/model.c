@@ -52,7 +52,7 @@ int model_build(struct deck *deck, struct model **out, struct error *e) {
     return model_build_shared(deck, NULL, out, e);
 }
 
-int model_build_shared(struct deck *deck, struct shelf *records, struct model **out,
+int model_build_shared(struct deck *deck, struct record_cache *records, struct model **out,
                        struct error *e) {
     const struct builder empty = {
         .deck = deck,

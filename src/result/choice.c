@@ -16,16 +16,16 @@ static int by_index(const void *left, const void *right) {
     return (a->index > b->index) - (a->index < b->index);
 }
 
-int choice_add(struct choice *shown, int n, struct choice c) {
-    if (n == SHOWN_MAX && by_rank(&c, &shown[n - 1]) > 0) {
+int choice_add(struct choice *shown, int n, int most, struct choice c) {
+    if (n == most && by_rank(&c, &shown[n - 1]) > 0) {
         return n;
     }
-    int i = n == SHOWN_MAX ? n - 1 : n;
+    int i = n == most ? n - 1 : n;
     for (; i > 0 && by_rank(&c, &shown[i - 1]) < 0; i--) {
         shown[i] = shown[i - 1];
     }
     shown[i] = c;
-    return n == SHOWN_MAX ? n : n + 1;
+    return n == most ? n : n + 1;
 }
 
 void choice_sort(struct choice *shown, int n) {

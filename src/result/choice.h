@@ -10,9 +10,9 @@ struct choice {
     int index;    // of the entry in its list
 };
 
-// Puts `c` among the foremost SHOWN_MAX of `shown`, kept sorted by rank. Returns how many there
-// are.
-int choice_add(struct choice *shown, int n, struct choice c);
+// Puts `c` among the foremost `most` of the `n` in `shown`, kept sorted by rank. Returns how many
+// there are.
+int choice_add(struct choice *shown, int n, int most, struct choice c);
 
 // Sorts them by index.
 void choice_sort(struct choice *shown, int n);

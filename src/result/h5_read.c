@@ -76,38 +76,29 @@ hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name) {
     return group;
 }
 
-// The scalar attribute `name`, whose type must be of `class`.
-static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class) {
+// Reads the scalar attribute, whose type must be of `class`, as `type` into *value, which stays as
+// it is after a failure.
+static void get_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class,
+                          hid_t type, void *value) {
     if (!h5_has_room(h)) {
-        return -1;
+        return;
     }
     hid_t attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
     if (attribute < 0) {
         h5_fail(h, "attribute '%s' is missing", name);
-        return -1;
+        return;
     }
-    hid_t type = H5Aget_type(attribute), space = H5Aget_space(attribute);
-    const bool good = type >= 0 && space >= 0 && H5Tget_class(type) == class &&
-                      H5Sget_simple_extent_npoints(space) == 1 &&
-                      (class != H5T_STRING || H5Tis_variable_str(type) > 0);
-    H5Tclose(type);
-    H5Sclose(space);
-    if (!good) {
+    hid_t stored = H5Aget_type(attribute), space = H5Aget_space(attribute);
+    if (stored < 0 || space < 0 || H5Tget_class(stored) != class ||
+        H5Sget_simple_extent_npoints(space) != 1 ||
+        (class == H5T_STRING && H5Tis_variable_str(stored) <= 0)) {
         h5_fail(h, "attribute '%s' is not of the kind expected", name);
-        H5Aclose(attribute);
-        return -1;
-    }
-    return attribute;
-}
-
-// Reads the attribute as `type` into *value, which stays as it is after a failure.
-static void get_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class,
-                          hid_t type, void *value) {
-    hid_t attribute = open_attribute(h, object, name, class);
-    if (attribute >= 0) {
+    } else {
         h5_failed(h, H5Aread(attribute, type, value));
-        H5Aclose(attribute);
     }
+    H5Tclose(stored);
+    H5Sclose(space);
+    H5Aclose(attribute);
 }
 
 void h5_get_reference(struct h5 *h, hid_t object, const char *name, struct h5_reference *out) {
@@ -141,19 +132,22 @@ double h5_get_double(struct h5 *h, hid_t object, const char *name) {
     return value;
 }
 
-static void get_unit_name(struct h5 *h, struct arena *a, const char *name, char *to) {
-    const char *text = h5_get_line(h, a, h->file, name);
-    if (text && strlen(text) >= UNIT_NAME_MAX) {
-        h5_fail(h, "attribute '%s' is longer than %d characters", name, UNIT_NAME_MAX - 1);
-    } else if (text) {
-        memcpy(to, text, strlen(text) + 1);
-    }
-}
-
 void h5_get_units(struct h5 *h, struct arena *a, struct unit_system *u) {
-    get_unit_name(h, a, "unit_force", u->force_name);
-    get_unit_name(h, a, "unit_length", u->length_name);
-    get_unit_name(h, a, "unit_time", u->time_name);
+    const struct {
+        const char *attribute;
+        char *to;
+    } name[] = {{"unit_force", u->force_name},
+                {"unit_length", u->length_name},
+                {"unit_time", u->time_name}};
+    for (int i = 0; i < 3; i++) {
+        const char *text = h5_get_line(h, a, h->file, name[i].attribute);
+        if (text && strlen(text) >= UNIT_NAME_MAX) {
+            h5_fail(h, "attribute '%s' is longer than %d characters", name[i].attribute,
+                    UNIT_NAME_MAX - 1);
+        } else if (text) {
+            memcpy(name[i].to, text, strlen(text) + 1);
+        }
+    }
     u->force = h5_get_double(h, h->file, "unit_force_in_N");
     u->length = h5_get_double(h, h->file, "unit_length_in_m");
     u->time = h5_get_double(h, h->file, "unit_time_in_s");

@@ -155,21 +155,16 @@ static void list_uses_of(struct h5 *h, hid_t type, const struct h5_use *use, siz
     free(entry);
 }
 
-static hid_t entry_type(struct h5 *h) {
+void h5_list_uses(struct h5 *h) {
+    if (h->failed || h->n_use == 0) {
+        return;
+    }
     hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(struct entry));
     if (!h5_failed(h, type)) {
         h5_failed(h, H5Tinsert(type, "dataset", HOFFSET(struct entry, dataset), H5T_STD_REF_OBJ));
         h5_failed(h,
                   H5Tinsert(type, "dimension", HOFFSET(struct entry, dimension), H5T_NATIVE_INT));
     }
-    return type;
-}
-
-void h5_list_uses(struct h5 *h) {
-    if (h->failed || h->n_use == 0) {
-        return;
-    }
-    hid_t type = entry_type(h);
     qsort(h->use, h->n_use, sizeof *h->use, compare);
     for (size_t first = 0; first < h->n_use && !h->failed;) {
         size_t n = 1;

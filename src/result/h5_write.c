@@ -73,29 +73,6 @@ static hid_t chunked_list(struct h5 *h, const struct h5_chunk *c) {
     return h->chunked = list;
 }
 
-// A scale of thousands of datasets lists them in an attribute of more than the 64 KiB that an
-// object header takes, so it keeps its attributes outside.
-static hid_t spacious_list(struct h5 *h, hid_t like) {
-    hid_t list = H5Pcopy(like);
-    if (!h5_failed(h, list)) {
-        h5_failed(h, H5Pset_attr_creation_order(list, H5P_CRT_ORDER_TRACKED));
-        h5_failed(h, H5Pset_attr_phase_change(list, 0, 0));
-    }
-    return list;
-}
-
-static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d, hid_t list,
-                         hid_t access) {
-    hid_t space = H5Screate_simple(d->n_dim, d->dim, NULL);
-    if (h5_failed(h, space)) {
-        return -1;
-    }
-    hid_t dataset = H5Dcreate2(parent, d->name, d->file_type, space, H5P_DEFAULT, list, access);
-    h5_failed(h, dataset);
-    H5Sclose(space);
-    return dataset;
-}
-
 // The creation list of a dataset, by the number of its bytes (of a text: of the pointer to it). Few
 // bytes go into the object header of the dataset, which is faster than a place of their own; the
 // header takes 64 KiB at most.
@@ -113,14 +90,23 @@ static hid_t storage_list(struct h5 *h, const struct h5_dataset *d) {
 }
 
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
-    hid_t list = storage_list(h, d);
-    hid_t access = list == h->chunked ? h->access : H5P_DEFAULT;
-    if (h->failed || !d->many_users) {
-        return h->failed ? -1 : create_with(h, parent, d, list, access);
+    const hid_t usual = storage_list(h, d), access = usual == h->chunked ? h->access : H5P_DEFAULT;
+    hid_t list = h->failed || !d->many_users ? usual : H5Pcopy(usual), dataset = -1;
+    hid_t space = H5Screate_simple(d->n_dim, d->dim, NULL);
+    // A scale of thousands of datasets lists them in an attribute of more than the 64 KiB that an
+    // object header takes, so it keeps its attributes outside.
+    if (d->many_users && !h5_failed(h, list)) {
+        h5_failed(h, H5Pset_attr_creation_order(list, H5P_CRT_ORDER_TRACKED));
+        h5_failed(h, H5Pset_attr_phase_change(list, 0, 0));
     }
-    list = spacious_list(h, list);
-    hid_t dataset = h->failed ? -1 : create_with(h, parent, d, list, access);
-    if (list >= 0) {
+    if (!h5_failed(h, space)) {
+        dataset = H5Dcreate2(parent, d->name, d->file_type, space, H5P_DEFAULT, list, access);
+        h5_failed(h, dataset);
+    }
+    if (space >= 0) {
+        H5Sclose(space);
+    }
+    if (list != usual && list >= 0) {
         H5Pclose(list);
     }
     return dataset;

@@ -34,7 +34,7 @@ static hid_t holder(struct result_file *r, const struct spot *p, const char *nam
 static struct spot open_place(struct result_file *r, const struct spot *in, const char *name) {
     const bool is_own = holder(r, in, name) == in->own;
     return (struct spot){is_own ? h5_get_group(&r->h, in->own, name) : -1,
-                          in->study >= 0 ? h5_get_group(&r->h, in->study, name) : -1};
+                         in->study >= 0 ? h5_get_group(&r->h, in->study, name) : -1};
 }
 
 static void close_place(struct result_file *r, const struct spot *p) {
@@ -82,19 +82,6 @@ static void get_attributes(struct result_file *f) {
     }
 }
 
-// Residual drifts are not there where no storey can yield; of a run of a study, an attribute says
-// so.
-static void get_envelope(struct result_file *r, const struct spot *building,
-                         struct report_building *b) {
-    const struct spot envelope = open_place(r, building, "envelope");
-    const bool yields = envelope.own >= 0 ? h5_has(&r->h, envelope.own, layout_residual_drift_name)
-                                          : h5_get_long(&r->h, building->own, "yields") != 0;
-    for (int c = 0; c < layout_peak.n_column - !yields; c++) {
-        get_column(r, &envelope, &layout_peak, c, b, (size_t)b->n_floor);
-    }
-    close_place(r, &envelope);
-}
-
 // The building in the group `name`, at its position, which must be free.
 static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *info,
                              void *context) {
@@ -117,7 +104,16 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
         }
         if (f->reading == READ_VALUES) {
             get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
-            get_envelope(f, &building, b);
+            // Residual drifts are not there where no storey can yield; of a run of a study, an
+            // attribute says so.
+            const struct spot envelope = open_place(f, &building, "envelope");
+            const bool yields = envelope.own >= 0
+                                    ? h5_has(&f->h, envelope.own, layout_residual_drift_name)
+                                    : h5_get_long(&f->h, building.own, "yields") != 0;
+            for (int c = 0; c < layout_peak.n_column - !yields; c++) {
+                get_column(f, &envelope, &layout_peak, c, b, (size_t)b->n_floor);
+            }
+            close_place(f, &envelope);
         }
     }
     for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {

@@ -91,7 +91,7 @@ struct shown_buildings {
 static struct shown_buildings choose_buildings(const struct report *r) {
     struct shown_buildings s = {.n = 0, .width = 8};
     for (int i = 0; i < r->n_building; i++) {
-        s.n = choice_add(s.choice, s.n,
+        s.n = choice_add(s.choice, s.n, SHOWN_MAX,
                          (struct choice){.rank = peak_of(&r->building[i], PEAK_DRIFT), .index = i});
     }
     choice_sort(s.choice, s.n);
@@ -225,7 +225,7 @@ static struct shown_contacts choose_contacts(const struct report *r) {
         const struct link_peak *peak = &r->contact[i].peak;
         s.n_hit += peak->impacts > 0;
         s.n = choice_add(
-            s.choice, s.n,
+            s.choice, s.n, SHOWN_MAX,
             (struct choice){.rank = peak->impacts > 0 ? peak->force : -HUGE_VAL, .index = i});
         if (strcmp(r->contact[i].law, r->contact[0].law) != 0) {
             s.law_width = 3;

@@ -8,6 +8,7 @@
 
 #include "core/arena.h"
 #include "result/reader.h"
+#include "result/seal.h"
 
 enum { SIEVE_BYTES = 1 << 16 };
 
@@ -273,4 +274,20 @@ int result_energy(const struct result_file *f, enum energy energy, double *out, 
     char path[64];
     snprintf(path, sizeof path, "energy/%s", energy_names[energy]);
     return read_column(f, path, -1, out, e);
+}
+
+int result_verify(const char *path, struct result_sums *out, struct error *e) {
+    struct h5 h = {.file = -1, .lock = -1};
+    int status = h5_check_file(path, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    if (h5_start(&h) && H5Fis_hdf5(path) == 0) {
+        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", path);
+    }
+    h5_open(&h, path, 0);
+    status = !h.failed ? seal_check(&h, out) : h5_lacks_memory(&h) ? STATUS_SYSTEM : STATUS_INPUT;
+    h5_close_types(&h);
+    h5_close_file(&h);
+    return status == STATUS_OK ? STATUS_OK : error_set(e, status, "%s: %s", path, h.cause);
 }

@@ -9,7 +9,6 @@
 
 #include "core/checksum.h"
 #include "core/hash.h"
-#include "result/seal_type.h"
 
 enum { BUFFER_BYTES = 1 << 20, ATTRIBUTE_BYTES_MAX = 1 << 28, DEPTH_MAX = 32, SLOTS_FIRST = 256 };
 
@@ -83,6 +82,69 @@ static herr_t number_object(hid_t root, const char *path, const H5L_info_t *info
     return w->h->failed ? -1 : 0;
 }
 
+// How values of a type are added: as bytes, as texts of any length, as lists of references to
+// dimension scales, as the users of such a scale. KIND_NONE: jostle does not write such a type.
+enum seal_kind { KIND_NONE, KIND_BYTES, KIND_TEXT, KIND_SCALES, KIND_USES };
+
+static enum seal_kind kind_of(hid_t type) {
+    const H5T_class_t class = H5Tget_class(type);
+    if (class == H5T_INTEGER || class == H5T_FLOAT || class == H5T_STRING) {
+        return H5Tis_variable_str(type) > 0 ? KIND_TEXT : KIND_BYTES;
+    }
+    if (class == H5T_VLEN) {
+        hid_t item = H5Tget_super(type);
+        const bool is_list = item >= 0 && H5Tequal(item, H5T_STD_REF_OBJ) > 0;
+        if (item >= 0) {
+            H5Tclose(item);
+        }
+        return is_list ? KIND_SCALES : KIND_NONE;
+    }
+    // Lists of users of a scale are compounds of a reference and a number, as the high-level
+    // library makes them.
+    const bool is_uses = class == H5T_COMPOUND && H5Tget_nmembers(type) == 2 &&
+                         H5Tget_member_class(type, 0) == H5T_REFERENCE &&
+                         H5Tget_member_class(type, 1) == H5T_INTEGER &&
+                         H5Tget_member_offset(type, 1) + sizeof(int) <= H5Tget_size(type);
+    return is_uses ? KIND_USES : KIND_NONE;
+}
+
+static void add_numbers(struct checksum_sum *to, const uint64_t *number, size_t n) {
+    for (size_t i = 0; i < n; i++) {
+        checksum_add_number(to, number[i]);
+    }
+}
+
+// Adds everything about a type on which the values depend: where the bits of a number are and what
+// they mean, as with another type the same bytes are other values.
+static void add_type(struct checksum_sum *to, hid_t type, enum seal_kind kind) {
+    const H5T_class_t class = H5Tget_class(type);
+    add_numbers(to, (const uint64_t[]){(uint64_t)kind, (uint64_t) class}, 2);
+    if (kind == KIND_BYTES) {
+        checksum_add_number(to, H5Tget_size(type));
+    }
+    if (class == H5T_INTEGER || class == H5T_FLOAT) {
+        H5T_pad_t low = H5T_PAD_ERROR, high = H5T_PAD_ERROR;
+        H5Tget_pad(type, &low, &high);
+        const uint64_t bits[] = {(uint64_t)H5Tget_order(type), H5Tget_precision(type),
+                                 (uint64_t)H5Tget_offset(type), (uint64_t)low, (uint64_t)high};
+        add_numbers(to, bits, sizeof bits / sizeof bits[0]);
+    }
+    if (class == H5T_INTEGER) {
+        checksum_add_number(to, (uint64_t)H5Tget_sign(type));
+    } else if (class == H5T_FLOAT) {
+        size_t sign = 0, exponent = 0, n_exponent = 0, mantissa = 0, n_mantissa = 0;
+        H5Tget_fields(type, &sign, &exponent, &n_exponent, &mantissa, &n_mantissa);
+        const uint64_t fields[] = {sign, exponent, n_exponent, mantissa, n_mantissa};
+        const uint64_t rules[] = {H5Tget_ebias(type), (uint64_t)H5Tget_norm(type),
+                                  (uint64_t)H5Tget_inpad(type)};
+        add_numbers(to, fields, sizeof fields / sizeof fields[0]);
+        add_numbers(to, rules, sizeof rules / sizeof rules[0]);
+    } else if (class == H5T_STRING) {
+        const uint64_t text[] = {(uint64_t)H5Tget_cset(type), (uint64_t)H5Tget_strpad(type)};
+        add_numbers(to, text, 2);
+    }
+}
+
 static void add_reference(struct walk *w, const void *from) {
     hobj_ref_t address;
     memcpy(&address, from, sizeof address);
@@ -93,44 +155,31 @@ static void add_reference(struct walk *w, const void *from) {
     checksum_add_number(w->to, o->number);
 }
 
-static void add_text(struct walk *w, const struct h5_reference *r) {
-    size_t n;
-    const void *text = h5_heap_get(w->h, r, 1, &n);
-    checksum_add_number(w->to, n);
-    checksum_add(w->to, text, n);
-}
-
-static void add_scales(struct walk *w, const struct h5_reference *r) {
-    size_t n;
-    const unsigned char *list = h5_heap_get(w->h, r, sizeof(hobj_ref_t), &n);
-    checksum_add_number(w->to, n);
-    for (size_t i = 0; i < n; i++) {
-        add_reference(w, list + i * sizeof(hobj_ref_t));
-    }
-}
-
-static void add_use(struct walk *w, hid_t type, const unsigned char *entry) {
-    add_reference(w, entry + H5Tget_member_offset(type, 0));
-    checksum_add(w->to, entry + H5Tget_member_offset(type, 1), sizeof(int));
-}
-
 // Adds `n` values as they were read.
 static void add_values(struct walk *w, hid_t type, enum seal_kind kind, const void *value,
                        size_t n) {
     const size_t size = H5Tget_size(type);
-    const unsigned char *byte = value;
-    const struct h5_reference *reference = value;
     if (kind == KIND_BYTES) {
         checksum_add(w->to, value, n * size);
         return;
     }
     for (size_t i = 0; i < n && !w->h->failed; i++) {
+        if (kind == KIND_USES) {
+            const unsigned char *use = (const unsigned char *)value + i * size;
+            add_reference(w, use + H5Tget_member_offset(type, 0));
+            checksum_add(w->to, use + H5Tget_member_offset(type, 1), sizeof(int));
+            continue;
+        }
+        const size_t item = kind == KIND_TEXT ? 1 : sizeof(hobj_ref_t);
+        const struct h5_reference *reference = (const struct h5_reference *)value + i;
+        size_t n_item;
+        const unsigned char *list = h5_heap_get(w->h, reference, item, &n_item);
+        checksum_add_number(w->to, n_item);
         if (kind == KIND_TEXT) {
-            add_text(w, &reference[i]);
-        } else if (kind == KIND_SCALES) {
-            add_scales(w, &reference[i]);
-        } else {
-            add_use(w, type, byte + i * size);
+            checksum_add(w->to, list, n_item);
+        }
+        for (size_t k = 0; kind == KIND_SCALES && k < n_item; k++) {
+            add_reference(w, list + k * item);
         }
     }
 }
@@ -143,14 +192,14 @@ static hid_t type_in_memory(const struct walk *w, hid_t type, enum seal_kind kin
 // Adds type and shape, and gives what is needed for reading; false after a failure.
 static bool add_shape(struct walk *w, hid_t type, hid_t space, const char *name,
                       enum seal_kind *kind, hsize_t *dim, int *n_dim) {
-    *kind = seal_kind_of(type);
+    *kind = kind_of(type);
     *n_dim = H5Sget_simple_extent_ndims(space);
     if (*kind == KIND_NONE || *n_dim < 0 || *n_dim > H5_DIMENSIONS_MAX ||
         H5Sget_simple_extent_dims(space, dim, NULL) != *n_dim) {
         h5_fail(w->h, "'%s' is of a kind that jostle does not write", name);
         return false;
     }
-    seal_add_type(w->to, type, *kind);
+    add_type(w->to, type, *kind);
     checksum_add_number(w->to, (uint64_t)*n_dim);
     for (int i = 0; i < *n_dim; i++) {
         checksum_add_number(w->to, dim[i]);
@@ -205,66 +254,40 @@ static void add_attributes(struct walk *w, hid_t object) {
     checksum_add_text(w->to, "");  // no name: the end
 }
 
-// How many values are read at a time: whole chunks if that is possible, so that none is unpacked
-// twice.
-static hsize_t values_at_once(hid_t dataset, size_t size, int n_dim) {
-    hsize_t chunk[H5_DIMENSIONS_MAX], values = 1;
-    const hsize_t most = BUFFER_BYTES / size;
-    hid_t list = H5Dget_create_plist(dataset);
-    const bool in_chunks =
-        H5Pget_layout(list) == H5D_CHUNKED && H5Pget_chunk(list, n_dim, chunk) == n_dim;
-    H5Pclose(list);
-    for (int i = 0; in_chunks && i < n_dim; i++) {
-        values *= chunk[i];
+static void add_dataset(struct walk *w, hid_t dataset, const char *name) {
+    hid_t type = H5Dget_type(dataset), space = H5Dget_space(dataset);
+    hsize_t dim[H5_DIMENSIONS_MAX], n = 1;
+    enum seal_kind kind = KIND_NONE;
+    int n_dim;
+    const bool added = add_shape(w, type, space, name, &kind, dim, &n_dim);
+    if (added && (H5Tget_size(type) > BUFFER_BYTES || !h5_is_stored(dataset))) {
+        h5_fail(w->h, "dataset '%s' is not all there", name);
     }
-    return values > 0 && values <= most ? most - most % values : most;
-}
-
-static void add_blocks(struct walk *w, hid_t dataset, const hsize_t *dim, int n_dim, hid_t type,
-                       enum seal_kind kind) {
-    const hid_t memory = type_in_memory(w, type, kind);
-    const size_t size = H5Tget_size(memory);
-    hsize_t n = 1, most = BUFFER_BYTES / size;
-    for (int i = 0; i < n_dim; i++) {
+    for (int i = 0; added && i < n_dim; i++) {
         n *= dim[i];
     }
-    most = n <= most ? most : values_at_once(dataset, size, n_dim);
+    const hid_t memory = type_in_memory(w, type, kind);
+    hsize_t most = w->h->failed ? 0 : BUFFER_BYTES / H5Tget_size(memory);
+    if (n > most && !w->h->failed) {
+        // Whole chunks if that is possible, so that none is unpacked twice.
+        hsize_t chunk[H5_DIMENSIONS_MAX], values = 1;
+        hid_t list = H5Dget_create_plist(dataset);
+        const bool in_chunks =
+            H5Pget_layout(list) == H5D_CHUNKED && H5Pget_chunk(list, n_dim, chunk) == n_dim;
+        H5Pclose(list);
+        for (int i = 0; in_chunks && i < n_dim; i++) {
+            values *= chunk[i];
+        }
+        most -= values > 0 && values <= most ? most % values : 0;
+    }
     for (hsize_t first = 0; first < n && !w->h->failed;) {
         const struct h5_box box = h5_box(dim, n_dim, first, most);
         h5_get_box(w->h, dataset, box.n == n ? NULL : &box, memory, w->buffer);
         add_values(w, type, kind, w->buffer, w->h->failed ? 0 : (size_t)box.n);
         first += box.n;
     }
-}
-
-static void add_dataset(struct walk *w, hid_t dataset, const char *name) {
-    hid_t type = H5Dget_type(dataset), space = H5Dget_space(dataset);
-    hsize_t dim[H5_DIMENSIONS_MAX];
-    enum seal_kind kind = KIND_NONE;
-    int n_dim;
-    if (add_shape(w, type, space, name, &kind, dim, &n_dim)) {
-        if (H5Tget_size(type) > BUFFER_BYTES || !h5_is_stored(dataset)) {
-            h5_fail(w->h, "dataset '%s' is not all there", name);
-        } else {
-            add_blocks(w, dataset, dim, n_dim, type, kind);
-        }
-    }
     H5Tclose(type);
     H5Sclose(space);
-}
-
-// The values of a dataset have a checksum of their own, which counts in both.
-static void add_result(struct walk *w, hid_t dataset, const char *name) {
-    struct checksum_sum sum;
-    struct checksum own;
-    checksum_start(&sum);
-    w->to = &sum;
-    add_dataset(w, dataset, name);
-    checksum_end(&sum, &own);
-    checksum_add_text(&w->results, own.digits);
-    checksum_add_text(&w->data, own.digits);
-    w->to = &w->data;
-    add_attributes(w, dataset);
 }
 
 static void add_name(struct walk *w, const char *name, uint64_t number) {
@@ -291,7 +314,17 @@ static herr_t visit_link(hid_t group, const char *name, const H5L_info_t *info, 
     hid_t object = h5_open_object(w->h, group, name);
     const H5I_type_t type = w->h->failed ? H5I_BADID : H5Iget_type(object);
     if (type == H5I_DATASET) {
-        add_result(w, object, name);
+        // The values of a dataset have a checksum of their own, which counts in both.
+        struct checksum_sum sum;
+        struct checksum own;
+        checksum_start(&sum);
+        w->to = &sum;
+        add_dataset(w, object, name);
+        checksum_end(&sum, &own);
+        checksum_add_text(&w->results, own.digits);
+        checksum_add_text(&w->data, own.digits);
+        w->to = &w->data;
+        add_attributes(w, object);
     } else if (type == H5I_GROUP) {
         add_group(w, object);
     } else {
@@ -315,8 +348,7 @@ static void add_group(struct walk *w, hid_t group) {
 
 // The checksums of the open file. An error is noted in `h`.
 static void seal_find(struct h5 *h, struct result_sums *out) {
-    struct walk w = {.h = h, .buffer = malloc(BUFFER_BYTES)};
-    w.to = &w.data;
+    struct walk w = {.h = h, .to = &w.data, .buffer = malloc(BUFFER_BYTES)};
     checksum_start(&w.data);
     checksum_start(&w.results);
     if (!w.buffer) {
@@ -362,20 +394,4 @@ int seal_check(struct h5 *h, struct result_sums *out) {
         h5_fail(h, "its data have changed since it was written: their checksum differs");
     }
     return !h->failed ? STATUS_OK : h5_lacks_memory(h) ? STATUS_SYSTEM : STATUS_FAILED;
-}
-
-int result_verify(const char *path, struct result_sums *out, struct error *e) {
-    struct h5 h = {.file = -1, .lock = -1};
-    int status = h5_check_file(path, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    if (h5_start(&h) && H5Fis_hdf5(path) == 0) {
-        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", path);
-    }
-    h5_open(&h, path, 0);
-    status = !h.failed ? seal_check(&h, out) : h5_lacks_memory(&h) ? STATUS_SYSTEM : STATUS_INPUT;
-    h5_close_types(&h);
-    h5_close_file(&h);
-    return status == STATUS_OK ? STATUS_OK : error_set(e, status, "%s: %s", path, h.cause);
 }

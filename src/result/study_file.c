@@ -4,11 +4,10 @@
 #include "jostle/study_file.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
-#include "result/h5_draft.h"
+#include "core/arena.h"
+#include "result/h5_partial.h"
 #include "result/seal.h"
 #include "result/study_sweep.h"
 #include "result/study_writer.h"
@@ -26,73 +25,46 @@ struct block {
     const char **message;           // (capacity)
 };
 
-static int block_init(struct block *b, const struct study_content *c, struct error *e) {
+static bool block_init(struct block *b, const struct study_content *c, struct arena *a) {
     const size_t row = c->table->n_value * sizeof *b->value;
     b->capacity = (long)(bytes_max / row);
     b->capacity = b->capacity < 1 ? 1 : b->capacity > RUNS_MAX ? RUNS_MAX : b->capacity;
     b->capacity = b->capacity > c->n_run && c->n_run > 0 ? c->n_run : b->capacity;
     const size_t n = (size_t)b->capacity;
-    b->outcome = malloc(n * sizeof *b->outcome);
-    b->value = malloc(n * row);
-    b->status = malloc(n * sizeof *b->status);
-    b->message = malloc(n * sizeof *b->message);
-    return b->outcome && b->value && b->status && b->message ? STATUS_OK : error_no_memory(e);
+    b->outcome = arena_alloc(a, n, sizeof *b->outcome);
+    b->value = arena_alloc(a, n, row);
+    b->status = arena_alloc(a, n, sizeof *b->status);
+    b->message = arena_alloc(a, n, sizeof *b->message);
+    return !arena_failed(a);
 }
 
-static void block_close(struct block *b) {
-    free(b->outcome);
-    free(b->value);
-    free(b->status);
-    free(b->message);
-}
-
-static void put_values(struct study_writer *w, const struct block *b, struct h5_box box) {
-    const struct study_table *t = w->content->table;
-    for (int i = 0; i < t->n_item && !w->h.failed; i++) {
-        const struct study_item *item = &t->item[i];
-        if (w->dataset[i] >= 0 && item->n > 0) {
-            h5_put_columns(&w->h, w->dataset[i], box, w->tree.n_sweep, item->n, t->n_value,
-                           b->value + item->first);
-        }
-    }
-}
-
-static void put_outcomes(struct study_writer *w, struct block *b, struct h5_box box) {
-    for (hsize_t i = 0; i < box.n; i++) {
-        b->status[i] = b->outcome[i].status;
-        b->message[i] = b->outcome[i].message;
-    }
-    h5_put_box(&w->h, w->status, &box, H5T_NATIVE_INT, b->status);
-    h5_put_box(&w->h, w->message, &box, w->h.text, b->message);
-}
-
+// Outcomes and values of all runs.
 static int put_runs(struct study_writer *w, struct block *b, struct error *e) {
     const struct study_content *c = w->content;
+    const struct study_table *t = c->table;
+    const struct tree *tree = &w->tree;
     for (long first = 0; first < c->n_run && !w->h.failed;) {
-        const struct h5_box box =
-            study_sweep_box(w->tree.sweep, w->tree.n_sweep, first, b->capacity);
+        const struct h5_box box = study_sweep_box(tree->sweep, tree->n_sweep, first, b->capacity);
         int status = c->read(c->context, first, (long)box.n, b->outcome, b->value, e);
         if (status != STATUS_OK) {
             return status;
         }
-        put_outcomes(w, b, box);
-        put_values(w, b, box);
+        for (hsize_t i = 0; i < box.n; i++) {
+            b->status[i] = b->outcome[i].status;
+            b->message[i] = b->outcome[i].message;
+        }
+        h5_put_box(&w->h, w->status, &box, H5T_NATIVE_INT, b->status);
+        h5_put_box(&w->h, w->message, &box, w->h.text, b->message);
+        for (int i = 0; i < t->n_item && !w->h.failed; i++) {
+            const struct study_item *item = &t->item[i];
+            if (w->dataset[i] >= 0 && item->n > 0) {
+                h5_put_columns(&w->h, w->dataset[i], box, tree->n_sweep, item->n, t->n_value,
+                               b->value + item->first);
+            }
+        }
         first += (long)box.n;
     }
     return STATUS_OK;
-}
-
-// The tree of run `run` of the file, which has been done.
-static int put_history(struct study_writer *w, hid_t runs, long run, const char *path,
-                       struct error *e) {
-    const struct study_content *c = w->content;
-    char name[24];
-    snprintf(name, sizeof name, "%06.0f", c->part ? c->part->run[run] : (double)run + 1.0);
-    const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path, w->tree.sweep,
-                                       w->tree.n_sweep};
-    int status = w->h.failed ? STATUS_OK : c->write_run(c->context, run, &place, e);
-    h5_close(&w->h, place.group);
-    return status;
 }
 
 // Histories of the runs that were done, in /runs.
@@ -102,16 +74,37 @@ static int put_histories(struct study_writer *w, struct block *b, const char *pa
     hid_t runs = h5_group(&w->h, w->h.file, "runs");
     int status = STATUS_OK;
     for (long i = 0; i < c->n_run && status == STATUS_OK && !w->h.failed; i++) {
+        char name[24];
         status = c->read(c->context, i, 1, b->outcome, b->value, e);
-        if (status == STATUS_OK && b->outcome->status == STUDY_DONE) {
-            status = put_history(w, runs, i, path, e);
+        if (status != STATUS_OK || b->outcome->status != STUDY_DONE) {
+            continue;
         }
+        snprintf(name, sizeof name, "%06.0f", c->part ? c->part->run[i] : (double)i + 1.0);
+        const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path, w->tree.sweep,
+                                           w->tree.n_sweep};
+        status = w->h.failed ? STATUS_OK : c->write_run(c->context, i, &place, e);
+        h5_close(&w->h, place.group);
     }
     h5_close(&w->h, runs);
     return status;
 }
 
+static int write_all(struct study_writer *w, struct block *b, const char *path, struct error *e) {
+    study_tree(w);
+    int status = put_runs(w, b, e);
+    h5_list_uses(&w->h);
+    if (status == STATUS_OK && w->content->write_run) {
+        status = put_histories(w, b, path, e);
+    }
+    if (status == STATUS_OK) {
+        h5_put_text(&w->h, w->h.file, "status", "complete");
+        seal_put(&w->h);
+    }
+    return status;
+}
+
 static void close_all(struct study_writer *w) {
+    h5_spend_reserve(&w->h);
     for (int i = 0; i < w->content->table->n_item; i++) {
         h5_close(&w->h, w->dataset[i]);
     }
@@ -124,41 +117,25 @@ static void close_all(struct study_writer *w) {
     h5_close_file(&w->h);
 }
 
-static int write_draft(struct study_writer *w, const char *path, const char *draft,
-                       struct error *e) {
-    struct block b = {0};
-    int status = block_init(&b, w->content, e);
-    if (status == STATUS_OK) {
-        status = h5_draft_create(&w->h, path, draft, e);
-    }
-    if (status == STATUS_OK) {
-        study_tree(w);
-        status = put_runs(w, &b, e);
-        h5_list_uses(&w->h);
-        if (status == STATUS_OK && w->content->write_run) {
-            status = put_histories(w, &b, path, e);
-        }
-        if (status == STATUS_OK) {
-            h5_put_text(&w->h, w->h.file, "status", "complete");
-            seal_put(&w->h);
-        }
-    }
-    h5_spend_reserve(&w->h);
-    close_all(w);
-    block_close(&b);
-    if (status == STATUS_OK && w->h.failed) {
-        status = error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, w->h.cause);
-    }
-    return status;
-}
-
-static int write_all(struct study_writer *w, const struct result_options *o, const char *draft,
+// Makes the file, and gives it its name when it is complete.
+static int make_file(struct study_writer *w, const struct result_options *o, struct arena *a,
                      struct error *e) {
-    int status = write_draft(w, o->path, draft, e);
+    struct block b;
+    const char *partial = arena_format(a, "%s.part", o->path);
+    int status = block_init(&b, w->content, a) && partial
+                     ? h5_partial_create(&w->h, o->path, partial, e)
+                     : error_no_memory(e);
     if (status == STATUS_OK) {
-        status = result_publish(w->h.lock, draft, o->path, o->existing, e);
+        status = write_all(w, &b, o->path, e);
+    }
+    close_all(w);
+    if (status == STATUS_OK && w->h.failed) {
+        status = error_set(e, STATUS_SYSTEM, "cannot write %s: %s", o->path, w->h.cause);
+    }
+    if (status == STATUS_OK) {
+        status = result_publish(w->h.lock, partial, o->path, o->existing, e);
     } else if (w->h.lock >= 0) {
-        unlink(draft);
+        unlink(partial);
     }
     h5_unlock(&w->h);
     return status;
@@ -181,17 +158,8 @@ bool study_file_is_study(const char *path) {
 
 int study_file_check(const struct study_content *c, const struct result_options *o,
                      struct error *e) {
-    int status = h5_draft_check(c->first, o, e);
+    int status = h5_partial_check(c->first, o, e);
     return status == STATUS_OK ? study_tree_check(c, e) : status;
-}
-
-static void take_dimensions(struct study_writer *w) {
-    for (const struct sweep *s = w->content->sweeps; s; s = s->next) {
-        if (!s->fixed) {
-            w->tree.scale[w->tree.n_sweep] = -1;
-            w->tree.sweep[w->tree.n_sweep++] = s;
-        }
-    }
 }
 
 int study_file_write(const struct study_content *c, const struct result_options *o,
@@ -203,27 +171,33 @@ int study_file_write(const struct study_content *c, const struct result_options 
     struct study_writer w = {.h = {.file = -1, .lock = -1, .units = &c->first->units},
                              .content = c,
                              .command_line = o->command_line,
+                             .tree = {.h = &w.h},
                              .status = -1,
                              .message = -1};
-    w.tree.h = &w.h;
     if (c->part) {
-        study_part_dimension(&w);
-    } else {
-        take_dimensions(&w);
+        // The values have the dimension "run" in place of those of the sweeps.
+        w.runs = (struct sweep){.name = "run",
+                                .n = (int)c->n_run,
+                                .number = c->part->run,
+                                .known = true,
+                                .dimension = dimension_none};
+        w.tree.sweep[w.tree.n_sweep++] = &w.runs;
     }
-    const size_t n = (size_t)c->table->n_item, n_path = strlen(o->path) + sizeof ".part";
-    w.dataset = malloc(n * sizeof *w.dataset);
-    char *draft = malloc(n_path);
+    for (const struct sweep *s = c->sweeps; s && !c->part; s = s->next) {
+        if (!s->fixed) {
+            w.tree.sweep[w.tree.n_sweep++] = s;
+        }
+    }
+    for (int i = 0; i < w.tree.n_sweep; i++) {
+        w.tree.scale[i] = -1;
+    }
+    struct arena *a = arena_create();
+    const size_t n = (size_t)c->table->n_item;
+    w.dataset = a ? arena_alloc(a, n, sizeof *w.dataset) : NULL;
     for (size_t i = 0; w.dataset && i < n; i++) {
         w.dataset[i] = -1;
     }
-    if (w.dataset && draft) {
-        snprintf(draft, n_path, "%s.part", o->path);
-        status = write_all(&w, o, draft, e);
-    } else {
-        status = error_no_memory(e);
-    }
-    free(w.dataset);
-    free(draft);
+    status = w.dataset ? make_file(&w, o, a, e) : error_no_memory(e);
+    arena_free(a);
     return status;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The groups /origin of a study file: what its runs come from, and /part of the file of one part:
-// which part it is, and the sweeps of the study. The values of the runs of a part have the
-// dimension "run" in place of those of the sweeps.
+// which part it is, and the sweeps of the study.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -79,18 +78,6 @@ void study_origin_get(struct study_file *f) {
     o->accepted = h5_get_text(&f->file.h, a, group, "accepted");
     get_sources(f, group);
     h5_close(&f->file.h, group);
-}
-
-void study_part_dimension(struct study_writer *w) {
-    const struct study_content *c = w->content;
-    w->runs = (struct sweep){.name = "run",
-                             .n = (int)c->n_run,
-                             .number = c->part->run,
-                             .known = true,
-                             .dimension = dimension_none};
-    w->tree.scale[0] = -1;
-    w->tree.sweep[0] = &w->runs;
-    w->tree.n_sweep = 1;
 }
 
 // The whole file gets its scales from the sweeps of the study.

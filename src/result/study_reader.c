@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a study file: its sweeps, and the table of what its runs gave.
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,39 +8,8 @@
 #include "result/study_reader.h"
 #include "result/study_sweep.h"
 
-// What a file may claim before it is taken for damaged.
-enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
 // Boxes are read in the order of the file, and merging opens many files with many datasets each.
 enum { SIEVE_BYTES = 1024 };
-
-// Where the items of a group belong.
-struct spot {
-    struct study_file *file;
-    const char *parent, *owner, *leaf;
-    const char *scale;
-};
-
-static bool grow(struct study_file *f) {
-    if (f->view.table.n_item < f->capacity) {
-        return true;
-    }
-    const int capacity = f->capacity ? 2 * f->capacity : 64;
-    struct study_item *item = realloc(f->item, (size_t)capacity * sizeof *item);
-    f->item = item ? item : f->item;
-    hid_t *dataset = realloc(f->dataset, (size_t)capacity * sizeof *dataset);
-    f->dataset = dataset ? dataset : f->dataset;
-    if (!item || !dataset || capacity > ITEMS_LIMIT) {
-        h5_no_memory(&f->file.h);
-        return false;
-    }
-    f->capacity = capacity;
-    return true;
-}
-
-// Numbers that are no scale: what runs gave. Scales, and texts and whole numbers of links, are not.
-static bool is_result(hid_t dataset) {
-    return h5_is_number(dataset) && !h5_is_scale(dataset);
-}
 
 static void check_stored(struct study_file *f, hid_t dataset, const char *name) {
     if (dataset >= 0 && !h5_is_stored(dataset)) {
@@ -50,91 +18,96 @@ static void check_stored(struct study_file *f, hid_t dataset, const char *name) 
     }
 }
 
-// The values of a run in a dataset over all sweeps; 0: of links that the study does not have, or
-// it is damaged.
-static size_t values_of_run(struct study_file *f, hid_t dataset, const char *name) {
+// Checks that a run has the values of an item in a dataset over all sweeps.
+static void check_item(struct study_file *f, hid_t dataset, const struct study_item *item) {
+    struct h5 *h = &f->file.h;
     hsize_t dim[H5S_MAX_RANK];
+    if (H5Iget_type(dataset) != H5I_DATASET || !h5_is_number(dataset) || h5_is_scale(dataset)) {
+        h5_fail(h, "dataset '%s' is not of the kind expected", item->name);
+        return;
+    }
     hid_t space = H5Dget_space(dataset);
     const int n = H5Sget_simple_extent_dims(space, dim, NULL);
     H5Sclose(space);
-    bool good = n == f->n_dim || n == f->n_dim + 1;
+    bool good = n == f->n_dim + (item->scale != NULL) && (!item->scale || dim[n - 1] == item->n);
     for (int i = 0; good && i < f->n_dim; i++) {
         good = dim[i] == (hsize_t)f->dim[i]->n;
     }
-    const hsize_t width = good && n > f->n_dim ? dim[n - 1] : 1;
     if (!good) {
-        h5_fail(&f->file.h, "dataset '%s' does not have the dimensions of the study", name);
-    } else if (width > VALUES_LIMIT) {
-        h5_fail(&f->file.h, "a run has more than %d values of '%s'", VALUES_LIMIT, name);
-    } else {
-        check_stored(f, dataset, name);
+        h5_fail(h, "dataset '%s' does not have the dimensions of the study", item->name);
     }
-    return f->file.h.failed ? 0 : (size_t)width;
+    check_stored(f, dataset, item->name);
 }
 
-static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void *context) {
-    (void)info;
-    const struct spot *p = context;
-    struct study_file *f = p->file;
-    if (!grow(f)) {
-        return -1;
-    }
-    const bool swept = study_sweep_has(f->dim, f->n_dim, name);
-    hid_t dataset = swept ? -1 : h5_open_object(&f->file.h, group, name);
-    const bool result = H5Iget_type(dataset) == H5I_DATASET && is_result(dataset);
-    const size_t n = result ? values_of_run(f, dataset, name) : 0;
-    if (n == 0) {
-        h5_close(&f->file.h, dataset);
-        return f->file.h.failed ? -1 : 0;
-    }
+// Opens the dataset of an item, unless there is none, or a sweep in its place.
+static void get_item(struct study_file *f, const struct study_item *item) {
+    struct h5 *h = &f->file.h;
     struct study_table *t = &f->view.table;
+    const char *path = arena_format(f->view.arena, "/%s%s%s%s%s", item->parent,
+                                    item->owner ? "/" : "", item->owner ? item->owner : "",
+                                    item->leaf ? "/" : "", item->leaf ? item->leaf : "");
+    if (!path) {
+        h5_no_memory(h);
+        return;
+    }
+    hid_t group = h5_open_object(h, h->file, path);
+    const bool is_there = item->n > 0 && !study_sweep_has(f->dim, f->n_dim, item->name) &&
+                          h5_has(h, group, item->name);
+    hid_t dataset = is_there ? h5_open_object(h, group, item->name) : -1;
+    h5_close(h, group);
+    if (dataset < 0) {
+        return;
+    }
+    check_item(f, dataset, item);
     f->dataset[t->n_item] = dataset;
-    f->item[t->n_item++] = (struct study_item){
-        .parent = p->parent,
-        .owner = p->owner,
-        .leaf = p->leaf,
-        .name = h5_copy(&f->file.h, f->view.arena, name),
-        .long_name = h5_get_text(&f->file.h, f->view.arena, dataset, "long_name"),
-        .units = h5_get_line(&f->file.h, f->view.arena, dataset, "units"),
-        .scale = p->scale,
-        .first = t->n_value,
-        .n = n,
-    };
-    t->n_value += n;
-    h5_take(&f->file.h, n, sizeof(double));
-    return f->file.h.failed ? -1 : 0;
+    f->item[t->n_item] = *item;
+    f->item[t->n_item].first = t->n_value;
+    f->item[t->n_item++].units = h5_get_line(h, f->view.arena, dataset, "units");
+    t->n_value += item->n;
+    h5_take(h, item->n, sizeof(double));
 }
 
-static void get_group(const struct spot *p) {
-    char path[GROUP_MAX];
-    struct study_file *f = p->file;
-    snprintf(path, sizeof path, "/%s%s%s%s%s", p->parent, p->owner ? "/" : "",
-             p->owner ? p->owner : "", p->leaf ? "/" : "", p->leaf ? p->leaf : "");
-    hid_t group = h5_open_object(&f->file.h, f->file.h.file, path);
-    if (group >= 0) {
-        h5_failed(&f->file.h,
-                  H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit, (void *)p));
+static int group_rank(const struct study_item *item) {
+    static const char *const parents[] = {"buildings", "contacts", "links", "energy"};
+    int rank = 0;
+    while (rank < 4 && strcmp(item->parent, parents[rank]) != 0) {
+        rank++;
     }
-    h5_close(&f->file.h, group);
+    return rank;
 }
 
-static void get_both(struct spot p) {
-    get_group(&p);
-    p.leaf = "envelope";
-    get_group(&p);
+// The order of the names in each group, that of the owner before that of its envelope.
+static int by_name(const void *left, const void *right) {
+    const struct study_item *a = left, *b = right;
+    const int owner = a->owner && b->owner ? strcmp(a->owner, b->owner) : 0;
+    const int group = group_rank(a) - group_rank(b), leaf = (a->leaf != NULL) - (b->leaf != NULL);
+    return group ? group : owner ? owner : leaf ? leaf : strcmp(a->name, b->name);
 }
 
-static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *info, void *context) {
-    (void)info, (void)group;
-    struct study_file *f = context;
-    const struct spot p = {.file = f,
-                           .parent = "buildings",
-                           .owner = h5_copy(&f->file.h, f->view.arena, name),
-                           .scale = "floor"};
-    if (!f->file.h.failed) {
-        get_both(p);
+// The table of the values, which follows from buildings and links.
+static void get_table(struct study_file *f) {
+    struct error e;
+    if (f->file.h.failed) {
+        return;
     }
-    return f->file.h.failed ? -1 : 0;
+    struct arena *a = f->view.arena;
+    const int status = study_table_create(f->file.report, &f->all, &e);
+    const size_t n = status == STATUS_OK ? (size_t)f->all->n_item : 0;
+    struct study_item *item = h5_alloc(&f->file.h, a, n, sizeof *item);
+    f->item = h5_alloc(&f->file.h, a, n, sizeof *f->item);
+    f->dataset = h5_alloc(&f->file.h, a, n, sizeof *f->dataset);
+    if (status != STATUS_OK) {
+        h5_no_memory(&f->file.h);
+        return;
+    }
+    if (item && f->item && f->dataset) {
+        memcpy(item, f->all->item, n * sizeof *item);
+        qsort(item, n, sizeof *item, by_name);
+    }
+    for (size_t i = 0; i < n && !f->file.h.failed; i++) {
+        get_item(f, &item[i]);
+    }
+    f->view.table.item = f->item;
 }
 
 // The scale of dimension `i` of /status.
@@ -236,18 +209,7 @@ static void get_all(struct study_file *f) {
     v->has_histories = h5_has(h, h->file, "runs");
     study_origin_get(f);
     get_sweeps(f);
-    hid_t buildings = h5_get_group(h, h->file, "buildings");
-    if (!h->failed) {
-        h5_failed(h, H5Literate(buildings, H5_INDEX_NAME, H5_ITER_INC, NULL, visit_building, f));
-    }
-    h5_close(h, buildings);
-    get_both((struct spot){.file = f, .parent = "contacts", .scale = "contact"});
-    if (v->link) {
-        get_both((struct spot){.file = f, .parent = "links", .scale = "link"});
-    }
-    get_group(&(struct spot){.file = f, .parent = "energy"});
-    get_group(&(struct spot){.file = f, .parent = "totals"});
-    v->table.item = f->item;
+    get_table(f);
 }
 
 int study_file_verify(struct study_file *f, struct error *e) {
@@ -301,9 +263,8 @@ void study_file_close(struct study_file *f) {
     }
     h5_close(&f->file.h, f->status);
     h5_close(&f->file.h, f->message);
+    study_table_free(f->all);
     reader_close(&f->file);
-    free(f->item);
-    free(f->dataset);
     free(f);
 }
 

@@ -11,9 +11,9 @@ struct study_file {
     struct study_view view;
     int n_dim;  // of the runs: the sweeps, or "run" of a part
     const struct sweep *dim[STUDY_SWEEPS_MAX];
-    struct study_item *item;  // (capacity) malloc'd
-    hid_t *dataset;           // (capacity) malloc'd
-    int capacity;
+    struct study_table *all;  // owned: what a run gives
+    struct study_item *item;  // (n_item) of the values in the file
+    hid_t *dataset;           // (n_item) of each
     hid_t status, message;
 };
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "result/h5_draft.h"
+#include "result/h5_partial.h"
 #include "result/study_sweep.h"
 #include "result/study_writer.h"
 
@@ -44,7 +44,7 @@ int study_tree_check(const struct study_content *c, struct error *e) {
 
 static void put_attributes(struct study_writer *w) {
     const struct report *r = w->content->first;
-    h5_draft_attributes(&w->h, w->h.file, r, w->content->origin->numerics);
+    h5_partial_attributes(&w->h, w->h.file, r, w->content->origin->numerics);
     for (int c = 0; c < layout_root.n_column; c++) {
         if (layout_is_shared(&layout_root.column[c])) {
             h5_put_member(&w->h, w->h.file, &layout_root, c, r);
@@ -56,14 +56,6 @@ static void put_attributes(struct study_writer *w) {
     h5_put_long(&w->h, w->h.file, "threads", w->content->n_thread);
     h5_put_double(&w->h, w->h.file, "wall_seconds", w->content->seconds);
     h5_put_long(&w->h, w->h.file, "parts", w->content->n_part);
-}
-
-static void put_building(struct study_writer *w, hid_t parent, int position) {
-    const struct report_building *b = &w->content->first->building[position];
-    const struct tree_group g = tree_group(&w->tree, parent, b->name, "floor", (size_t)b->n_floor);
-    h5_put_long(&w->h, g.group, "position", position);
-    h5_close(&w->h, tree_envelope(&w->tree, &g));
-    tree_close(&w->tree, &g);
 }
 
 // What is the same for the links of all runs.
@@ -123,17 +115,6 @@ static hid_t put_item(struct study_writer *w, const struct study_item *item) {
     return dataset;
 }
 
-static void put_outcome(struct study_writer *w) {
-    struct h5_dataset d = over_sweeps(w, "status");
-    d.quantity.long_name = "0: done, 1: failed, 2: missing";
-    d.file_type = H5T_STD_I32LE;
-    w->status = h5_dataset(&w->h, w->h.file, &d);
-    d.name = "message";
-    d.quantity.long_name = "why the run failed";
-    d.file_type = w->h.text;
-    w->message = h5_dataset(&w->h, w->h.file, &d);
-}
-
 void study_tree(struct study_writer *w) {
     const struct report *r = w->content->first;
     struct tree *t = &w->tree;
@@ -150,7 +131,11 @@ void study_tree(struct study_writer *w) {
     }
     hid_t buildings = h5_group(&w->h, w->h.file, "buildings");
     for (int i = 0; i < r->n_building && !w->h.failed; i++) {
-        put_building(w, buildings, i);
+        const struct report_building *b = &r->building[i];
+        const struct tree_group g = tree_group(t, buildings, b->name, "floor", (size_t)b->n_floor);
+        h5_put_long(&w->h, g.group, "position", i);
+        h5_close(&w->h, tree_envelope(t, &g));
+        tree_close(t, &g);
     }
     h5_close(&w->h, buildings);
     put_links(w, &layout_contacts, r->contact, r->n_contact);
@@ -162,7 +147,14 @@ void study_tree(struct study_writer *w) {
         const struct tree_group g = tree_group(t, w->h.file, others[i], NULL, 0);
         tree_close(t, &g);
     }
-    put_outcome(w);
+    struct h5_dataset outcome = over_sweeps(w, "status");
+    outcome.quantity.long_name = "0: done, 1: failed, 2: missing";
+    outcome.file_type = H5T_STD_I32LE;
+    w->status = h5_dataset(&w->h, w->h.file, &outcome);
+    outcome.name = "message";
+    outcome.quantity.long_name = "why the run failed";
+    outcome.file_type = w->h.text;
+    w->message = h5_dataset(&w->h, w->h.file, &outcome);
     for (int i = 0; i < w->content->table->n_item && !w->h.failed; i++) {
         w->dataset[i] = put_item(w, &w->content->table->item[i]);
     }

@@ -13,7 +13,7 @@ struct study_writer {
     const char *command_line;             // borrowed
     struct sweep runs;                    // of a part: the numbers of its runs
     struct tree tree;  // over the sweeps that -D does not fix, or the runs of a part
-    hid_t *dataset;    // (n_item) owned; -1: a sweep has its name
+    hid_t *dataset;    // (n_item) -1: a sweep has its name
     hid_t status, message;
 };
 
@@ -23,8 +23,7 @@ int study_tree_check(const struct study_content *c, struct error *e);
 // Creates everything but the values of the runs.
 void study_tree(struct study_writer *w);
 
-// Of a part: its one dimension, and the group /part.
-void study_part_dimension(struct study_writer *w);
+// The group /part of a part.
 void study_part_put(struct study_writer *w);
 
 // The group /origin.

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "core/arena.h"
-#include "result/h5_draft.h"
+#include "result/h5_partial.h"
 #include "result/seal.h"
 
 enum { ROWS_MAX = 4096 };
@@ -53,7 +53,7 @@ void result_abort(struct result_writer *w) {
         return;
     }
     if (w->own.file >= 0) {
-        unlink(w->draft);
+        unlink(w->partial);
     }
     h5_spend_reserve(&w->own);
     writer_free(w);
@@ -128,19 +128,19 @@ static int allocate(struct result_writer *w, const struct result_options *o, str
     struct arena *a = w->report->arena;
     const char *line = o->command_line ? o->command_line : "";
     w->report->command_line = arena_text(a, line, strlen(line));
-    w->draft = arena_format(a, "%s.part", o->path);
+    w->partial = arena_format(a, "%s.part", o->path);
     w->rows = malloc(w->capacity * width * sizeof *w->rows);
     w->stream = calloc((size_t)w->stream_capacity, sizeof *w->stream);
-    return w->report->command_line && w->draft && w->rows && w->stream ? STATUS_OK
-                                                                       : error_no_memory(e);
+    return w->report->command_line && w->partial && w->rows && w->stream ? STATUS_OK
+                                                                         : error_no_memory(e);
 }
 
 // Makes the file, if it is one of its own, and writes what is known before the run.
 static int begin(struct result_writer *w, const struct result_options *o, struct error *e) {
     int status = allocate(w, o, e);
     if (status == STATUS_OK && !w->place) {
-        status = h5_draft_check(w->report, o, e);
-        status = status == STATUS_OK ? h5_draft_create(w->h, o->path, w->draft, e) : status;
+        status = h5_partial_check(w->report, o, e);
+        status = status == STATUS_OK ? h5_partial_create(w->h, o->path, w->partial, e) : status;
         w->root = w->h->file;
     }
     if (status != STATUS_OK) {
@@ -220,9 +220,9 @@ int result_finish(struct result_writer *w, const struct results *r, struct error
         status = w->h->failed ? cannot_write(w, e) : STATUS_OK;
     }
     if (!w->place && status == STATUS_OK) {
-        status = result_publish(w->h->lock, w->draft, w->report->file, w->existing, e);
+        status = result_publish(w->h->lock, w->partial, w->report->file, w->existing, e);
     } else if (!w->place) {
-        unlink(w->draft);
+        unlink(w->partial);
     }
     writer_free(w);
     return status;

@@ -42,7 +42,7 @@ struct result_writer {
 
     // Of a file of its own.
     struct h5 own;
-    char *draft;  // in the report's arena
+    char *partial;  // in the report's arena
     enum result_existing existing;
 };
 

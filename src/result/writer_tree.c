@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "jostle/numerics.h"
-#include "result/h5_draft.h"
+#include "result/h5_partial.h"
 #include "result/study_sweep.h"
 #include "result/writer.h"
 
@@ -99,16 +99,6 @@ static void put_links(struct result_writer *w, const struct link_group *group,
     tree_close(&w->tree, &g);
 }
 
-static void put_energy(struct result_writer *w) {
-    const struct tree_group g = tree_group(&w->tree, w->root, "energy", NULL, 0);
-    for (size_t i = 0; i < ENERGY_COUNT; i++) {
-        const struct column *c = &layout_energy.column[i];
-        const struct stream s = {.source = SOURCE_ENERGY, .first = i, .width = 1};
-        put_history(w, g.group, c->name, (struct quantity){c->long_name, c->dimension}, s, 0);
-    }
-    tree_close(&w->tree, &g);
-}
-
 // Buildings on the same ground share one dataset. A building called `time` takes the place of the
 // linked scale.
 static void put_ground(struct result_writer *w) {
@@ -144,7 +134,7 @@ static void put_ground(struct result_writer *w) {
 void writer_layout(struct result_writer *w) {
     const struct report *r = w->report;
     if (!w->place) {
-        h5_draft_attributes(w->h, w->root, r, NUMERICS_VERSION);
+        h5_partial_attributes(w->h, w->root, r, NUMERICS_VERSION);
     }
     for (int c = 0; c < layout_root.n_column; c++) {
         if (!w->place || !layout_is_shared(&layout_root.column[c])) {
@@ -161,7 +151,13 @@ void writer_layout(struct result_writer *w) {
     if (r->n_link > 0) {
         put_links(w, &layout_links, r->link, (size_t)r->n_contact, (size_t)r->n_link);
     }
-    put_energy(w);
+    const struct tree_group g = tree_group(&w->tree, w->root, "energy", NULL, 0);
+    for (size_t i = 0; i < ENERGY_COUNT; i++) {
+        const struct column *c = &layout_energy.column[i];
+        const struct stream s = {.source = SOURCE_ENERGY, .first = i, .width = 1};
+        put_history(w, g.group, c->name, (struct quantity){c->long_name, c->dimension}, s, 0);
+    }
+    tree_close(&w->tree, &g);
     put_ground(w);
 }
 
@@ -185,21 +181,16 @@ static void put_envelope(void *context, const struct layout_place *p) {
     h5_close(w->h, parent);
 }
 
-static void put_impacts(struct h5 *h, hid_t root, const struct report *r) {
-    const size_t n = (size_t)r->n_impact;
-    hid_t group = h5_group(h, root, "impacts");
-    hid_t scale = h5_put_scale(h, group, "impact", "impact", n);
-    for (int c = 0; c < layout_impact.n_column; c++) {
-        h5_put_column(h, group, &layout_impact, c, r->impact, n, scale);
-    }
-    h5_close(h, scale);
-    h5_close(h, group);
-}
-
 void writer_results(struct result_writer *w, const struct report *r) {
     struct h5 *h = w->h;
     layout_each(r, put_envelope, w);
-    put_impacts(h, w->root, r);
+    hid_t impacts = h5_group(h, w->root, "impacts");
+    hid_t scale = h5_put_scale(h, impacts, "impact", "impact", (size_t)r->n_impact);
+    for (int c = 0; c < layout_impact.n_column; c++) {
+        h5_put_column(h, impacts, &layout_impact, c, r->impact, (size_t)r->n_impact, scale);
+    }
+    h5_close(h, scale);
+    h5_close(h, impacts);
     // The account at the end as attributes: histories may be of single precision.
     for (int i = 0; i < w->n_stream; i++) {
         const struct stream *s = &w->stream[i];

@@ -6,21 +6,21 @@
 #include <stdio.h>
 
 #include "jostle/analysis.h"
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 #include "study/workers.h"
 
 // Guarded by the lock of the workers.
 struct map {
     const struct force_map_request *request;
     double *force;
-    struct shelf *records;
-    long next, n_done;
+    struct record_cache *records;
+    long next;
     long failed;  // the first pair that failed; LONG_MAX: none
     struct error error;
 };
 
 // What a thread has of the pair it works on.
-struct entry {
+struct attempt {
     double force;
     int status;
     struct error error;
@@ -85,50 +85,47 @@ static int work(void *context, struct workers *w, long job, void *scratch, struc
     const struct map *map = context;
     const struct force_map_request *q = map->request;
     const double t1 = q->period[job / q->n_period], t2 = q->period[job % q->n_period];
-    struct entry *entry = scratch;
+    struct attempt *attempt = scratch;
     struct force_map_pair pair;
     struct error cause;
     force_map_pair(&pair, t1, t2);
     for (int i = 0; i < q->n_define; i++) {
-        entry->define[i] = q->define[i];
+        attempt->define[i] = q->define[i];
     }
-    entry->define[q->n_define] = pair.define[0];
-    entry->define[q->n_define + 1] = pair.define[1];
-    entry->status = read_and_analyse(map, entry->define, w, &entry->force, &cause);
-    if (entry->status == STATUS_OK) {
+    attempt->define[q->n_define] = pair.define[0];
+    attempt->define[q->n_define + 1] = pair.define[1];
+    attempt->status = read_and_analyse(map, attempt->define, w, &attempt->force, &cause);
+    if (attempt->status == STATUS_OK) {
         return STATUS_OK;
     }
-    error_set(&entry->error, entry->status, "at T1 = %.6g s, T2 = %.6g s: %s", t1, t2,
+    error_set(&attempt->error, attempt->status, "at T1 = %.6g s, T2 = %.6g s: %s", t1, t2,
               cause.message);
-    *e = entry->error;
-    return entry->status == STATUS_SYSTEM ? STATUS_SYSTEM : STATUS_OK;
+    *e = attempt->error;
+    return attempt->status == STATUS_SYSTEM ? STATUS_SYSTEM : STATUS_OK;
 }
 
 static int enter(void *context, long job, const void *scratch, struct error *e) {
     struct map *map = context;
-    const struct entry *entry = scratch;
+    const struct attempt *attempt = scratch;
     (void)e;
-    if (entry->status == STATUS_OK) {
-        map->force[job] = entry->force;
-        map->n_done++;
+    if (attempt->status == STATUS_OK) {
+        map->force[job] = attempt->force;
     } else if (job < map->failed) {
         map->failed = job;
-        map->error = entry->error;
+        map->error = attempt->error;
     }
     return STATUS_OK;
 }
 
-static int poll_owner(void *context, struct workers *w, struct error *e) {
-    const struct map *map = context;
-    const struct force_map_request *q = map->request;
-    workers_lock(w);
-    const long n_done = map->n_done;
-    workers_unlock(w);
+static int poll_owner(void *context, struct workers *w, long n_done, struct error *e) {
+    const struct force_map_request *q = ((const struct map *)context)->request;
+    (void)w;
     return q->poll ? q->poll(q->context, n_done, e) : STATUS_OK;
 }
 
 int force_map_run(const struct force_map_request *q, double *force, struct error *e) {
-    struct map map = {.request = q, .records = shelf_create(SHELF_BYTES), .failed = LONG_MAX};
+    struct map map = {
+        .request = q, .records = record_cache_create(RECORD_CACHE_BYTES), .failed = LONG_MAX};
     map.force = force;
     if (!map.records) {
         return error_no_memory(e);
@@ -137,14 +134,14 @@ int force_map_run(const struct force_map_request *q, double *force, struct error
     const size_t define = ((size_t)q->n_define + 2) * sizeof(char *);
     const struct workers_request request = {.n_thread =
                                                 n_pair < q->n_thread ? (int)n_pair : q->n_thread,
-                                            .scratch = sizeof(struct entry) + define,
+                                            .scratch = sizeof(struct attempt) + define,
                                             .take = take,
                                             .work = work,
                                             .enter = enter,
                                             .poll = poll_owner,
                                             .context = &map};
     const int status = workers_run(&request, e);
-    shelf_free(map.records);
+    record_cache_free(map.records);
     if (status == STATUS_OK && map.failed != LONG_MAX) {
         *e = map.error;
         return map.error.status;

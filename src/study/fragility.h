@@ -50,8 +50,7 @@ struct fragility_record {
     double intensity;  // the crossing, or the highest or lowest intensity of the record
 };
 
-// From the first exceedances of `n` records; src/study/fragility_records.c. Errors: as
-// fragility_fit.
+// From the first exceedances of `n` records. Errors: as fragility_fit.
 int fragility_fit_records(const struct fragility_record *record, int n, struct fragility *out,
                           struct error *e);
 

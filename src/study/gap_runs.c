@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "model/link_end.h"
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 #include "study/trial.h"
 #include "study/workers.h"
 
@@ -18,8 +18,7 @@ static const double FAR = 1024.0;  // [m]
 // All jobs.
 struct work {
     const struct gap_runs *runs;
-    struct shelf *records;
-    long n, next, n_done;  // the last two are guarded by the lock
+    struct record_cache *records;
 };
 
 // One run of one case.
@@ -55,14 +54,6 @@ static const struct link *closed_at_start(const struct model *m, const struct li
     return NULL;
 }
 
-static bool any_closed(const struct model *m, const struct results *r) {
-    bool any = false;
-    for (int i = 0; i < m->n_contact; i++) {
-        any = any || r->link[i].penetration >= 0.0;
-    }
-    return any;
-}
-
 static int poll_job(void *context, double time, struct error *e) {
     const struct job *job = context;
     (void)time;
@@ -78,7 +69,11 @@ static int analyse(struct job *job, const struct model *m, const struct model *d
     if (status != STATUS_OK || !results) {
         return status;
     }
-    if (isinf(job->which->gap) && any_closed(m, results)) {
+    bool any_closed = false;
+    for (int i = 0; i < m->n_contact; i++) {
+        any_closed = any_closed || results->link[i].penetration >= 0.0;
+    }
+    if (isinf(job->which->gap) && any_closed) {
         trial_fail(outcome, "a contact would close a gap of 1024 m");
     } else {
         status = job->runs->read(job->runs->context, m, deck, results, job->value, e);
@@ -110,12 +105,6 @@ static int use_model(void *context, const struct model *m, struct study_outcome 
     return status;
 }
 
-static long take(void *context, void *scratch) {
-    (void)scratch;
-    struct work *w = context;
-    return w->next < w->n ? w->next++ : -1;
-}
-
 static int do_job(void *context, struct workers *workers, long number, void *scratch,
                   struct error *e) {
     const struct work *w = context;
@@ -134,33 +123,23 @@ static int do_job(void *context, struct workers *workers, long number, void *scr
                        &s->outcome[number], e);
 }
 
-static int count(void *context, long number, const void *scratch, struct error *e) {
-    struct work *w = context;
-    (void)number, (void)scratch, (void)e;
-    w->n_done++;
-    return STATUS_OK;
-}
-
-static int poll_runs(void *context, struct workers *workers, struct error *e) {
-    struct work *w = context;
-    workers_lock(workers);
-    const long n_done = w->n_done;
-    workers_unlock(workers);
-    return w->runs->poll ? w->runs->poll(w->runs->context, n_done, e) : STATUS_OK;
+static int poll_runs(void *context, struct workers *workers, long n_done, struct error *e) {
+    const struct gap_runs *s = ((const struct work *)context)->runs;
+    (void)workers;
+    return s->poll ? s->poll(s->context, n_done, e) : STATUS_OK;
 }
 
 int gap_runs_run(const struct gap_runs *s, struct error *e) {
-    struct work w = {
-        .runs = s, .records = shelf_create(SHELF_BYTES), .n = s->n_case * s->which[0].plan->n_run};
+    struct work w = {.runs = s, .records = record_cache_create(RECORD_CACHE_BYTES)};
+    const long n_job = s->n_case * s->which[0].plan->n_run;
     const struct workers_request request = {
-        .n_thread = w.n < s->n_thread ? (int)w.n : s->n_thread,
+        .n_thread = n_job < s->n_thread ? (int)n_job : s->n_thread,
+        .n_job = n_job,
         .scratch = 1,  // none is needed: each job has its place in the results
-        .take = take,
         .work = do_job,
-        .enter = count,
         .poll = poll_runs,
         .context = &w};
     int status = w.records ? workers_run(&request, e) : error_no_memory(e);
-    shelf_free(w.records);
+    record_cache_free(w.records);
     return status;
 }

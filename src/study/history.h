@@ -6,8 +6,7 @@
 #define JOSTLE_HISTORY_H
 
 #include "jostle/analysis.h"
-#include "study/entry.h"
-#include "study/journal.h"
+#include "study/journal_entry.h"
 
 // Tells another number of rows, and rows of another size, with other fields or at other times, from
 // those of runs of this model. Not 0.

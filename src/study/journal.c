@@ -3,21 +3,15 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "core/file.h"
-#include "study/entry.h"
-#include "study/journal_parts.h"
+#include "study/journal_entry.h"
 
 static const char magic[8] = "jostle5\n";
-enum { MAGIC_VERSION = 6, HEAD_MAX = 1 << 16 };  // the place of its digit; bytes of a later head
-
-static int cannot(const struct journal *j, const char *what, struct error *e) {
-    return error_set(e, STATUS_SYSTEM, "cannot %s %s: %s", what, j->path, strerror(errno));
-}
+enum { MAGIC_VERSION = 6 };  // the place of its digit
 
 void journal_close(struct journal *j) {
     if (j->file >= 0) {
@@ -40,62 +34,6 @@ void journal_remove(struct journal *j) {
         unlink(j->path);
     }
     journal_close(j);
-}
-
-bool journal_reserve(struct journal *j, size_t n) {
-    if (n > j->capacity) {
-        unsigned char *more = realloc(j->buffer, n);
-        if (!more) {
-            return false;
-        }
-        j->buffer = more;
-        j->capacity = n;
-    }
-    return true;
-}
-
-int journal_append(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
-    const size_t size = entry_seal(j->buffer, kind, n);
-    if (file_write(j->file, j->buffer, size, j->end) != 0) {
-        const int cause = errno;
-        if (file_cut(j->file, j->end) != 0) {
-            errno = cause;  // the torn entry is dropped by whoever reads it
-        }
-        errno = cause;
-        return cannot(j, "write", e);
-    }
-    j->end += (off_t)size;
-    return STATUS_OK;
-}
-
-int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t *n,
-                       struct error *e) {
-    ssize_t got = file_read(j->file, j->buffer, ENTRY_HEAD, at);
-    if (got < 0) {
-        return cannot(j, "read", e);
-    }
-    if (got < ENTRY_HEAD || !entry_size(j->buffer, kind, n)) {
-        return 0;
-    }
-    const size_t size = ENTRY_HEAD + *n + ENTRY_TAIL;
-    if (lseek(j->file, 0, SEEK_END) - at < (off_t)size) {
-        return 0;
-    }
-    if (!journal_reserve(j, size)) {
-        return error_no_memory(e);
-    }
-    got = file_read(j->file, j->buffer, size, at);
-    if (got < 0) {
-        return cannot(j, "read", e);
-    }
-    return (size_t)got == size && entry_is_sound(j->buffer, *n) ? 1 : 0;
-}
-
-// Is it the magic word of another version?
-static bool is_of_another(const char *found) {
-    const char version = found[MAGIC_VERSION];
-    return memcmp(found, magic, MAGIC_VERSION) == 0 && version >= '0' && version <= '9' &&
-           found[MAGIC_VERSION + 1] == magic[MAGIC_VERSION + 1];
 }
 
 static int take_foreign(struct journal *j, struct error *e) {
@@ -126,10 +64,14 @@ static int load_head(struct journal *j, struct error *e) {
     size_t n;
     ssize_t got = file_read(j->file, found, sizeof found, 0);
     if (got < 0) {
-        return cannot(j, "read", e);
+        return journal_cannot(j, "read", e);
     }
     if (memcmp(found, magic, (size_t)got) != 0) {
-        if ((size_t)got == sizeof magic && is_of_another(found)) {
+        // Is it the magic word of another version?
+        const char version = found[MAGIC_VERSION];
+        if ((size_t)got == sizeof magic && memcmp(found, magic, MAGIC_VERSION) == 0 &&
+            version >= '0' && version <= '9' &&
+            found[MAGIC_VERSION + 1] == magic[MAGIC_VERSION + 1]) {
             return take_foreign(j, e);
         }
         return error_set(e, STATUS_INPUT,
@@ -153,20 +95,6 @@ static int attempt(void *context, struct error *e) {
     return file_claim(j->path, j->path, O_CREAT, &j->file, e);
 }
 
-// The name of the journal is on disk before anything is in it.
-static int open_file(struct journal *j, struct error *e) {
-    const int status = file_retry(j->path, j->path, attempt, j, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    const int folder = file_open_folder(j->path);
-    const int synced = file_sync_folder(folder);
-    if (folder >= 0) {
-        close(folder);
-    }
-    return synced == 0 ? load_head(j, e) : cannot(j, "write", e);
-}
-
 int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e) {
     *j = (struct journal){.file = -1, .n_run = n_run, .n_value = n_value};
     const size_t n = strlen(path) + 1;
@@ -178,11 +106,54 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
         return error_no_memory(e);
     }
     memcpy(j->path, path, n);
-    int status = open_file(j, e);
+    int status = file_retry(path, path, attempt, j, e);
+    if (status == STATUS_OK) {
+        // The name of the journal is on disk before anything is in it.
+        const int folder = file_open_folder(path);
+        const int synced = file_sync_folder(folder);
+        if (folder >= 0) {
+            close(folder);
+        }
+        status = synced == 0 ? load_head(j, e) : journal_cannot(j, "write", e);
+    }
     if (status != STATUS_OK) {
         journal_close(j);
     }
     return status;
+}
+
+int journal_want_histories(struct journal *j, uint64_t shape, struct error *e) {
+    j->chain = calloc((size_t)j->n_run, sizeof *j->chain);
+    j->shape = shape;
+    return j->chain ? STATUS_OK : error_no_memory(e);
+}
+
+void journal_begin_run(struct journal *j, long run) {
+    if (j->chain) {
+        j->chain[run] = (struct journal_chain){0};
+    }
+}
+
+// The block at j->end is another one of its run, if it stands behind those that there are.
+static void link_block(struct journal *j, const struct entry_block *b) {
+    if (!j->chain || b->run < 0 || b->run >= j->n_run) {
+        return;
+    }
+    struct journal_chain *chain = &j->chain[b->run];
+    if (b->index == 0) {
+        journal_begin_run(j, (long)b->run);
+    }
+    if (b->index == chain->n && b->previous == chain->last) {
+        *chain = (struct journal_chain){chain->n + 1, j->end};
+    }
+}
+
+// Whether the histories of the run, which ended with this status, are there as they are wanted.
+static bool has_blocks(const struct journal *j, const struct entry_run *run, int status) {
+    const struct journal_chain *chain = j->chain ? &j->chain[run->number] : NULL;
+    return status == STUDY_FAILED ||
+           (run->shape == j->shape &&
+            (!chain || (run->n_block == chain->n && run->last == chain->last)));
 }
 
 // Takes the entry in the buffer; 0 if it is not one of this study, or lacks a file or histories.
@@ -195,7 +166,7 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
     struct checksum sum;
     if (kind == ENTRY_RUN && entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) &&
         run.number >= 0 && run.number < j->n_run && run.n_file <= j->n_file &&
-        journal_has_blocks(j, &run, outcome.status)) {
+        has_blocks(j, &run, outcome.status)) {
         int64_t *offset = &j->offset[run.number];
         j->n_done += *offset == 0;
         j->n_failed += *offset == 0 && outcome.status == STUDY_FAILED;
@@ -206,7 +177,7 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
         return 1;
     }
     if (kind == ENTRY_BLOCK && entry_get_block(j->buffer, n, &block)) {
-        journal_link_block(j, &block);
+        link_block(j, &block);
         return 1;
     }
     if (kind == ENTRY_FILE && entry_get_file(j->buffer, n, &path, &sum)) {
@@ -221,53 +192,12 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
     return 0;
 }
 
-// Reads the head of an entry after the first one: no more bytes than such a one can have are
-// looked at for it.
-static bool is_head(const struct journal *j, const unsigned char *entry, enum entry_kind *kind,
-                    size_t *n) {
-    const size_t run = entry_run_size(j->n_value), file = entry_file_size("") + PATH_MAX;
-    const size_t block = sizeof(struct entry_block) + ENTRY_BLOCK_BYTES;
-    return entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
-                                                : *kind == ENTRY_HEAD_TEXT ? HEAD_MAX
-                                                : run > file               ? run
-                                                                           : file);
-}
-
-// Loads the next sound entry from *at on as journal_load_entry does; *at is where it starts.
-static int find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,
-                      struct error *e) {
-    enum { BLOCK = 1 << 14 };
-    unsigned char block[BLOCK];
-    ssize_t got;
-    while ((got = file_read(j->file, block, BLOCK, *at)) >= ENTRY_HEAD) {
-        for (ssize_t i = 0; i + ENTRY_HEAD <= got; i++, ++*at) {
-            const int sound =
-                is_head(j, block + i, kind, n) ? journal_load_entry(j, *at, kind, n, e) : 0;
-            if (sound != 0) {
-                return sound;
-            }
-        }
-    }
-    return got < 0 ? cannot(j, "read", e) : 0;
-}
-
-// Does the file end amid an entry, as where the program was killed as it wrote?
-static bool is_torn(const struct journal *j, off_t at) {
-    unsigned char start[ENTRY_HEAD];
-    enum entry_kind kind;
-    size_t n;
-    const off_t left = lseek(j->file, 0, SEEK_END) - at;
-    return left < ENTRY_HEAD ||
-           (file_read(j->file, start, ENTRY_HEAD, at) == ENTRY_HEAD &&
-            is_head(j, start, &kind, &n) && left < (off_t)(ENTRY_HEAD + n + ENTRY_TAIL));
-}
-
 int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e) {
     enum entry_kind kind = ENTRY_RUN;
     size_t n = 0;
     off_t at = j->end;
     int sound;
-    while ((sound = find_entry(j, &at, &kind, &n, e)) == 1) {
+    while ((sound = journal_find_entry(j, &at, &kind, &n, e)) == 1) {
         j->n_damaged += at > j->end;
         j->end = at;
         const int taken = take(j, kind, n, file, context, e);
@@ -279,12 +209,12 @@ int journal_load(struct journal *j, journal_file_function *file, void *context, 
     if (sound < 0) {
         return sound;
     }
-    j->n_damaged += !is_torn(j, j->end);
+    j->n_damaged += !journal_is_torn(j, j->end);
     return STATUS_OK;
 }
 
 int journal_go_on(struct journal *j, struct error *e) {
-    return file_cut(j->file, j->end) == 0 ? STATUS_OK : cannot(j, "write", e);
+    return file_cut(j->file, j->end) == 0 ? STATUS_OK : journal_cannot(j, "write", e);
 }
 
 int journal_accept(struct journal *j, const char *head, const char *accepted, struct error *e) {
@@ -316,7 +246,7 @@ int journal_reset(struct journal *j, const char *head, struct error *e) {
         return error_no_memory(e);
     }
     if (file_cut(j->file, 0) != 0 || file_write(j->file, magic, sizeof magic, 0) != 0) {
-        return cannot(j, "write", e);
+        return journal_cannot(j, "write", e);
     }
     memcpy(entry_content(j->buffer), head, n);
     return journal_append(j, ENTRY_HEAD_TEXT, n, e);
@@ -357,7 +287,8 @@ void journal_forget(struct journal *j, long run) {
     j->n_done--;
 }
 
-int journal_lost(const struct journal *j, long run, struct error *e) {
+// The error of a run that was there and is not.
+static int lost(const struct journal *j, long run, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "%s was damaged while the study ran: run %ld is lost",
                      j->path, run + 1);
 }
@@ -373,11 +304,64 @@ int journal_read(struct journal *j, long run, struct study_outcome *outcome, dou
     }
     if (sound == 0 || kind != ENTRY_RUN ||
         !entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) || found.number != run) {
-        return journal_lost(j, run, e);
+        return lost(j, run, e);
     }
     return STATUS_OK;
 }
 
+int journal_add_block(struct journal *j, long run, const void *bytes, size_t n, struct error *e) {
+    const struct journal_chain *chain = &j->chain[run];
+    const struct entry_block block = {run, chain->n, chain->last};
+    const off_t at = j->end;
+    if (!journal_reserve(j, ENTRY_HEAD + sizeof block + n + ENTRY_TAIL)) {
+        return error_no_memory(e);
+    }
+    const int status =
+        journal_append(j, ENTRY_BLOCK, entry_put_block(j->buffer, block, bytes, n), e);
+    if (status == STATUS_OK) {
+        j->chain[run] = (struct journal_chain){block.index + 1, at};
+    }
+    return status;
+}
+
+int journal_find_blocks(struct journal *j, long run, int64_t **offset, struct error *e) {
+    const long n = j->chain[run].n;
+    int64_t at = j->chain[run].last, *to = malloc(((size_t)n + 1) * sizeof *to);
+    int status = STATUS_OK;
+    if (!to) {
+        return error_no_memory(e);
+    }
+    for (long i = n - 1; i >= 0 && status == STATUS_OK; i--) {
+        unsigned char start[ENTRY_HEAD + sizeof(struct entry_block)];
+        struct entry_block block = {.index = -1};
+        to[i] = at;
+        if (file_read(j->file, start, sizeof start, (off_t)at) == (ssize_t)sizeof start) {
+            entry_get_block(start, sizeof block, &block);
+        }
+        at = block.previous;
+        status = block.run == run && block.index == i ? STATUS_OK : lost(j, run, e);
+    }
+    if (status != STATUS_OK) {
+        free(to);
+        return status;
+    }
+    *offset = to;
+    return STATUS_OK;
+}
+
+int journal_read_block(struct journal *j, long run, int64_t offset, const unsigned char **bytes,
+                       size_t *n, struct error *e) {
+    enum entry_kind kind = ENTRY_FILE;
+    struct entry_block block = {.run = -1};
+    const int sound = journal_load_entry(j, (off_t)offset, &kind, n, e);
+    if (sound < 0) {
+        return sound;
+    }
+    *bytes = sound == 1 && kind == ENTRY_BLOCK ? entry_get_block(j->buffer, *n, &block) : NULL;
+    *n -= sizeof block;
+    return *bytes && block.run == run ? STATUS_OK : lost(j, run, e);
+}
+
 int journal_sync(const struct journal *j, struct error *e) {
-    return file_sync(j->file) == 0 ? STATUS_OK : cannot(j, "write", e);
+    return file_sync(j->file) == 0 ? STATUS_OK : journal_cannot(j, "write", e);
 }

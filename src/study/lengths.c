@@ -46,20 +46,15 @@ static int read_length(void *context, const struct model *m, struct study_outcom
     return STATUS_OK;
 }
 
-static const struct sweep *sweep_at(const struct lengths *l) {
-    const struct sweep *s = l->plan->first->deck->sweeps;
-    for (int i = 0; s && i < l->sweep; i++) {
-        s = s->next;
-    }
-    return s;
-}
-
 void lengths_measure(struct lengths *l, double seconds) {
     // Not from the records of the runs: a file may change until its first run reads it.
     const struct trial_watch watch = {.records = NULL};
     const double start = wall_seconds();
     while (!l->measured && wall_seconds() - start < seconds) {
-        const struct sweep *s = sweep_at(l);
+        const struct sweep *s = l->plan->first->deck->sweeps;
+        for (int i = 0; s && i < l->sweep; i++) {
+            s = s->next;
+        }
         struct study_outcome outcome;
         struct error e;
         if (!s) {

@@ -10,8 +10,8 @@
 #include "core/arena.h"
 #include "core/checksum.h"
 #include "jostle/study_merge.h"
-#include "study/identity.h"
 #include "study/number_list.h"
+#include "study/origin.h"
 
 enum { BYTES_MAX = 1 << 20, ROWS_MAX = 256 };
 
@@ -67,7 +67,7 @@ static int open_part(struct merge *m, int k, struct error *e) {
     const char *first = m->input[0].view->origin.study, *study = in->view->origin.study;
     if (strcmp(first, study) != 0) {
         int length;
-        const char *cause = identity_difference(first, study, &length);
+        const char *cause = origin_difference(first, study, &length);
         return error_set(e, STATUS_INPUT, "%s and %s are parts of different studies: %.*s differs",
                          path_of(m, 0), path, length, cause);
     }
@@ -179,19 +179,13 @@ static int map_items(struct merge *m, struct error *e) {
     return STATUS_OK;
 }
 
-static bool have_one_division(const struct merge *m) {
-    for (int k = 1; k < m->request->n_path; k++) {
-        if (m->input[k].view->part.shard.n != m->input[0].view->part.shard.n) {
-            return false;
-        }
-    }
-    return true;
-}
-
 // Says which runs are missing: by their parts if all parts are of one division.
 static void name_missing(const struct merge *m, const unsigned char *there) {
     struct study_merged *o = m->out;
-    const long n = have_one_division(m) ? m->input[0].view->part.shard.n : 0;
+    long n = m->input[0].view->part.shard.n;
+    for (int k = 1; k < m->request->n_path; k++) {
+        n = m->input[k].view->part.shard.n == n ? n : 0;
+    }
     char text[192] = "";
     struct number_list list = {.text = text, .size = sizeof text};
     for (long part = 1; part <= n; part++) {
@@ -320,14 +314,6 @@ static int read_runs(void *context, long first, long n, struct study_outcome *ou
     return status;
 }
 
-static int reserve_rows(struct merge *m, struct error *e) {
-    const size_t n_value = m->table->n_value + 1, rows = BYTES_MAX / (n_value * sizeof(double));
-    m->capacity = rows < 1 ? 1 : rows > ROWS_MAX ? ROWS_MAX : (long)rows;
-    m->outcome = malloc((size_t)m->capacity * sizeof *m->outcome);
-    m->value = malloc((size_t)m->capacity * n_value * sizeof *m->value);
-    return m->outcome && m->value ? STATUS_OK : error_no_memory(e);
-}
-
 // The sweeps of the first part as a list; times of all parts add up.
 static void describe(const struct merge *m, struct sweep *list, struct study_content *c) {
     const struct study_view *v = m->input[0].view;
@@ -357,7 +343,13 @@ static int join(struct merge *m, struct error *e) {
     describe(m, list, &content);
     int status = study_file_check(&content, &m->request->result, e);
     status = status == STATUS_OK ? map_items(m, e) : status;
-    status = status == STATUS_OK ? reserve_rows(m, e) : status;
+    const size_t n_value = m->table->n_value + 1, rows = BYTES_MAX / (n_value * sizeof(double));
+    m->capacity = rows < 1 ? 1 : rows > ROWS_MAX ? ROWS_MAX : (long)rows;
+    m->outcome = malloc((size_t)m->capacity * sizeof *m->outcome);
+    m->value = malloc((size_t)m->capacity * n_value * sizeof *m->value);
+    if (status == STATUS_OK && (!m->outcome || !m->value)) {
+        status = error_no_memory(e);
+    }
     return status == STATUS_OK ? study_file_write(&content, &m->request->result, e) : status;
 }
 

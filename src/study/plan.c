@@ -96,18 +96,16 @@ static bool same_values(const struct sweep *a, const struct sweep *b) {
     return true;
 }
 
-static bool same_samples(const struct sweep *a, const struct sweep *b) {
-    while (a && b && same_values(a, b)) {
-        a = a->along;
-        b = b->along;
-    }
-    return !a && !b;
-}
-
 static bool same_sweeps(const struct sweep *a, const struct sweep *b) {
-    while (a && b && same_samples(a, b)) {
-        a = a->next;
-        b = b->next;
+    for (; a && b; a = a->next, b = b->next) {
+        const struct sweep *x = a, *y = b;
+        while (x && y && same_values(x, y)) {
+            x = x->along;
+            y = y->along;
+        }
+        if (x || y) {
+            return false;
+        }
     }
     return !a && !b;
 }
@@ -139,27 +137,21 @@ static int check_buildings(const struct plan *p, long run, const struct model *m
     return STATUS_OK;
 }
 
-// Are the ends at the same floors, or at levels in the same storeys?
-static bool same_ends(const struct link *a, const struct link *b) {
-    bool same = true;
-    for (int i = 0; i < 2; i++) {
-        same = same && a->building[i] == b->building[i] && a->floor[i] == b->floor[i] &&
-               isnan(a->level[i]) == isnan(b->level[i]);
-    }
-    return same && a->within == b->within;
-}
-
 static int check_links(const struct plan *p, long run, const struct model *m, struct error *e) {
-    if (m->n_contact != p->first->n_contact || m->n_link != p->first->n_link) {
+    bool same = m->n_contact == p->first->n_contact && m->n_link == p->first->n_link;
+    if (!same) {
         return differs(p, run, e, "number of contacts and links");
     }
     for (int i = 0; i < m->n_link; i++) {
         const struct link *a = &p->first->link[i], *b = &m->link[i];
-        if (strcmp(a->name, b->name) != 0 || !same_ends(a, b)) {
-            return differs(p, run, e, "contacts and links");
+        same = same && strcmp(a->name, b->name) == 0 && a->within == b->within;
+        for (int k = 0; k < 2; k++) {
+            // At the same floor, or at levels in the same storey?
+            same = same && a->building[k] == b->building[k] && a->floor[k] == b->floor[k] &&
+                   isnan(a->level[k]) == isnan(b->level[k]);
         }
     }
-    return STATUS_OK;
+    return same ? STATUS_OK : differs(p, run, e, "contacts and links");
 }
 
 int plan_check(const struct plan *p, long run, const struct model *m, struct error *e) {
@@ -202,4 +194,19 @@ int plan_view(const struct plan *p, struct study_view *out, struct error *e) {
     }
     out->table.item = item;
     return STATUS_OK;
+}
+
+long study_shard_run(const struct study_shard *s, long i) {
+    if (s->n == 0) {
+        return i;
+    }
+    return i * s->n + (s->number - 1 - i % s->n + s->n) % s->n;
+}
+
+long study_shard_size(const struct study_shard *s, long n_run) {
+    if (s->n == 0) {
+        return n_run;
+    }
+    const long rows = n_run / s->n;  // complete ones
+    return rows + (study_shard_run(s, rows) < n_run);
 }

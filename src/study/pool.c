@@ -7,7 +7,7 @@
 #include "core/wall.h"
 #include "jostle/ensemble.h"
 #include "jostle/study_merge.h"
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 #include "study/history.h"
 #include "study/lengths.h"
 #include "study/trial.h"
@@ -24,8 +24,8 @@ struct pool {
     const struct study_request *request;
     const struct plan *plan;
     struct journal *journal;
-    struct ledger *ledger;
-    struct shelf *records;
+    struct manifest *manifest;
+    struct record_cache *records;
     struct study_progress progress;
     long failed;  // run of progress.failure
     long next;    // the run to look at next
@@ -68,8 +68,8 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
     int status = STATUS_OK;
     workers_lock(v->workers);
     for (; files && status == STATUS_OK; files = files->next) {
-        const struct ledger_file *added;
-        status = ledger_check(p->ledger, files, &added, e);
+        const struct manifest_file *added;
+        status = manifest_check(p->manifest, files, &added, e);
         if (status == STATUS_OK && added) {
             status = journal_add_file(p->journal, added->path, &added->sum, e);
         }
@@ -106,18 +106,13 @@ static int put_results(void *context, const struct results *r, struct error *e) 
     return history_put_results(v->history, r, e);
 }
 
-// How many runs a thread takes at once: those that can go in lockstep, but so that all threads get
-// their share.
-static long batch_size(const struct pool *p) {
-    const long share = (p->left + p->progress.n_thread - 1) / p->progress.n_thread;
-    return share < p->most ? share : p->most;
-}
-
 // The next runs of the part to be done; -1: there are none.
 static long take(void *context, void *scratch) {
     struct pool *p = context;
     struct batch *b = scratch;
-    const long most = batch_size(p);
+    // Those that can go in lockstep, but so that all threads get their share.
+    const long share = (p->left + p->progress.n_thread - 1) / p->progress.n_thread;
+    const long most = share < p->most ? share : p->most;
     for (b->n = 0; b->n < most && p->next < p->plan->n_mine; p->next++) {
         if (p->journal->offset[p->next] == 0) {
             struct trial *t = &b->trial[b->n];
@@ -170,19 +165,6 @@ static double length_of(const struct pool *p, long entry) {
     return lengths_of(&p->lengths, study_shard_run(&p->plan->shard, entry));
 }
 
-// Sums the lengths of runs, once they are measured.
-static void weigh(struct pool *p) {
-    for (long i = 0; i < p->plan->n_mine; i++) {
-        const int64_t at = p->journal->offset[i];
-        if (at == 0) {
-            p->length_left += length_of(p, i);
-        } else if (at >= p->kept) {
-            p->length_done += length_of(p, i);
-        }
-    }
-    p->weighed = true;
-}
-
 static double seconds_left(const struct pool *p) {
     return p->weighed && p->length_done > 0.0
                ? (wall_seconds() - p->start) * p->length_left / p->length_done
@@ -221,16 +203,24 @@ static int enter(void *context, long first, const void *scratch, struct error *e
 }
 
 // What the calling thread does meanwhile.
-static int watch(void *context, struct workers *w, struct error *e) {
+static int watch(void *context, struct workers *w, long n_job, struct error *e) {
     struct pool *p = context;
+    (void)n_job;  // the progress counts runs
     const struct study_request *q = p->request;
     if (q->poll && p->tick >= LENGTHS_TICKS) {
         lengths_measure(&p->lengths, LENGTHS_SECONDS);
     }
     workers_lock(w);
-    if (p->lengths.measured && !p->weighed) {
-        weigh(p);
+    // The lengths of runs are summed once they are measured.
+    for (long i = 0; p->lengths.measured && !p->weighed && i < p->plan->n_mine; i++) {
+        const int64_t at = p->journal->offset[i];
+        if (at == 0) {
+            p->length_left += length_of(p, i);
+        } else if (at >= p->kept) {
+            p->length_done += length_of(p, i);
+        }
     }
+    p->weighed = p->lengths.measured;
     struct study_progress now = p->progress;
     now.seconds_left = seconds_left(p);
     workers_unlock(w);
@@ -240,12 +230,12 @@ static int watch(void *context, struct workers *w, struct error *e) {
 }
 
 int pool_run(const struct study_request *q, const struct plan *plan, struct journal *journal,
-             struct ledger *ledger, struct study_progress *progress, struct error *e) {
+             struct manifest *manifest, struct study_progress *progress, struct error *e) {
     struct pool p = {.request = q,
                      .plan = plan,
                      .journal = journal,
-                     .ledger = ledger,
-                     .records = shelf_create(SHELF_BYTES),
+                     .manifest = manifest,
+                     .records = record_cache_create(RECORD_CACHE_BYTES),
                      .progress = *progress,
                      .kept = journal->end,
                      .start = wall_seconds()};
@@ -266,7 +256,7 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
                                             .context = &p};
     status = status == STATUS_OK && n_thread > 0 ? workers_run(&request, e) : status;
     lengths_close(&p.lengths);
-    shelf_free(p.records);
+    record_cache_free(p.records);
     *progress = p.progress;
     return status;
 }

@@ -6,14 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/number.h"
 #include "jostle/ensemble.h"
 #include "jostle/numerics.h"
-#include "motion/shelf.h"
-#include "study/identity.h"
-#include "study/ledger.h"
+#include "motion/record_cache.h"
+#include "study/manifest.h"
 #include "study/number_list.h"
+#include "study/origin.h"
 #include "study/plan.h"
-#include "study/portion.h"
+#include "study/roles.h"
 #include "study/trial.h"
 
 struct rerun {
@@ -21,7 +22,7 @@ struct rerun {
     const struct study_view *view;
     struct study_file *file;
     struct plan plan;
-    struct ledger ledger;
+    struct manifest manifest;
     struct trial_watch watch;
     unsigned char *chosen;   // (n_run of the file)
     double *stored, *value;  // (n_value) of the file; (ENSEMBLE_MAX, n_value)
@@ -80,13 +81,13 @@ static int check_origin(struct rerun *r, struct error *e) {
                                         .n_define = q->n_define,
                                         .numerics = NUMERICS_VERSION};
     const char *identity;
-    int status = identity_study(r->ledger.arena, &study, r->plan.table->n_value, &identity, e);
+    int status = origin_study(r->manifest.arena, &study, r->plan.table->n_value, &identity, e);
     if (status == STATUS_OK && !r->view->origin.study) {
         return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from",
                          r->view->path);
     }
     if (status == STATUS_OK) {
-        status = portion_compare(&study, &r->ledger, identity, &r->view->origin, e);
+        status = origin_compare(&study, &r->manifest, identity, &r->view->origin, e);
     }
     const struct error cause = *e;
     return status == STATUS_INPUT
@@ -95,23 +96,13 @@ static int check_origin(struct rerun *r, struct error *e) {
                : status;
 }
 
-static bool is_swept(const struct study_view *v, const char *name) {
-    for (int i = 0; i < v->n_sweep; i++) {
-        for (const struct sweep *s = v->sweep[i]; s; s = s->along) {
-            if (strcmp(s->name, name) == 0) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 static int map_items(struct rerun *r, struct error *e) {
     const struct study_table *t = r->plan.table;
     for (int i = 0; i < t->n_item; i++) {
         const struct study_item *item = &t->item[i];
         r->item[i] = item->n > 0 ? study_table_find(&r->view->table, item) : -1;
-        if (r->item[i] < 0 && item->n > 0 && !is_swept(r->view, item->name)) {
+        if (r->item[i] < 0 && item->n > 0 &&
+            !roles_find_name(r->view, item->name, strlen(item->name), &(int){0})) {
             return error_set(e, STATUS_INPUT, "%s is damaged: it has no %s/%s", r->view->path,
                              item->parent, item->name);
         }
@@ -131,14 +122,6 @@ static int differs(const struct rerun *r, const struct trial *t, const struct st
                      stored, t->value[item->first + k]);
 }
 
-// NAN is NAN, and -0 is not 0.
-static bool same_bits(double a, double b) {
-    uint64_t of_a, of_b;
-    memcpy(&of_a, &a, sizeof of_a);
-    memcpy(&of_b, &b, sizeof of_b);
-    return of_a == of_b;
-}
-
 static int compare_values(const struct rerun *r, const struct trial *t, struct error *e) {
     const struct study_table *table = r->plan.table;
     for (int i = 0; i < table->n_item; i++) {
@@ -148,7 +131,8 @@ static int compare_values(const struct rerun *r, const struct trial *t, struct e
         }
         const double *stored = r->stored + r->view->table.item[r->item[i]].first;
         for (size_t k = 0; k < item->n; k++) {
-            if (!same_bits(stored[k], t->value[item->first + k])) {
+            // NAN is NAN, and -0 is not 0.
+            if (number_bits(stored[k]) != number_bits(t->value[item->first + k])) {
                 return differs(r, t, item, k, stored[k], e);
             }
         }
@@ -188,24 +172,18 @@ static int run_batch(struct rerun *r, int n, struct error *e) {
     return status;
 }
 
-// A run that `merge --partial` left out is counted and not computed.
-static int is_missing(struct rerun *r, long i, bool *missing, struct error *e) {
-    struct study_outcome outcome;
-    const int status = study_file_read(r->file, i, 1, &outcome, r->stored, e);
-    *missing = status == STATUS_OK && outcome.status == STUDY_MISSING;
-    r->out->n_missing += *missing;
-    return status;
-}
-
 static int run_chosen(struct rerun *r, struct error *e) {
     const int most = trial_most(&r->plan);
     int n = 0, status = STATUS_OK;
     for (long i = 0; i < r->view->n_run && status == STATUS_OK; i++) {
-        bool missing = false;
+        struct study_outcome outcome;
         if (!r->chosen[i]) {
             continue;
         }
-        status = is_missing(r, i, &missing, e);
+        // A run that `merge --partial` left out is counted and not computed.
+        status = study_file_read(r->file, i, 1, &outcome, r->stored, e);
+        const bool missing = status == STATUS_OK && outcome.status == STUDY_MISSING;
+        r->out->n_missing += missing;
         if (status == STATUS_OK && !missing) {
             r->trial[n] = (struct trial){.run = study_view_run(r->view, i),
                                          .entry = i,
@@ -226,20 +204,9 @@ static int allocate(struct rerun *r, struct error *e) {
     r->stored = malloc((n_stored + 1) * sizeof *r->stored);
     r->value = malloc((ENSEMBLE_MAX * n_value + 1) * sizeof *r->value);
     r->item = malloc(((size_t)r->plan.table->n_item + 1) * sizeof *r->item);
-    r->watch.records = shelf_create(SHELF_BYTES);
+    r->watch.records = record_cache_create(RECORD_CACHE_BYTES);
     return r->chosen && r->stored && r->value && r->item && r->watch.records ? STATUS_OK
                                                                              : error_no_memory(e);
-}
-
-static int check_and_run(struct rerun *r, struct error *e) {
-    int status = ledger_init(&r->ledger, e);
-    status = status == STATUS_OK ? allocate(r, e) : status;
-    status = status == STATUS_OK ? check_origin(r, e) : status;
-    status = status == STATUS_OK ? map_items(r, e) : status;
-    status = status == STATUS_OK ? choose(r, e) : status;
-    status = status == STATUS_OK ? run_chosen(r, e) : status;
-    number_list_end(&r->numbers);
-    return status;
 }
 
 int study_rerun(struct study_file *f, const struct study_rerun_request *q, struct study_rerun *out,
@@ -257,13 +224,19 @@ int study_rerun(struct study_file *f, const struct study_rerun_request *q, struc
     if (status != STATUS_OK) {
         return status;
     }
-    status = check_and_run(&r, e);
+    status = manifest_init(&r.manifest, e);
+    status = status == STATUS_OK ? allocate(&r, e) : status;
+    status = status == STATUS_OK ? check_origin(&r, e) : status;
+    status = status == STATUS_OK ? map_items(&r, e) : status;
+    status = status == STATUS_OK ? choose(&r, e) : status;
+    status = status == STATUS_OK ? run_chosen(&r, e) : status;
+    number_list_end(&r.numbers);
     free(r.chosen);
     free(r.stored);
     free(r.value);
     free(r.item);
-    shelf_free(r.watch.records);
-    ledger_close(&r.ledger);
+    record_cache_free(r.watch.records);
+    manifest_close(&r.manifest);
     plan_close(&r.plan);
     return status;
 }

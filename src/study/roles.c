@@ -10,17 +10,11 @@
 // Values typed by hand may differ from those of a range in their last digits.
 static const double SAME_VALUE = 1e-9;
 
-static bool is_name(const struct sweep *s, const char *name, size_t n) {
-    return strlen(s->name) == n && strncmp(s->name, name, n) == 0;
-}
-
-// The sweep of this name, or the parameter along one; NULL: there is none. *sweep is which
-// dimension it is of.
-static const struct sweep *find_name(const struct study_view *v, const char *name, size_t n,
-                                     int *sweep) {
+const struct sweep *roles_find_name(const struct study_view *v, const char *name, size_t n,
+                                    int *sweep) {
     for (*sweep = 0; *sweep < v->n_sweep; ++*sweep) {
         for (const struct sweep *p = v->sweep[*sweep]; p; p = p->along) {
-            if (is_name(p, name, n)) {
+            if (strlen(p->name) == n && strncmp(p->name, name, n) == 0) {
                 return p;
             }
         }
@@ -43,7 +37,7 @@ static int report_unknown(const struct study_view *v, const char *name, size_t n
 // error.
 static const struct sweep *find_sweep(const struct study_view *v, const char *name, size_t n,
                                       const char *option, int *sweep, struct error *e) {
-    const struct sweep *s = find_name(v, name, n, sweep);
+    const struct sweep *s = roles_find_name(v, name, n, sweep);
     if (!s) {
         report_unknown(v, name, n, option, e);
     } else if (s->random) {
@@ -103,9 +97,10 @@ static int find_number(const struct study_view *v, const struct sweep *s, const 
     return *end == '\0' ? find_shown(s, text) : -1;
 }
 
-static int find_label(const struct sweep *s, const char *text) {
+// The index of a label, but for the one at `other`; -1: it is none.
+static int find_label(const struct sweep *s, const char *text, int other) {
     for (int i = 0; i < s->n; i++) {
-        if (strcmp(s->label[i], text) == 0) {
+        if (i != other && strcmp(s->label[i], text) == 0) {
             return i;
         }
     }
@@ -114,13 +109,11 @@ static int find_label(const struct sweep *s, const char *text) {
 
 // Whether a value stands elsewhere, too.
 static bool is_repeated(const struct sweep *s, int k) {
-    for (int i = 0; i < s->n; i++) {
-        if (i != k &&
-            (s->number ? s->number[i] == s->number[k] : strcmp(s->label[i], s->label[k]) == 0)) {
-            return true;
-        }
+    bool repeated = !s->number && find_label(s, s->label[k], k) >= 0;
+    for (int i = 0; s->number && i < s->n; i++) {
+        repeated = repeated || (i != k && s->number[i] == s->number[k]);
     }
-    return false;
+    return repeated;
 }
 
 static int report_value(const struct sweep *s, const char *text, struct error *e) {
@@ -142,7 +135,7 @@ static int fix(const struct study_view *v, const char *text, struct roles *r, st
     if (!s) {
         return STATUS_INPUT;
     }
-    r->fixed[i] = s->number ? find_number(v, s, text + n + 1) : find_label(s, text + n + 1);
+    r->fixed[i] = s->number ? find_number(v, s, text + n + 1) : find_label(s, text + n + 1, -1);
     if (r->fixed[i] < 0) {
         return report_value(s, text, e);
     }
@@ -238,35 +231,6 @@ static int any_free(const struct study_view *v, const struct roles *r) {
     return any;
 }
 
-// Records, and realisations of random parameters.
-static void default_samples(const struct study_view *v, struct roles *r) {
-    const int found = guess(v, r, records, VALUES_TEXT);
-    for (int i = 0; i < v->n_sweep; i++) {
-        if (r->role[i] == ROLE_GROUP && (i == found || has_random(v->sweep[i]))) {
-            r->role[i] = ROLE_SAMPLE;
-        }
-    }
-}
-
-static bool is_one_of(const char *name, const char *const *known) {
-    while (*known && strcmp(name, *known) != 0) {
-        known++;
-    }
-    return *known != NULL;
-}
-
-// The sweep along which `name` goes, a sweep or a parameter along it; -1 after an error.
-static int find_named(const struct study_view *v, const char *name, struct roles *r,
-                      struct error *e) {
-    int sweep;
-    r->along = find_name(v, name, strlen(name), &sweep);
-    if (!r->along) {
-        report_unknown(v, name, strlen(name), "--im or --against", e);
-        return -1;
-    }
-    return sweep;
-}
-
 static int guess_abscissa(const struct study_view *v, const struct suite_request *q,
                           const struct roles *r, struct error *e) {
     int i = guess(v, r, intensities, VALUES_NUMBER);
@@ -283,13 +247,23 @@ static int guess_abscissa(const struct study_view *v, const struct suite_request
 
 static int find_abscissa(const struct study_view *v, const struct suite_request *q, struct roles *r,
                          struct error *e) {
-    const int i = q->abscissa ? find_named(v, q->abscissa, r, e) : guess_abscissa(v, q, r, e);
-    if (i < 0) {
+    int i = -1;
+    if (!q->abscissa) {
+        i = guess_abscissa(v, q, r, e);
+        r->along = i >= 0 ? v->sweep[i] : NULL;
+    } else {
+        r->along = roles_find_name(v, q->abscissa, strlen(q->abscissa), &i);
+        if (!r->along) {
+            report_unknown(v, q->abscissa, strlen(q->abscissa), "--im or --against", e);
+        }
+    }
+    if (!r->along) {
         return STATUS_INPUT;
     }
     r->abscissa = i;
-    r->along = r->along ? r->along : v->sweep[i];
-    r->is_intensity = is_one_of(r->along->name, intensities);
+    for (const char *const *name = intensities; *name; name++) {
+        r->is_intensity = r->is_intensity || strcmp(r->along->name, *name) == 0;
+    }
     return set_role(v, r, i, ROLE_ABSCISSA, e);
 }
 
@@ -306,8 +280,12 @@ int roles_find(const struct study_view *v, const struct suite_request *q, struct
     if (status == STATUS_OK) {
         status = find_abscissa(v, q, out, e);
     }
-    if (status == STATUS_OK && !q->over) {
-        default_samples(v, out);
+    // Records, and realisations of random parameters.
+    const int found = status == STATUS_OK && !q->over ? guess(v, out, records, VALUES_TEXT) : -1;
+    for (int i = 0; i < v->n_sweep && status == STATUS_OK && !q->over; i++) {
+        if (out->role[i] == ROLE_GROUP && (i == found || has_random(v->sweep[i]))) {
+            out->role[i] = ROLE_SAMPLE;
+        }
     }
     return status;
 }

@@ -19,6 +19,11 @@ struct roles {
 int roles_find(const struct study_view *v, const struct suite_request *q, struct roles *out,
                struct error *e);
 
+// The sweep whose name has these `n` bytes, or the parameter along one; NULL: there is none. *sweep
+// is which dimension it is of.
+const struct sweep *roles_find_name(const struct study_view *v, const char *name, size_t n,
+                                    int *sweep);
+
 // How many runs there are for all values of the sweeps of this role.
 int roles_count(const struct study_view *v, const struct roles *r, enum role role);
 

@@ -6,40 +6,39 @@
 
 #include "core/wall.h"
 #include "jostle/study_merge.h"
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 #include "study/history.h"
-#include "study/identity.h"
 #include "study/journal.h"
-#include "study/ledger.h"
+#include "study/manifest.h"
+#include "study/origin.h"
 #include "study/plan.h"
 #include "study/pool.h"
-#include "study/portion.h"
 #include "study/survey.h"
 #include "study/trial.h"
 
 struct study {
     const struct study_request *request;
     struct plan plan;
-    struct ledger ledger;
+    struct manifest manifest;
     struct journal journal;
     struct study_origin origin;      // of the runs
     struct study_part part;          // if that is what is run
     struct study_progress progress;  // when all runs are done
-    struct shelf *records;           // for the models of runs with histories
+    struct record_cache *records;    // for the models of runs with histories
     double start;                    // wall time [s]
 };
 
 static int expect_file(void *context, const char *path, const struct checksum *sum,
                        struct error *e) {
     struct study *s = context;
-    return ledger_expect(&s->ledger, path, sum, e);
+    return manifest_expect(&s->manifest, path, sum, e);
 }
 
 // Goes on as the user wants it although something has changed, and notes what.
 static int accept_changes(struct study *s, const char *head, struct error *e) {
-    struct arena *a = s->ledger.arena;
+    struct arena *a = s->manifest.arena;
     const char *accepted = s->origin.accepted;
-    int status = identity_accept(a, s->journal.head, head, &accepted, e);
+    int status = origin_accept(a, s->journal.head, head, &accepted, e);
     if (status == STATUS_INPUT) {
         const struct error cause = *e;
         return error_set(e, STATUS_INPUT,
@@ -47,7 +46,7 @@ static int accept_changes(struct study *s, const char *head, struct error *e) {
                          "begins anew",
                          s->journal.path, cause.message);
     }
-    for (const struct ledger_file *f = s->ledger.file; f && accepted; f = f->next) {
+    for (const struct manifest_file *f = s->manifest.file; f && accepted; f = f->next) {
         accepted = f->changed ? arena_format(a, "%s%s\n", accepted, f->path) : accepted;
     }
     if (status != STATUS_OK || !accepted) {
@@ -58,7 +57,7 @@ static int accept_changes(struct study *s, const char *head, struct error *e) {
         status = journal_accept(&s->journal, head, accepted, e);
     }
     // After the note, so that no kill between leaves the changed files without it.
-    for (struct ledger_file *f = s->ledger.file; f && status == STATUS_OK; f = f->next) {
+    for (struct manifest_file *f = s->manifest.file; f && status == STATUS_OK; f = f->next) {
         if (f->changed) {
             f->changed = false;
             status = journal_add_file(&s->journal, f->path, &f->sum, e);
@@ -72,9 +71,9 @@ static int accept_changes(struct study *s, const char *head, struct error *e) {
 static int check_changes(struct study *s, const char *head, struct error *e) {
     if (strcmp(s->journal.head, head) != 0) {
         int length;
-        const char *cause = identity_difference(s->journal.head, head, &length);
+        const char *cause = origin_difference(s->journal.head, head, &length);
         const char *accepted = "";
-        const int status = identity_accept(s->ledger.arena, s->journal.head, head, &accepted, e);
+        const int status = origin_accept(s->manifest.arena, s->journal.head, head, &accepted, e);
         if (status == STATUS_SYSTEM) {
             return status;
         }
@@ -83,7 +82,7 @@ static int check_changes(struct study *s, const char *head, struct error *e) {
                          s->journal.path, length, cause,
                          status == STATUS_OK ? ACCEPT_OR_RESTART : "--restart begins anew");
     }
-    int status = ledger_unchanged(&s->ledger, e);
+    int status = manifest_unchanged(&s->manifest, e);
     if (status == STATUS_INPUT) {
         const struct error cause = *e;
         return error_set(e, STATUS_INPUT, "%s; " ACCEPT_OR_RESTART, cause.message);
@@ -132,7 +131,7 @@ static int forget_misfits(struct study *s, struct error *e) {
 // Goes on with the runs of the open journal, or begins it anew.
 static int resume(struct study *s, struct error *e) {
     const enum study_journal wanted = s->request->journal;
-    const char *head = identity_journal(s->ledger.arena, s->request, s->origin.study);
+    const char *head = origin_journal(s->manifest.arena, s->request, s->origin.study);
     if (!head) {
         return error_no_memory(e);
     }
@@ -167,7 +166,7 @@ static int resume(struct study *s, struct error *e) {
 }
 
 static int open_journal(struct study *s, struct error *e) {
-    const char *path = arena_format(s->ledger.arena, "%s.runs", s->request->result.path);
+    const char *path = arena_format(s->manifest.arena, "%s.runs", s->request->result.path);
     if (!path) {
         return error_no_memory(e);
     }
@@ -233,22 +232,13 @@ static int write_run(void *context, long run, const struct result_place *place, 
                        &outcome, e);
 }
 
-// A journal without runs is not left behind.
-static void close_journal(struct study *s) {
-    if (s->journal.n_done == 0) {
-        journal_remove(&s->journal);
-    } else {
-        journal_close(&s->journal);
-    }
-}
-
 static int run_and_write(struct study *s, struct study_content *content, struct study_progress *p,
                          struct error *e) {
     p->n_kept = s->journal.n_done;
     p->n_done = s->journal.n_done;
     p->n_failed = s->journal.n_failed;
     p->n_damaged = s->journal.n_damaged;
-    int status = pool_run(s->request, &s->plan, &s->journal, &s->ledger, p, e);
+    int status = pool_run(s->request, &s->plan, &s->journal, &s->manifest, p, e);
     struct error sync;
     int synced = journal_sync(&s->journal, &sync);
     if (status == STATUS_OK && synced != STATUS_OK) {
@@ -261,9 +251,9 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     content->n_kept = p->n_kept;
     content->n_thread = p->n_thread;
     content->seconds = wall_seconds() - s->start;
-    status = portion_origin(s->request, &s->plan, &s->ledger, &s->origin, e);
+    status = origin_describe(s->request, &s->plan, &s->manifest, &s->origin, e);
     if (status == STATUS_OK && s->request->shard.n > 0) {
-        status = portion_describe(&s->plan, &s->ledger, &s->part, e);
+        status = origin_part(&s->plan, &s->manifest, &s->part, e);
         s->part.n_failed = p->n_failed;
         content->part = &s->part;
     }
@@ -281,7 +271,7 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
                                     .context = s};
     if (s->plan.first->output.of_runs) {
         content.write_run = write_run;
-        s->records = shelf_create(SHELF_BYTES);
+        s->records = record_cache_create(RECORD_CACHE_BYTES);
         if (!s->records) {
             return error_no_memory(e);
         }
@@ -301,7 +291,12 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
         journal_remove(&s->journal);
     } else {
         p->n_left = journal_is_there(&s->journal) ? s->journal.n_done : 0;
-        close_journal(s);
+        // A journal without runs is not left behind.
+        if (s->journal.n_done == 0) {
+            journal_remove(&s->journal);
+        } else {
+            journal_close(&s->journal);
+        }
     }
     return status;
 }
@@ -310,9 +305,10 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
 static int find_or_run(struct study *s, struct study_progress *p, struct error *e) {
     bool found = false;
     int status =
-        identity_study(s->ledger.arena, s->request, s->plan.table->n_value, &s->origin.study, e);
+        origin_study(s->manifest.arena, s->request, s->plan.table->n_value, &s->origin.study, e);
     if (status == STATUS_OK) {
-        status = portion_find(s->request, &s->ledger, s->origin.study, &found, &p->n_failed, e);
+        status =
+            origin_find_part(s->request, &s->manifest, s->origin.study, &found, &p->n_failed, e);
     }
     if (status == STATUS_OK && found) {
         p->n_kept = p->n_done = p->n_run;
@@ -328,12 +324,12 @@ int study_run(const struct study_request *q, struct study_progress *p, struct er
     if (status != STATUS_OK) {
         return status;
     }
-    status = ledger_init(&s.ledger, e);
+    status = manifest_init(&s.manifest, e);
     if (status == STATUS_OK) {
         status = find_or_run(&s, p, e);
     }
-    ledger_close(&s.ledger);
-    shelf_free(s.records);
+    manifest_close(&s.manifest);
+    record_cache_free(s.records);
     plan_close(&s.plan);
     return status;
 }

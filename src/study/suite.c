@@ -141,20 +141,6 @@ static void order_points(struct maker *m) {
     s->point = point;
 }
 
-// Why other things change along the abscissa, too.
-static const char *find_mixed(const struct suite *s, const struct sweep *dimension) {
-    if (s->abscissa != dimension) {
-        return s->abscissa->random ? "a random parameter" : "a sweep that is paired with others";
-    }
-    return sweep_named(dimension->along) ? "a dimension of paired sweeps" : NULL;
-}
-
-static const char *append_title(struct maker *m, const char *text, const struct sweep *s) {
-    const char *units = unit_suffix(s->units);
-    text = append(m, text, s->name);
-    return units[0] ? append(m, append(m, append(m, text, " ["), units), "]") : text;
-}
-
 // The numbers of a dimension, with the values of what goes together along it.
 static void name_numbers(struct maker *m, const struct sweep *along) {
     struct suite *s = m->s;
@@ -167,22 +153,13 @@ static void name_numbers(struct maker *m, const struct sweep *along) {
         for (int k = 0; k < s->n_point; k++) {
             name[k] = append_value(m, append(m, name[k], before), p, k);
         }
-        title = append_title(m, append(m, title, before), p);
+        const char *units = unit_suffix(p->units);
+        title = append(m, append(m, title, before), p->name);
+        title = units[0] ? append(m, append(m, append(m, title, " ["), units), "]") : title;
         before = ", ";
     }
     s->point_name = name;
     s->point_title = title;
-}
-
-static void name_points(struct maker *m) {
-    struct suite *s = m->s;
-    const struct sweep *along = sweep_named(s->abscissa->along);
-    if (!s->abscissa->number) {
-        s->point_name = s->abscissa->label;
-        s->point_title = s->abscissa->name;
-    } else if (along && s->abscissa == s->view->sweep[m->roles.abscissa]) {
-        name_numbers(m, along);
-    }
 }
 
 static void name_failed(struct maker *m, long run, const int *k, const char *why) {
@@ -199,25 +176,17 @@ static void name_failed(struct maker *m, long run, const int *k, const char *why
     s->failed[s->n_failed - 1] = all;
 }
 
-static bool is_looked_at(const struct maker *m, const int *k) {
-    for (int i = 0; i < m->s->view->n_sweep; i++) {
-        if (m->roles.role[i] == ROLE_FIXED && k[i] != m->roles.fixed[i]) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static int take_run(void *context, const struct study_run *r, struct error *e) {
     struct maker *m = context;
     struct suite *s = m->s;
     const struct study_outcome *outcome = r->outcome;
     int k[STUDY_SWEEPS_MAX];
+    bool looked_at = outcome->status == STUDY_DONE || outcome->status == STUDY_FAILED;
     for (int i = 0; i < s->view->n_sweep; i++) {
         k[i] = study_view_choice(s->view, r->number, i);
+        looked_at = looked_at && (m->roles.role[i] != ROLE_FIXED || k[i] == m->roles.fixed[i]);
     }
-    const bool there = outcome->status == STUDY_DONE || outcome->status == STUDY_FAILED;
-    if (!there || !is_looked_at(m, k)) {
+    if (!looked_at) {
         return STATUS_OK;
     }
     s->n_missing--;
@@ -264,17 +233,6 @@ static int default_edp(const struct study_view *v, struct study_file *f, struct 
     return status;
 }
 
-static void take_abscissa(struct suite *s, const struct roles *r) {
-    const struct study_view *v = s->view;
-    double size;
-    s->abscissa = r->along;
-    s->mixed = find_mixed(s, v->sweep[r->abscissa]);
-    s->is_intensity = r->is_intensity;
-    s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &size);
-    s->abscissa_units =
-        dimension_equal(s->abscissa_dimension, dimension_none) ? "" : s->abscissa->units;
-}
-
 static int make(struct maker *m, struct study_file *f, const struct suite_request *q,
                 struct error *e) {
     struct suite *s = m->s;
@@ -287,7 +245,19 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     if (status != STATUS_OK) {
         return status;
     }
-    take_abscissa(s, &m->roles);
+    const struct sweep *dimension = v->sweep[m->roles.abscissa];
+    double size;
+    s->abscissa = m->roles.along;
+    s->is_intensity = m->roles.is_intensity;
+    s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &size);
+    s->abscissa_units =
+        dimension_equal(s->abscissa_dimension, dimension_none) ? "" : s->abscissa->units;
+    // Why other things change along the abscissa, too.
+    s->mixed =
+        s->abscissa != dimension
+            ? (s->abscissa->random ? "a random parameter" : "a sweep that is paired with others")
+        : sweep_named(dimension->along) ? "a dimension of paired sweeps"
+                                        : NULL;
     s->n_point = s->abscissa->n;
     s->n_sample = roles_count(v, &m->roles, ROLE_SAMPLE);
     s->n_group = roles_count(v, &m->roles, ROLE_GROUP);
@@ -303,7 +273,13 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     }
     if (!m->no_memory) {
         name_roles(m);
-        name_points(m);
+        const struct sweep *along = sweep_named(s->abscissa->along);
+        if (!s->abscissa->number) {
+            s->point_name = s->abscissa->label;
+            s->point_title = s->abscissa->name;
+        } else if (along && s->abscissa == v->sweep[m->roles.abscissa]) {
+            name_numbers(m, along);
+        }
     }
     if (!m->no_memory) {
         status = study_file_each(f, take_run, m, e);

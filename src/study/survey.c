@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 #include "study/trial.h"
 
 // A file that was read; kept in a table of FILE_HEADS lists by a hash of its name.
@@ -16,7 +16,7 @@ enum { FILE_HEADS = 1024 };
 
 struct walk {
     struct survey *survey;
-    struct shelf *records;
+    struct record_cache *records;
     struct file *file[FILE_HEADS];
     int choice[STUDY_SWEEPS_MAX];  // of the strongest run so far
     long run;                      // that was built last
@@ -74,16 +74,6 @@ static int note_error(struct survey *s, long run, const char *message, struct er
     return STATUS_OK;
 }
 
-// All runs have the contacts of the first.
-static void note_softest(struct survey *s, const struct guidance *g, long run) {
-    for (int i = 0; i < s->n_contact && i < g->n_contact; i++) {
-        if (!(s->softest[i].storeys <= g->contact[i].storeys)) {
-            s->softest[i] = g->contact[i];
-            s->softest_run[i] = run;
-        }
-    }
-}
-
 static int guide(void *context, const struct model *m, struct study_outcome *outcome,
                  struct error *e) {
     struct walk *w = context;
@@ -94,8 +84,13 @@ static int guide(void *context, const struct model *m, struct study_outcome *out
     if (status == STATUS_OK) {
         status = damping_find(m, false, &w->damped, e);
     }
-    if (status == STATUS_OK) {
-        note_softest(w->survey, &g, w->run);
+    // All runs have the contacts of the first.
+    struct survey *s = w->survey;
+    for (int i = 0; status == STATUS_OK && i < s->n_contact && i < g.n_contact; i++) {
+        if (!(s->softest[i].storeys <= g.contact[i].storeys)) {
+            s->softest[i] = g.contact[i];
+            s->softest_run[i] = w->run;
+        }
     }
     for (int i = 0; status == STATUS_OK && i < g.n_contact; i++) {
         w->velocity = fmax(w->velocity, g.contact[i].velocity);
@@ -174,26 +169,19 @@ static bool is_picked(const struct sweep *s, int i) {
     return floor(i / gap) > floor((i - 1) / gap) || i == s->n - 1 || is_extreme(s, i);
 }
 
-// Varies sweep k, the others at their choice so far.
-static int vary(struct walk *w, const struct sweep *s, int k, struct error *e) {
-    int choice[STUDY_SWEEPS_MAX];
-    memcpy(choice, w->choice, sizeof choice);
-    const int known = choice[k];
-    int status = STATUS_OK;
-    for (int i = 0; i < s->n && status == STATUS_OK; i++) {
-        choice[k] = i;
-        status = i != known && is_picked(s, i) ? look(w, choice, e) : STATUS_OK;
-    }
-    return status;
-}
-
-// Varies sweep after sweep of texts, or of numbers.
+// Varies sweep after sweep of texts, or of numbers, the others at their choice so far.
 static int vary_each(struct walk *w, bool text, struct error *e) {
     int status = STATUS_OK;
     int k = 0;
     const struct sweep *s = w->survey->plan->first->deck->sweeps;
     for (; s && status == STATUS_OK; s = s->next, k++) {
-        status = has_text(s) == text ? vary(w, s, k, e) : STATUS_OK;
+        int choice[STUDY_SWEEPS_MAX];
+        memcpy(choice, w->choice, sizeof choice);
+        const int known = choice[k];
+        for (int i = 0; has_text(s) == text && i < s->n && status == STATUS_OK; i++) {
+            choice[k] = i;
+            status = i != known && is_picked(s, i) ? look(w, choice, e) : STATUS_OK;
+        }
     }
     return status;
 }
@@ -249,9 +237,9 @@ static bool begin(struct survey *s) {
 
 int survey_run(struct survey *s, const struct plan *p, struct error *e) {
     *s = (struct survey){.plan = p, .bound = INFINITY};
-    struct walk w = {.survey = s, .records = shelf_create(SHELF_BYTES)};
+    struct walk w = {.survey = s, .records = record_cache_create(RECORD_CACHE_BYTES)};
     const int status = begin(s) && w.records ? walk(&w, e) : error_no_memory(e);
-    shelf_free(w.records);
+    record_cache_free(w.records);
     return status;
 }
 
@@ -292,29 +280,24 @@ static int pass(void *context, const struct model *m, struct study_outcome *outc
     return STATUS_OK;
 }
 
-static int check_shape(const struct plan *p, long run, const struct trial_watch *watch,
-                       struct error *e) {
-    struct study_outcome outcome;
-    return trial_build(p, run, watch, pass, NULL, &outcome, e);
-}
-
 int survey_shapes(const struct plan *p, struct error *e) {
     if (!p->first->deck->varies) {
         return STATUS_OK;
     }
-    const struct trial_watch watch = {.records = shelf_create(SHELF_BYTES)};
+    const struct trial_watch watch = {.records = record_cache_create(RECORD_CACHE_BYTES)};
+    struct study_outcome outcome;
     int status = watch.records ? STATUS_OK : error_no_memory(e);
     const bool all = p->n_run <= SURVEY_COMBINATIONS;
     for (long run = 1; all && run < p->n_run && status == STATUS_OK; run++) {
-        status = check_shape(p, run, &watch, e);
+        status = trial_build(p, run, &watch, pass, NULL, &outcome, e);
     }
     long apart = p->n_run;  // runs from one value of the sweep to the next
     for (const struct sweep *s = p->first->deck->sweeps; s && !all; s = s->next) {
         apart /= s->n;
         for (int i = 1; i < s->n && status == STATUS_OK; i++) {
-            status = check_shape(p, i * apart, &watch, e);
+            status = trial_build(p, i * apart, &watch, pass, NULL, &outcome, e);
         }
     }
-    shelf_free(watch.records);
+    record_cache_free(watch.records);
     return status;
 }

@@ -12,15 +12,6 @@ void trial_fail(struct study_outcome *outcome, const char *message) {
     snprintf(outcome->message, sizeof outcome->message, "%s", message);
 }
 
-// A deck that is wrong for these values is a failed run; a system that fails ends the study.
-static int fail_deck(struct study_outcome *outcome, const struct deck *deck, struct error *e) {
-    if (diagnostics_cause(&deck->diagnostics, e) == STATUS_SYSTEM) {
-        return STATUS_SYSTEM;
-    }
-    trial_fail(outcome, e->message);
-    return STATUS_OK;
-}
-
 static int open_deck(const struct plan *p, long run, int *choice, struct deck **out,
                      struct error *e) {
     const struct deck *first = p->first->deck;
@@ -53,7 +44,13 @@ static int build(const struct plan *p, long run, const struct trial_watch *watch
     const bool built = status == STATUS_OK;
     *out = NULL;
     if (status == STATUS_INPUT) {
-        status = fail_deck(outcome, deck, e);
+        // A deck that is wrong for these values is a failed run; a system that fails ends the
+        // study.
+        status =
+            diagnostics_cause(&deck->diagnostics, e) == STATUS_SYSTEM ? STATUS_SYSTEM : STATUS_OK;
+        if (status == STATUS_OK) {
+            trial_fail(outcome, e->message);
+        }
     }
     if (status == STATUS_OK && watch->files) {
         status = watch->files(watch->context, deck->files, e);
@@ -81,13 +78,6 @@ int trial_build(const struct plan *p, long run, const struct trial_watch *watch,
     }
     deck_free(deck);  // and the model with it
     return status;
-}
-
-static void start(const struct plan *p, struct trial *t) {
-    t->outcome = (struct study_outcome){.status = STUDY_DONE};
-    for (size_t i = 0; i < p->table->n_value; i++) {
-        t->value[i] = NAN;
-    }
 }
 
 int trial_values(const struct model *m, const struct results *r, double *value, struct error *e) {
@@ -135,7 +125,10 @@ void trial_run(const struct plan *p, struct trial *trial, int n, const struct tr
     for (int i = 0; i < n; i++) {
         struct trial *t = &trial[i];
         struct model *m = NULL;
-        start(p, t);
+        t->outcome = (struct study_outcome){.status = STUDY_DONE};
+        for (size_t k = 0; k < p->table->n_value; k++) {
+            t->value[k] = NAN;
+        }
         t->status = open_deck(p, t->run, choice, &deck[i], &t->error);
         if (t->status == STATUS_OK) {
             t->status = build(p, t->run, watch, deck[i], &m, &t->outcome, &t->error);

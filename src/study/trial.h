@@ -19,7 +19,7 @@ struct trial_watch {
     int (*row)(void *context, const struct row_view *row, struct error *e);
     int (*end)(void *context, const struct results *r, struct error *e);
     void *context;
-    struct shelf *records;  // that all trials share
+    struct record_cache *records;  // that all trials share
 };
 
 // Notes that a run failed, and why.

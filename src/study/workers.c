@@ -17,7 +17,8 @@ struct workers {
     pthread_mutex_t lock;
     pthread_cond_t ended;  // a worker has
     int n_worker;
-    int status;  // the first error
+    long next, n_done;  // jobs
+    int status;         // the first error
     struct error error;
 };
 
@@ -42,17 +43,26 @@ static void give_up(struct workers *w, int status, const struct error *e) {
     atomic_store(&w->stop, true);
 }
 
+static long take(struct workers *w, void *scratch) {
+    const struct workers_request *q = w->request;
+    if (workers_stopped(w)) {
+        return -1;
+    }
+    return q->take ? q->take(q->context, scratch) : w->next < q->n_job ? w->next++ : -1;
+}
+
 static void work(struct workers *w, void *scratch) {
     const struct workers_request *q = w->request;
     workers_lock(w);
-    for (long job; !workers_stopped(w) && (job = q->take(q->context, scratch)) >= 0;) {
+    for (long job; (job = take(w, scratch)) >= 0;) {
         struct error e;
         workers_unlock(w);
         int status = q->work(q->context, w, job, scratch, &e);
         workers_lock(w);
-        if (status == STATUS_OK) {
+        if (status == STATUS_OK && q->enter) {
             status = q->enter(q->context, job, scratch, &e);
         }
+        w->n_done += status == STATUS_OK;
         if (status != STATUS_OK) {
             give_up(w, status, &e);
         }
@@ -78,25 +88,22 @@ static void *worker(void *context) {
     return NULL;
 }
 
-static void wait_a_tick(struct workers *w) {
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += TICK;
-    until.tv_sec += until.tv_nsec / 1000000000;
-    until.tv_nsec %= 1000000000;
-    while (w->n_worker > 0 && pthread_cond_timedwait(&w->ended, &w->lock, &until) == 0) {
-    }
-}
-
 // What the calling thread does meanwhile; returns when all workers have ended.
 static void watch(struct workers *w) {
     const struct workers_request *q = w->request;
     workers_lock(w);
     while (w->n_worker > 0) {
-        wait_a_tick(w);
+        struct timespec until;
+        clock_gettime(CLOCK_MONOTONIC, &until);
+        until.tv_nsec += TICK;
+        until.tv_sec += until.tv_nsec / 1000000000;
+        until.tv_nsec %= 1000000000;
+        while (w->n_worker > 0 && pthread_cond_timedwait(&w->ended, &w->lock, &until) == 0) {
+        }
+        const long n_done = w->n_done;
         struct error e;
         workers_unlock(w);
-        const int status = q->poll(q->context, w, &e);
+        const int status = q->poll(q->context, w, n_done, &e);
         workers_lock(w);
         if (status != STATUS_OK) {
             give_up(w, status, &e);
@@ -105,23 +112,18 @@ static void watch(struct workers *w) {
     workers_unlock(w);
 }
 
-static int start_thread(struct workers *w, pthread_t *thread) {
-    pthread_attr_t attributes;
-    int cause = pthread_attr_init(&attributes);
-    if (cause == 0) {
-        cause = pthread_attr_setstacksize(&attributes, STACK_BYTES);
-        cause = cause == 0 ? pthread_create(thread, &attributes, worker, w) : cause;
-        pthread_attr_destroy(&attributes);
-    }
-    return cause;
-}
-
 static int start(struct workers *w, pthread_t *thread) {
     const int wanted = w->request->n_thread;
     int n = 0;
     workers_lock(w);
     for (; n < wanted; n++) {
-        const int cause = start_thread(w, &thread[n]);
+        pthread_attr_t attributes;
+        int cause = pthread_attr_init(&attributes);
+        if (cause == 0) {
+            cause = pthread_attr_setstacksize(&attributes, STACK_BYTES);
+            cause = cause == 0 ? pthread_create(&thread[n], &attributes, worker, w) : cause;
+            pthread_attr_destroy(&attributes);
+        }
         if (cause != 0) {
             struct error e;
             give_up(w,

@@ -14,15 +14,16 @@ struct workers;  // while they work
 struct workers_request {
     int n_thread;    // at least 1
     size_t scratch;  // bytes that each thread has for itself
-    // The next job; -1: there is none. Called under the lock; what it leaves in `scratch` is passed
-    // to the other two.
+    long n_job;      // where they are numbers from 0 on, taken in turn
+    // Else the next job; -1: there is none. Called under the lock; what it leaves in `scratch` is
+    // passed to the other two. NULL: they are numbers.
     long (*take)(void *context, void *scratch);
     // Does the job. Called without the lock.
     int (*work)(void *context, struct workers *w, long job, void *scratch, struct error *e);
-    // Enters what work left in `scratch`. Called under the lock.
+    // Enters what work left in `scratch`. Called under the lock. NULL: there is nothing to enter.
     int (*enter)(void *context, long job, const void *scratch, struct error *e);
     // Called by the calling thread every tenth of a second, without the lock.
-    int (*poll)(void *context, struct workers *w, struct error *e);
+    int (*poll)(void *context, struct workers *w, long n_done, struct error *e);
     void *context;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every allocation of the runs of `jostle gap` is made to fail in its turn. Each failure must come
 // back as an error; none is taken for a run that failed.
-#include "study/apart.h"
+#include "study/contact_free.h"
 #include "study/gap_search.h"
 #include "support/fail_alloc.h"
 #include "support/support.h"
@@ -39,13 +39,13 @@ static int run_plan(const struct model *m, struct error *e) {
     const struct study_request study = {.first = m, .result = {.version = ""}};
     const struct gap_runs how = {.n_thread = 1};
     struct plan p;
-    struct apart a;
+    struct contact_free a;
     int status = plan_init(&p, &study, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = apart_run(&p, &how, &a, e);
-    apart_close(&a);
+    status = contact_free_run(&p, &how, &a, e);
+    contact_free_close(&a);
     status = status == STATUS_OK ? run_search(&p, e) : status;
     plan_close(&p);
     return status;

@@ -2,7 +2,7 @@
 // The arithmetic of convergence against sequences made up with a known limit and order.
 #include <math.h>
 
-#include "study/convergence.h"
+#include "study/refinement.h"
 #include "support/support.h"
 
 static const double LIMIT = 3.0, SAFETY = 1.25;

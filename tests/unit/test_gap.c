@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "study/apart.h"
+#include "study/contact_free.h"
 #include "study/gap_search.h"
 #include "support/analysis.h"
 #include "support/support.h"
@@ -25,37 +25,37 @@ static struct plan plan_of(const struct model *m) {
     return (struct plan){.first = m, .n_run = m->deck->n_run};
 }
 
-static void run_apart(const struct model *m, int n_thread, struct apart *a) {
+static void run_apart(const struct model *m, int n_thread, struct contact_free *a) {
     struct error e;
     const struct plan p = plan_of(m);
     const struct gap_runs how = {.n_thread = n_thread};
-    assert_int_equal(apart_run(&p, &how, a, &e), STATUS_OK);
+    assert_int_equal(contact_free_run(&p, &how, a, &e), STATUS_OK);
 }
 
 static void closing_displacements_are_those_of_the_closed_form(void **state) {
     (void)state;
     struct model *m = analysis_model(TWO "contact A B -gap 0.06 -law linear -k 1e4\n"
                                          "contact A wall -gap 0.2 -law linear -k 1e4\n" STEPS);
-    struct apart a;
+    struct contact_free a;
     run_apart(m, 1, &a);
     assert_int_equal(a.n_failed, 0);
-    const double *pair = apart_values(&a, 0, 0), *wall = apart_values(&a, 0, 1);
+    const double *pair = contact_free_values(&a, 0, 0), *wall = contact_free_values(&a, 0, 1);
     // f = a cos x - b cos 2x is largest where cos x = a / (4 b): a^2 / (8 b) + b
-    assert_close(pair[APART_CLOSING], 0.01 / 0.4 + 0.05, RTOL);
-    assert_close(pair[APART_GAP], 0.06, 1e-15);
-    assert_close(pair[APART_LEFT], 0.1, RTOL);
-    assert_close(pair[APART_RIGHT], 0.05, RTOL);
-    assert_close(pair[APART_PERIOD_LEFT], 1.0, 1e-13);
-    assert_close(pair[APART_PERIOD_RIGHT], 0.5, 1e-13);
-    assert_true(pair[APART_RHO] == 0.0);  // undamped
-    assert_close(pair[APART_RULE], 0.15, RTOL);
-    assert_close(pair[APART_RULE + 1], hypot(0.1, 0.05), RTOL);
-    assert_int_equal(apart_hits(&a, 0), 1);
-    assert_close(wall[APART_CLOSING], 0.1, RTOL);
-    assert_close(wall[APART_RULE + 3], 0.1, RTOL);
-    assert_true(isnan(wall[APART_PERIOD_RIGHT]));
-    assert_int_equal(apart_hits(&a, 1), 0);
-    apart_close(&a);
+    assert_close(pair[FREE_CLOSING], 0.01 / 0.4 + 0.05, RTOL);
+    assert_close(pair[FREE_GAP], 0.06, 1e-15);
+    assert_close(pair[FREE_LEFT], 0.1, RTOL);
+    assert_close(pair[FREE_RIGHT], 0.05, RTOL);
+    assert_close(pair[FREE_PERIOD_LEFT], 1.0, 1e-13);
+    assert_close(pair[FREE_PERIOD_RIGHT], 0.5, 1e-13);
+    assert_true(pair[FREE_RHO] == 0.0);  // undamped
+    assert_close(pair[FREE_RULE], 0.15, RTOL);
+    assert_close(pair[FREE_RULE + 1], hypot(0.1, 0.05), RTOL);
+    assert_int_equal(contact_free_hits(&a, 0), 1);
+    assert_close(wall[FREE_CLOSING], 0.1, RTOL);
+    assert_close(wall[FREE_RULE + 3], 0.1, RTOL);
+    assert_true(isnan(wall[FREE_PERIOD_RIGHT]));
+    assert_int_equal(contact_free_hits(&a, 1), 0);
+    contact_free_close(&a);
     model_free(m);
 }
 
@@ -69,11 +69,11 @@ static void links_act_although_contacts_do_not(void **state) {
                                      "link A B -stiffness 1e8\n"
                                      "contact A B -gap 0.01 -law linear -k 1e4\n"
                                      "step adaptive\nduration 3\n");
-    struct apart a;
+    struct contact_free a;
     run_apart(m, 1, &a);
-    assert_true(apart_values(&a, 0, 0)[APART_CLOSING] < 1e-5);
-    assert_true(apart_values(&a, 0, 0)[APART_LEFT] > 0.05);
-    apart_close(&a);
+    assert_true(contact_free_values(&a, 0, 0)[FREE_CLOSING] < 1e-5);
+    assert_true(contact_free_values(&a, 0, 0)[FREE_LEFT] > 0.05);
+    contact_free_close(&a);
     model_free(m);
 }
 
@@ -86,10 +86,11 @@ static const char five[] = "sweep a values 0.3 0.1 0.5 0.2 0.4\n"
 static void percentiles_are_over_the_runs(void **state) {
     (void)state;
     struct model *m = analysis_model("%s", five);
-    struct apart a, other;
+    struct contact_free a, other;
     double scratch[5];
     run_apart(m, 1, &a);
-    const struct apart_summary s = apart_summarise(&a, 0, APART_CLOSING, APART_VALUES, scratch);
+    const struct contact_free_summary s =
+        contact_free_summarise(&a, 0, FREE_CLOSING, FREE_VALUES, scratch);
     assert_close(s.mean, 0.3, RTOL);
     // Between sorted values, at 4 p of their numbers from 0.
     assert_close(s.low, 0.1 + 0.64 * 0.1, RTOL);
@@ -97,13 +98,14 @@ static void percentiles_are_over_the_runs(void **state) {
     assert_close(s.high, 0.4 + 0.36 * 0.1, RTOL);
     assert_close(s.largest, 0.5, RTOL);
     assert_int_equal(s.run, 2);
-    assert_int_equal(apart_hits(&a, 0), 3);
-    const struct apart_summary ratio = apart_summarise(&a, 0, APART_RULE, APART_CLOSING, scratch);
+    assert_int_equal(contact_free_hits(&a, 0), 3);
+    const struct contact_free_summary ratio =
+        contact_free_summarise(&a, 0, FREE_RULE, FREE_CLOSING, scratch);
     assert_close(ratio.mean, 1.0, RTOL);
     run_apart(m, 3, &other);
-    assert_memory_equal(a.value, other.value, (size_t)5 * APART_VALUES * sizeof *a.value);
-    apart_close(&other);
-    apart_close(&a);
+    assert_memory_equal(a.value, other.value, (size_t)5 * FREE_VALUES * sizeof *a.value);
+    contact_free_close(&other);
+    contact_free_close(&a);
     model_free(m);
 }
 
@@ -115,21 +117,23 @@ static void sweeps_that_change_nothing_count_once(void **state) {
                                      "building A -floors 1 -mass 1 -stiffness ${4 * pi^2}\n"
                                      "initial A -displacement ${-a}\n"
                                      "contact A wall -gap $gap -law linear -k 1e4\n" STEPS);
-    struct apart a;
+    struct contact_free a;
     double scratch[12];
     run_apart(m, 1, &a);
     assert_int_equal(a.n_run, 12);
     assert_true(a.counts[4] && !a.counts[5]);
     assert_false(a.idle[0]);
     assert_true(a.idle[1]);
-    const struct apart_summary s = apart_summarise(&a, 0, APART_CLOSING, APART_VALUES, scratch);
+    const struct contact_free_summary s =
+        contact_free_summarise(&a, 0, FREE_CLOSING, FREE_VALUES, scratch);
     assert_close(s.mean, 0.7 / 3, RTOL);
     assert_close(s.low, 0.1 + 0.32 * 0.1, RTOL);
     assert_int_equal(s.run, 8);
-    assert_close(apart_summarise(&a, 0, APART_GAP, APART_VALUES, scratch).mean, 1.06 / 4, 1e-14);
+    assert_close(contact_free_summarise(&a, 0, FREE_GAP, FREE_VALUES, scratch).mean, 1.06 / 4,
+                 1e-14);
     // 0.2 is beyond 0.11 and 0.15, 0.4 beyond 0.3, too
-    assert_int_equal(apart_hits(&a, 0), 5);
-    apart_close(&a);
+    assert_int_equal(contact_free_hits(&a, 0), 5);
+    contact_free_close(&a);
     model_free(m);
 }
 

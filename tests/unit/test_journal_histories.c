@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "study/entry.h"
+#include "study/journal_entry.h"
 #include "study/journal.h"
 #include "support/support.h"
 

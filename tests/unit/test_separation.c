@@ -5,7 +5,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-#include "study/separation.h"
+#include "study/contact_free.h"
 #include "support/support.h"
 
 static double rho(double ta, double tb, double za, double zb) {

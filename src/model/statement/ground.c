@@ -3,7 +3,7 @@
 
 #include "model/signals.h"
 #include "model/statement.h"
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 
 enum {
     R_FORMAT,
@@ -181,7 +181,7 @@ static bool read_record(struct builder *b, const struct statement *s, const stru
         .demean = a[R_DEMEAN].given,
     };
     struct error e;
-    if (shelf_read(b->records, b->arena, &request, r, &e) != STATUS_OK) {
+    if (record_cache_read(b->records, b->arena, &request, r, &e) != STATUS_OK) {
         deck_error_of(b->deck, blamed(s, a, r->wrong), &e);
         return false;
     }

@@ -3,7 +3,7 @@
 
 #include "model/signals.h"
 #include "model/statement.h"
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 
 enum { H_DT, H_SCALE, N_HISTORY_ROW };
 
@@ -66,7 +66,7 @@ static bool read_history(struct builder *b, const struct statement *s, struct si
         .path = path, .plain = true, .dt = a[H_DT].given ? a[H_DT].number[0] * second : 0.0};
     struct record r;
     struct error e;
-    if (shelf_read(b->records, b->arena, &request, &r, &e) != STATUS_OK) {
+    if (record_cache_read(b->records, b->arena, &request, &r, &e) != STATUS_OK) {
         deck_error_of(b->deck, r.wrong == RECORD_DT ? &a[H_DT].word[0] : &s->word[3], &e);
         return false;
     }

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/entry.h"
+// Entries as bytes, and how they go into the file of a journal and come out of it.
+#include "study/journal_entry.h"
 
+#include <errno.h>
+#include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/checksum.h"
+#include "core/file.h"
 
-enum { CONTENT_MAX = 1 << 30 };
+enum { CONTENT_MAX = 1 << 30, HEADER_TEXT_MAX = 1 << 16 };  // bytes; of a later head
 
 // How the content of a run starts; the message and, if it is done, the values follow.
 struct run_head {
@@ -152,4 +158,96 @@ bool entry_get_file(const unsigned char *entry, size_t n, const char **path, str
     memcpy(sum->digits, from, CHECKSUM_DIGITS);
     *path = (const char *)from + CHECKSUM_DIGITS;
     return true;
+}
+
+int journal_cannot(const struct journal *j, const char *what, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "cannot %s %s: %s", what, j->path, strerror(errno));
+}
+
+bool journal_reserve(struct journal *j, size_t n) {
+    if (n > j->capacity) {
+        unsigned char *more = realloc(j->buffer, n);
+        if (!more) {
+            return false;
+        }
+        j->buffer = more;
+        j->capacity = n;
+    }
+    return true;
+}
+
+int journal_append(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
+    const size_t size = entry_seal(j->buffer, kind, n);
+    if (file_write(j->file, j->buffer, size, j->end) != 0) {
+        const int cause = errno;
+        if (file_cut(j->file, j->end) != 0) {
+            errno = cause;  // the torn entry is dropped by whoever reads it
+        }
+        errno = cause;
+        return journal_cannot(j, "write", e);
+    }
+    j->end += (off_t)size;
+    return STATUS_OK;
+}
+
+int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t *n,
+                       struct error *e) {
+    ssize_t got = file_read(j->file, j->buffer, ENTRY_HEAD, at);
+    if (got < 0) {
+        return journal_cannot(j, "read", e);
+    }
+    if (got < ENTRY_HEAD || !entry_size(j->buffer, kind, n)) {
+        return 0;
+    }
+    const size_t size = ENTRY_HEAD + *n + ENTRY_TAIL;
+    if (lseek(j->file, 0, SEEK_END) - at < (off_t)size) {
+        return 0;
+    }
+    if (!journal_reserve(j, size)) {
+        return error_no_memory(e);
+    }
+    got = file_read(j->file, j->buffer, size, at);
+    if (got < 0) {
+        return journal_cannot(j, "read", e);
+    }
+    return (size_t)got == size && entry_is_sound(j->buffer, *n) ? 1 : 0;
+}
+
+// Reads the head of an entry after the first one: no more bytes than such a one can have are
+// looked at for it.
+static bool is_head(const struct journal *j, const unsigned char *entry, enum entry_kind *kind,
+                    size_t *n) {
+    const size_t run = entry_run_size(j->n_value), file = entry_file_size("") + PATH_MAX;
+    const size_t block = sizeof(struct entry_block) + ENTRY_BLOCK_BYTES;
+    return entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
+                                                : *kind == ENTRY_HEAD_TEXT ? HEADER_TEXT_MAX
+                                                : run > file               ? run
+                                                                           : file);
+}
+
+int journal_find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,
+                       struct error *e) {
+    enum { BLOCK = 1 << 14 };
+    unsigned char block[BLOCK];
+    ssize_t got;
+    while ((got = file_read(j->file, block, BLOCK, *at)) >= ENTRY_HEAD) {
+        for (ssize_t i = 0; i + ENTRY_HEAD <= got; i++, ++*at) {
+            const int sound =
+                is_head(j, block + i, kind, n) ? journal_load_entry(j, *at, kind, n, e) : 0;
+            if (sound != 0) {
+                return sound;
+            }
+        }
+    }
+    return got < 0 ? journal_cannot(j, "read", e) : 0;
+}
+
+bool journal_is_torn(const struct journal *j, off_t at) {
+    unsigned char start[ENTRY_HEAD];
+    enum entry_kind kind;
+    size_t n;
+    const off_t left = lseek(j->file, 0, SEEK_END) - at;
+    return left < ENTRY_HEAD ||
+           (file_read(j->file, start, ENTRY_HEAD, at) == ENTRY_HEAD &&
+            is_head(j, start, &kind, &n) && left < (off_t)(ENTRY_HEAD + n + ENTRY_TAIL));
 }

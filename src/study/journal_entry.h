@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layout in bytes of the entries of a journal.
-#ifndef JOSTLE_ENTRY_H
-#define JOSTLE_ENTRY_H
+// The entries of a journal: their layout in bytes, and how they are appended and read.
+#ifndef JOSTLE_JOURNAL_ENTRY_H
+#define JOSTLE_JOURNAL_ENTRY_H
 
 #include <stdint.h>
 
-#include "jostle/study_file.h"
+#include "study/journal.h"
 
 enum entry_kind {
     ENTRY_HEAD_TEXT = 0x64616568,
@@ -61,5 +61,25 @@ bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct 
 const unsigned char *entry_get_block(const unsigned char *entry, size_t n,
                                      struct entry_block *block);
 bool entry_get_file(const unsigned char *entry, size_t n, const char **path, struct checksum *sum);
+
+// The error of an operation on the file: STATUS_SYSTEM with the cause in errno.
+int journal_cannot(const struct journal *j, const char *what, struct error *e);
+
+// Room for an entry of `n` bytes in the buffer; false: there is no memory.
+bool journal_reserve(struct journal *j, size_t n);
+
+// Appends the entry whose `n` bytes of content are in the buffer, from entry_content on. Errors:
+// STATUS_SYSTEM; the journal stays as it was.
+int journal_append(struct journal *j, enum entry_kind kind, size_t n, struct error *e);
+
+// The entry at `at` into the buffer: 1 with *n, the bytes of its content; 0 if there is no sound
+// one; else an error.
+int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t *n,
+                       struct error *e);
+// The same for the next sound entry from *at on; *at is where it starts.
+int journal_find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,
+                       struct error *e);
+// Does the file end amid an entry, as where the program was killed as it wrote?
+bool journal_is_torn(const struct journal *j, off_t at);
 
 #endif

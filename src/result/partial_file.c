@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gives a finished file its name: on disk first, then in one step, and never over a file that must
-// survive. link() fails if the name is taken; where the file system has no hard links, a
-// placeholder opened with O_EXCL takes the name before the file is renamed over it. The folder is
-// opened once, so that all steps are in the same folder, even if it is moved meanwhile.
+// A file while it is being made, and how it gets its name: on disk first, then in one step, and
+// never over a file that must survive. link() fails if the name is taken; where the file system has
+// no hard links, a placeholder opened with O_EXCL takes the name before the file is renamed over
+// it. The folder is opened once, so that all steps are in the same folder, even if it is moved
+// meanwhile.
 //
 // POSIX has no call that replaces only regular files: a link that takes the name between the check
 // and the rename is replaced. The file behind such a link is not touched.
+//
+// A run that removes a file has locked it, and a run that writes a file keeps it locked until the
+// file has its name. So no run removes or names the file of another.
+#include "result/partial_file.h"
+
 #include <errno.h>
 #include <fcntl.h>
-#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/file.h"
-#include "jostle/result.h"
 
 static int cannot_write(struct error *e, const char *path, int cause) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(cause));
@@ -48,19 +52,20 @@ int result_check_path(const char *path, enum result_existing existing, struct er
 
 // A file about to get its name.
 struct publication {
-    const char *path, *draft_path;
-    int folder;                // AT_FDCWD: the folder cannot be read
-    const char *name, *draft;  // relative to the folder
+    const char *path, *partial_path;
+    int folder;                  // AT_FDCWD: the folder cannot be read
+    const char *name, *partial;  // relative to the folder
 };
 
 static int replace(const struct publication *p, struct error *e) {
-    return renameat(p->folder, p->draft, p->folder, p->name) == 0 ? STATUS_OK
-                                                                  : cannot_write(e, p->path, errno);
+    return renameat(p->folder, p->partial, p->folder, p->name) == 0
+               ? STATUS_OK
+               : cannot_write(e, p->path, errno);
 }
 
 static int keep(const struct publication *p, struct error *e) {
-    if (linkat(p->folder, p->draft, p->folder, p->name, 0) == 0) {
-        unlinkat(p->folder, p->draft, 0);
+    if (linkat(p->folder, p->partial, p->folder, p->name, 0) == 0) {
+        unlinkat(p->folder, p->partial, 0);
         return STATUS_OK;
     }
     if (errno == EEXIST) {
@@ -86,9 +91,9 @@ static int name_file(int file, const struct publication *p, enum result_existing
     if (file_sync(file) != 0) {
         return cannot_write(e, p->path, errno);
     }
-    if (!file_share(file) || !file_is_named(file, p->draft_path)) {
+    if (!file_share(file) || !file_is_named(file, p->partial_path)) {
         return error_set(e, STATUS_SYSTEM, "cannot write %s: another program has taken %s", p->path,
-                         p->draft_path);
+                         p->partial_path);
     }
     int status = check_obstacle(p->folder, p->name, p->path, e);
     if (status == STATUS_OK) {
@@ -98,22 +103,83 @@ static int name_file(int file, const struct publication *p, enum result_existing
                                                                    : status;
 }
 
-int result_publish(int file, const char *draft, const char *path, enum result_existing existing,
+int result_publish(int file, const char *partial, const char *path, enum result_existing existing,
                    struct error *e) {
     const int folder = file_open_folder(path);
     const char *slash = strrchr(path, '/');
     const size_t start = folder >= 0 && slash ? (size_t)(slash - path) + 1 : 0;
     const struct publication p = {.path = path,
-                                  .draft_path = draft,
+                                  .partial_path = partial,
                                   .folder = folder >= 0 ? folder : AT_FDCWD,
                                   .name = path + start,
-                                  .draft = draft + start};
+                                  .partial = partial + start};
     const int status = name_file(file, &p, existing, e);
     if (status != STATUS_OK) {
-        unlink(draft);
+        unlink(partial);
     }
     if (folder >= 0) {
         close(folder);
     }
     return status;
+}
+
+int partial_file_clear(const char *path, const char *partial, struct error *e) {
+    int old;
+    const int status = file_claim(path, partial, 0, &old, e);
+    if (old >= 0) {
+        unlink(partial);
+        close(old);
+    }
+    return status;
+}
+
+static int make_file(void *context, struct error *e) {
+    struct partial_file *d = context;
+    int file;
+    int status = partial_file_clear(d->path, d->name, e);
+    if (status == STATUS_OK) {
+        status = file_claim(d->path, d->name, O_CREAT | O_EXCL, &file, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    d->to = fdopen(file, "w");
+    if (!d->to) {
+        status = cannot_write(e, d->path, errno);
+        unlink(d->name);
+        close(file);
+    }
+    return status;
+}
+
+int partial_file_open(struct partial_file *d, const char *path, enum result_existing existing,
+                      struct error *e) {
+    *d = (struct partial_file){.existing = existing};
+    const int n = snprintf(d->name, sizeof d->name, "%s.part", path);
+    if (n < 0 || (size_t)n >= sizeof d->name) {
+        return error_set(e, STATUS_INPUT, "the name %.40s... is too long", path);
+    }
+    snprintf(d->path, sizeof d->path, "%s", path);
+    const int status = result_check_path(path, existing, e);
+    return status == STATUS_OK ? file_retry(path, d->name, make_file, d, e) : status;
+}
+
+int partial_file_publish(struct partial_file *d, struct error *e) {
+    if (fflush(d->to) != 0 || ferror(d->to)) {
+        const int status = cannot_write(e, d->path, errno);
+        partial_file_drop(d);
+        return status;
+    }
+    const int status = result_publish(fileno(d->to), d->name, d->path, d->existing, e);
+    fclose(d->to);  // all is on disk
+    d->to = NULL;
+    return status;
+}
+
+void partial_file_drop(struct partial_file *d) {
+    if (d->to) {
+        unlink(d->name);
+        fclose(d->to);
+        d->to = NULL;
+    }
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/ledger.h"
+#include "study/manifest.h"
 
 #include <string.h>
 
 #include "core/checksum.h"
 
-int ledger_init(struct ledger *l, struct error *e) {
-    *l = (struct ledger){.arena = arena_create()};
-    return l->arena ? STATUS_OK : error_no_memory(e);
+int manifest_init(struct manifest *m, struct error *e) {
+    *m = (struct manifest){.arena = arena_create()};
+    return m->arena ? STATUS_OK : error_no_memory(e);
 }
 
-void ledger_close(struct ledger *l) {
-    arena_free(l->arena);
-    *l = (struct ledger){.arena = NULL};
+void manifest_close(struct manifest *m) {
+    arena_free(m->arena);
+    *m = (struct manifest){.arena = NULL};
 }
 
 // Of an included deck what it means counts, so that its comments may change.
@@ -40,17 +40,17 @@ static bool looks_the_same(const struct stat *a, const struct stat *b) {
            a->st_ctim.tv_nsec == b->st_ctim.tv_nsec;
 }
 
-static struct ledger_file *find(const struct ledger *l, const char *path) {
-    struct ledger_file *f = l->file;
+static struct manifest_file *find(const struct manifest *m, const char *path) {
+    struct manifest_file *f = m->file;
     while (f && strcmp(f->path, path) != 0) {
         f = f->next;
     }
     return f;
 }
 
-static struct ledger_file *enter(struct ledger *l, const char *path, bool included) {
-    struct ledger_file *f = arena_alloc(l->arena, 1, sizeof *f);
-    char *copy = arena_text(l->arena, path, strlen(path));
+static struct manifest_file *enter(struct manifest *m, const char *path, bool included) {
+    struct manifest_file *f = arena_alloc(m->arena, 1, sizeof *f);
+    char *copy = arena_text(m->arena, path, strlen(path));
     if (!f || !copy) {
         return NULL;
     }
@@ -58,8 +58,8 @@ static struct ledger_file *enter(struct ledger *l, const char *path, bool includ
     f->seen = look(path);
     f->included = included;
     f->sum = sum_of(path, included);
-    f->next = l->file;
-    l->file = f;
+    f->next = m->file;
+    m->file = f;
     return f;
 }
 
@@ -67,13 +67,13 @@ static int changed(const char *path, struct error *e) {
     return error_set(e, STATUS_INPUT, "%s has changed since the study was started", path);
 }
 
-int ledger_check(struct ledger *l, const struct deck_path *file, const struct ledger_file **added,
-                 struct error *e) {
+int manifest_check(struct manifest *m, const struct deck_path *file,
+                   const struct manifest_file **added, struct error *e) {
     const char *path = file->path;
-    struct ledger_file *f = find(l, path);
+    struct manifest_file *f = find(m, path);
     *added = NULL;
     if (!f) {
-        *added = enter(l, path, file->included);
+        *added = enter(m, path, file->included);
         return *added ? STATUS_OK : error_no_memory(e);
     }
     const struct stat now = look(path);
@@ -88,9 +88,10 @@ int ledger_check(struct ledger *l, const struct deck_path *file, const struct le
     return STATUS_OK;
 }
 
-int ledger_expect(struct ledger *l, const char *path, const struct checksum *sum, struct error *e) {
-    struct ledger_file *f = find(l, path);
-    f = f ? f : enter(l, path, false);
+int manifest_expect(struct manifest *m, const char *path, const struct checksum *sum,
+                    struct error *e) {
+    struct manifest_file *f = find(m, path);
+    f = f ? f : enter(m, path, false);
     if (!f) {
         return error_no_memory(e);
     }
@@ -104,9 +105,9 @@ int ledger_expect(struct ledger *l, const char *path, const struct checksum *sum
     return STATUS_OK;
 }
 
-int ledger_unchanged(const struct ledger *l, struct error *e) {
-    const struct ledger_file *first = NULL;  // the list begins with the last one
-    for (const struct ledger_file *f = l->file; f; f = f->next) {
+int manifest_unchanged(const struct manifest *m, struct error *e) {
+    const struct manifest_file *first = NULL;  // the list begins with the last one
+    for (const struct manifest_file *f = m->file; f; f = f->next) {
         first = f->changed ? f : first;
     }
     return first ? changed(first->path, e) : STATUS_OK;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file while it is being made: PATH.part, locked until it has its name, so that two runs never
 // write one file. What a killed run has left is removed, what another one is writing is left alone.
-#ifndef JOSTLE_DRAFT_H
-#define JOSTLE_DRAFT_H
+#ifndef JOSTLE_PARTIAL_FILE_H
+#define JOSTLE_PARTIAL_FILE_H
 
 #include <stdio.h>
 
 #include "jostle/result.h"
 
-struct draft {
+struct partial_file {
     FILE *to;         // NULL: not open
     char path[4096];  // the name it will have
     char name[4096];  // PATH.part
@@ -17,17 +17,18 @@ struct draft {
 
 // Opens PATH.part for writing. Errors: those of result_check_path, STATUS_INPUT (the name is too
 // long), STATUS_SYSTEM (another run is writing it).
-int draft_open(struct draft *d, const char *path, enum result_existing existing, struct error *e);
+int partial_file_open(struct partial_file *d, const char *path, enum result_existing existing,
+                      struct error *e);
 
 // Gives the file its name and closes it, or removes it. Errors: those of result_publish, and
 // STATUS_SYSTEM (something could not be written).
-int draft_publish(struct draft *d, struct error *e);
+int partial_file_publish(struct partial_file *d, struct error *e);
 
 // Removes it, unless it is not open.
-void draft_drop(struct draft *d);
+void partial_file_drop(struct partial_file *d);
 
-// For files that are opened in other ways: removes a `draft` of `path` that no run is writing.
+// For files that are opened in other ways: removes a `partial` of `path` that no run is writing.
 // Errors: those of file_claim.
-int draft_clear(const char *path, const char *draft, struct error *e);
+int partial_file_clear(const char *path, const char *partial, struct error *e);
 
 #endif

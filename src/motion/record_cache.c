@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Entries are in the order of their last use, the latest first. The least recently used entries are
 // removed, so that memory does not grow with the number of records of a study.
-#include "motion/shelf.h"
+#include "motion/record_cache.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -16,14 +16,14 @@ struct entry {
     struct record record;
 };
 
-struct shelf {
+struct record_cache {
     pthread_mutex_t lock;  // guards all below
     struct entry *first;
     size_t bytes, bytes_max;
 };
 
-struct shelf *shelf_create(size_t bytes_max) {
-    struct shelf *s = calloc(1, sizeof *s);
+struct record_cache *record_cache_create(size_t bytes_max) {
+    struct record_cache *s = calloc(1, sizeof *s);
     if (s && pthread_mutex_init(&s->lock, NULL) != 0) {
         free(s);
         s = NULL;
@@ -34,7 +34,7 @@ struct shelf *shelf_create(size_t bytes_max) {
     return s;
 }
 
-void shelf_free(struct shelf *s) {
+void record_cache_free(struct record_cache *s) {
     if (!s) {
         return;
     }
@@ -62,7 +62,7 @@ static size_t bytes_of(const struct record *r) {
 }
 
 // Finds the entry and moves it to the front; NULL: there is none.
-static struct entry *find(struct shelf *s, const struct record_request *request) {
+static struct entry *find(struct record_cache *s, const struct record_request *request) {
     for (struct entry **at = &s->first; *at; at = &(*at)->next) {
         struct entry *found = *at;
         if (same(&found->request, request)) {
@@ -76,7 +76,7 @@ static struct entry *find(struct shelf *s, const struct record_request *request)
 }
 
 // Removes the entries after those that fit into the cache.
-static void make_room(struct shelf *s) {
+static void make_room(struct record_cache *s) {
     size_t bytes = 0;
     for (struct entry **at = &s->first; *at;) {
         struct entry *i = *at;
@@ -118,7 +118,7 @@ static bool copy_request(struct arena *a, const struct record_request *request,
 }
 
 // Puts a copy in front.
-static int put(struct shelf *s, const struct record_request *request, const struct record *r,
+static int put(struct record_cache *s, const struct record_request *request, const struct record *r,
                struct error *e) {
     struct arena *a = arena_create();
     struct entry *new = a ? arena_alloc(a, 1, sizeof *new) : NULL;
@@ -136,8 +136,8 @@ static int put(struct shelf *s, const struct record_request *request, const stru
     return STATUS_OK;
 }
 
-int shelf_read(struct shelf *s, struct arena *a, const struct record_request *request,
-               struct record *out, struct error *e) {
+int record_cache_read(struct record_cache *s, struct arena *a, const struct record_request *request,
+                      struct record *out, struct error *e) {
     if (!s) {
         return record_read(a, request, out, e);
     }

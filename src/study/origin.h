@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the runs of a study come from: which study it is, the files that they read, which part of
+// the study they are, and whether the file of a part is there already.
+//
+// Which study it is, is a text with a line for each thing that must not change. A line starts with
+// what a message calls the thing and a tab. Equal texts mean the same runs, except for the files
+// that they read, which the manifest holds. The build of the program does not count: the version of
+// the numerics does.
+#ifndef JOSTLE_ORIGIN_H
+#define JOSTLE_ORIGIN_H
+
+#include "study/manifest.h"
+#include "study/plan.h"
+
+// The same wherever the deck lies, for parts. `n_value` of a run. Errors: STATUS_SYSTEM (no
+// memory).
+int origin_study(struct arena *a, const struct study_request *q, size_t n_value, const char **out,
+                 struct error *e);
+
+// The same for the journal: of one part, and of a deck in one place.
+const char *origin_journal(struct arena *a, const struct study_request *q, const char *study);
+
+// Appends to the text *accepted a line for each difference that a user may accept: "NAME: OLD".
+// Errors: STATUS_INPUT with the name of another difference, as runs would not have the same places
+// or numbers; STATUS_SYSTEM (no memory).
+int origin_accept(struct arena *a, const char *old, const char *new, const char **accepted,
+                  struct error *e);
+
+// What differs between two of them, to end after *length.
+const char *origin_difference(const char *old, const char *new, int *length);
+
+// What the runs come from, once they are done, without the members `study` and `accepted`. Texts
+// and arrays are from the arena of the manifest. Errors: STATUS_SYSTEM (no memory).
+int origin_describe(const struct study_request *q, const struct plan *p, const struct manifest *m,
+                    struct study_origin *out, struct error *e);
+
+// Describes the part that the plan runs, without the number of failed runs. The array is from the
+// arena of the manifest. Errors: STATUS_SYSTEM (no memory).
+int origin_part(const struct plan *p, const struct manifest *m, struct study_part *out,
+                struct error *e);
+
+// Compares what runs come from with the study `study` of the request. Errors: STATUS_INPUT with the
+// name of the first difference, STATUS_SYSTEM (no memory).
+int origin_compare(const struct study_request *q, struct manifest *m, const char *study,
+                   const struct study_origin *o, struct error *e);
+
+// Sets *found where the file of the request is the finished part that it asks for, and *n_failed,
+// the number of its failed runs. Errors: STATUS_INPUT (the file is something else, or the study has
+// changed since), STATUS_SYSTEM (no memory).
+int origin_find_part(const struct study_request *q, struct manifest *m, const char *study,
+                     bool *found, long *n_failed, struct error *e);
+
+#endif
