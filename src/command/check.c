@@ -79,8 +79,16 @@ static int print_storeys(const struct model *m, const struct building *g) {
     return printer_close(&t);
 }
 
-// Periods and damping ratios of the first modes.
-static void print_modes(const struct building *g, const struct unit_texts *t) {
+static int print_building(const struct model *m, const struct building *g,
+                          const struct unit_texts *t) {
+    double mass = 0.0;
+    for (int i = 0; i < g->n_floor; i++) {
+        mass += g->mass[i];
+    }
+    fputc('\n', stdout);
+    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
+              g->n_floor == 1 ? "" : "s", mass, t->mass);
+    // Periods and damping ratios of the first modes.
     for (int k = 0; k < g->n_floor && k < MODES_SHOWN; k++) {
         double ratio = building_damping_ratio(g, k + 1);
         if (g->omega[k] == 0.0) {
@@ -93,18 +101,6 @@ static void print_modes(const struct building *g, const struct unit_texts *t) {
         }
         printf("\n");
     }
-}
-
-static int print_building(const struct model *m, const struct building *g,
-                          const struct unit_texts *t) {
-    double mass = 0.0;
-    for (int i = 0; i < g->n_floor; i++) {
-        mass += g->mass[i];
-    }
-    fputc('\n', stdout);
-    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
-              g->n_floor == 1 ? "" : "s", mass, t->mass);
-    print_modes(g, t);
     for (int i = 0; i < g->n_part; i++) {
         safe_line(stdout, "  %s: %d x %d from %s", g->part[i].name, g->n_floor, g->n_floor,
                   g->part[i].source);
@@ -136,19 +132,6 @@ static void print_signals(const struct model *m, const struct unit_texts *t) {
                 safe_line(stdout, "    %s", s->scaled);
             }
         }
-    }
-}
-
-static void print_loads(const struct model *m, const struct unit_texts *t) {
-    for (int i = 0; i < m->n_load; i++) {
-        const struct load *load = &m->load[i];
-        const struct building *g = m->building;
-        while (load->dof >= g->first + g->n_floor) {
-            g++;
-        }
-        fputs(i ? "" : "\n", stdout);
-        safe_line(stdout, "load on %s:%d: %s, peak %.4g %s", g->name, load->dof - g->first + 1,
-                  load->signal.name, signal_peak(&load->signal), t->force);
     }
 }
 
@@ -254,7 +237,16 @@ static int check(void *options, const struct model *m) {
         return status;
     }
     print_signals(m, &t);
-    print_loads(m, &t);
+    for (int i = 0; i < m->n_load; i++) {
+        const struct load *load = &m->load[i];
+        const struct building *g = m->building;
+        while (load->dof >= g->first + g->n_floor) {
+            g++;
+        }
+        fputs(i ? "" : "\n", stdout);
+        safe_line(stdout, "load on %s:%d: %s, peak %.4g %s", g->name, load->dof - g->first + 1,
+                  load->signal.name, signal_peak(&load->signal), t.force);
+    }
     print_time(m, &t);
     if (deck_is_study(m->deck)) {
         return check_study(&o->load, m);

@@ -8,21 +8,6 @@
 #include "core/safe.h"
 #include "study/survey.h"
 
-static void print_errors(const struct survey *s) {
-    for (const struct survey_error *f = s->error; f; f = f->next) {
-        struct plan_text t;
-        const char *run = plan_describe(s->plan, f->run, &t);
-        // The message of a run of another shape begins with the run.
-        const bool says_run = strncmp(f->message, run, strlen(run)) == 0;
-        char more[64] = "";
-        if (f->n_more > 0) {
-            snprintf(more, sizeof more, " (and %ld more of the runs checked)", f->n_more);
-        }
-        safe_line(stderr, "jostle: error: %s%s%s%s", says_run ? "" : run, says_run ? "" : ": ",
-                  f->message, more);
-    }
-}
-
 static bool has_message(const struct diagnostics *d, const char *message) {
     for (int i = 0; i < d->n_item; i++) {
         if (strcmp(d->item[i].message, message) == 0) {
@@ -32,23 +17,20 @@ static bool has_message(const struct diagnostics *d, const char *message) {
     return false;
 }
 
-// The warnings about a run that the first run does not have.
-static void print_new_warnings(const struct diagnostics *first, const struct diagnostics *run) {
-    for (int i = 0; i < run->n_item; i++) {
-        if (!has_message(first, run->item[i].message)) {
-            const struct diagnostics one = {.item = &run->item[i], .n_item = 1, .n_warning = 1};
-            diagnostics_print(&one, stderr, command_colour());
-        }
-    }
-}
-
 static void print_strongest(void *context, const struct model *m, const struct guidance *g) {
     const struct survey *s = context;
     struct plan_text t;
     safe_line(stdout, "%s is the strongest run checked:", plan_describe(s->plan, s->strongest, &t));
     guidance_print(m, g);
     guidance_warn(m, g);
-    print_new_warnings(&s->plan->first->deck->diagnostics, &m->deck->diagnostics);
+    // The warnings about a run that the first run does not have.
+    const struct diagnostics *run = &m->deck->diagnostics;
+    for (int i = 0; i < run->n_item; i++) {
+        if (!has_message(&s->plan->first->deck->diagnostics, run->item[i].message)) {
+            const struct diagnostics one = {.item = &run->item[i], .n_item = 1, .n_warning = 1};
+            diagnostics_print(&one, stderr, command_colour());
+        }
+    }
 }
 
 struct soft_text {
@@ -97,7 +79,18 @@ static void print_damped(const struct survey *s) {
 static int report(struct survey *s, struct error *e) {
     printf("\nchecked the models of %ld of %ld runs, which read %ld file%s\n", s->n_run,
            s->plan->n_run, s->n_file, s->n_file == 1 ? "" : "s");
-    print_errors(s);
+    for (const struct survey_error *f = s->error; f; f = f->next) {
+        struct plan_text t;
+        const char *run = plan_describe(s->plan, f->run, &t);
+        // The message of a run of another shape begins with the run.
+        const bool says_run = strncmp(f->message, run, strlen(run)) == 0;
+        char more[64] = "";
+        if (f->n_more > 0) {
+            snprintf(more, sizeof more, " (and %ld more of the runs checked)", f->n_more);
+        }
+        safe_line(stderr, "jostle: error: %s%s%s%s", says_run ? "" : run, says_run ? "" : ": ",
+                  f->message, more);
+    }
     print_softest(s);
     print_damped(s);
     const bool adaptive = s->plan->first->adaptive;

@@ -145,21 +145,6 @@ int gap_print_apart(const struct plan *p, const struct apart *a, double *scratch
     return status[0] | status[1] | status[2] | status[3];
 }
 
-static void print_run(struct printer *t, const struct plan *p, const struct apart *a, long run,
-                      int contact) {
-    int choice[STUDY_SWEEPS_MAX], k = 0;
-    plan_choose(p, run, choice);
-    printer_whole(t, run + 1);
-    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
-        printer_sweep(t, s, choice[k++]);
-    }
-    printer_text(t, study_print_status(&a->outcome[run]));
-    printer_text(t, p->first->link[contact].name);
-    printer_numbers(t, apart_values(a, run, contact), APART_VALUES);
-    printer_text(t, a->outcome[run].message);
-    printer_line(t);
-}
-
 int gap_print_runs(const struct plan *p, const struct apart *a, enum printer_form form) {
     const struct deck *d = p->first->deck;
     struct printer t = {.to = stdout, .form = form, .units = &d->units};
@@ -175,7 +160,19 @@ int gap_print_runs(const struct plan *p, const struct apart *a, enum printer_for
     printer_add(&t, &(struct printer_column)COLUMN_DATA("message"), 1);
     printer_head(&t);
     for (long i = 0; i < a->n_run * a->n_contact; i++) {
-        print_run(&t, p, a, i / a->n_contact, (int)(i % a->n_contact));
+        long run = i / a->n_contact;
+        int contact = (int)(i % a->n_contact);
+        int choice[STUDY_SWEEPS_MAX], k = 0;
+        plan_choose(p, run, choice);
+        printer_whole(&t, run + 1);
+        for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+            printer_sweep(&t, s, choice[k++]);
+        }
+        printer_text(&t, study_print_status(&a->outcome[run]));
+        printer_text(&t, p->first->link[contact].name);
+        printer_numbers(&t, apart_values(a, run, contact), APART_VALUES);
+        printer_text(&t, a->outcome[run].message);
+        printer_line(&t);
     }
     return printer_close(&t);
 }

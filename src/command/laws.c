@@ -45,20 +45,6 @@ static void print_traits(enum page page, unsigned traits) {
     rows_entry(page, "solver", text[0] ? text : NULL);
 }
 
-// The command that shows an impact, and on the page its picture, which `make docs` draws by it.
-static void print_example(enum page page, const struct contact_law *law) {
-    char command[256];
-    if (!law->example) {
-        return;
-    }
-    snprintf(command, sizeof command, "jostle law %s %s -m1 25t -m2 40t -v 0.5m/s", law->name,
-             law->example);
-    rows_example(page, command);
-    if (page == PAGE_MARKDOWN) {
-        printf("\n![Force of %s in this impact](pictures/law_%s.svg)\n", law->name, law->name);
-    }
-}
-
 static void print_contact_law(enum page page, const struct contact_law *law) {
     rows_heading(page, 3, law->name);
     rows_entry(page, "what", law->summary);
@@ -66,7 +52,16 @@ static void print_contact_law(enum page page, const struct contact_law *law) {
     rows_entry(page, "source", law->source);
     rows_entry(page, "remarks", law->remarks);
     print_traits(page, law->traits);
-    print_example(page, law);
+    // The command that shows an impact, and on the page its picture, which `make docs` draws by it.
+    char command[256];
+    if (law->example) {
+        snprintf(command, sizeof command, "jostle law %s %s -m1 25t -m2 40t -v 0.5m/s", law->name,
+                 law->example);
+        rows_example(page, command);
+        if (page == PAGE_MARKDOWN) {
+            printf("\n![Force of %s in this impact](pictures/law_%s.svg)\n", law->name, law->name);
+        }
+    }
     rows_print(page, law->row, law->n_row);
     printf("\n");
 }

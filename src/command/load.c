@@ -3,13 +3,6 @@
 
 #include "model/guidance.h"
 
-static void print_diagnostics(const struct deck *deck, bool quiet) {
-    const struct diagnostics *d = &deck->diagnostics;
-    if (d->n_error > 0 || (d->n_warning > 0 && !quiet)) {
-        diagnostics_print(d, stderr, command_colour());
-    }
-}
-
 // A single run says of its damping what it has computed.
 static int guide(const struct model *m, const struct load_request *request, struct error *e) {
     int status = guidance_find(m, request->guidance, e);
@@ -36,7 +29,10 @@ int load_model(const struct load_request *request, struct model **out) {
         if (status == STATUS_OK && request->guidance) {
             status = guide(*out, request, &e);
         }
-        print_diagnostics(deck, request->quiet);
+        const struct diagnostics *d = &deck->diagnostics;
+        if (d->n_error > 0 || (d->n_warning > 0 && !request->quiet)) {
+            diagnostics_print(d, stderr, command_colour());
+        }
         if (status == STATUS_INPUT && deck->diagnostics.system) {
             e.status = STATUS_SYSTEM;  // a file could not be read
         }

@@ -52,14 +52,6 @@ static const struct printer_column statistic_columns[] = {
 static const struct printer_column target_columns[] = {
     {"target", NULL, "g", NULL, WIDTH, 4, LOOK_G}, {"ratio", NULL, NULL, NULL, WIDTH, 4, LOOK_G}};
 
-// Accelerations in g.
-static void print_intensity(struct printer *t, const struct intensity *i, double g) {
-    const double value[N_INTENSITY] = {i->pga / g,  i->pgv,      i->pgd,   i->arias,
-                                       i->cav,      i->d5_75,    i->d5_95, i->pga_time,
-                                       i->pgv_time, i->pgd_time, i->time_5};
-    printer_numbers(t, value, N_INTENSITY);
-}
-
 static double response(const struct spectrum_request *q, const struct spectrum_set *set, int series,
                        int damping, int period, enum spectrum_quantity quantity) {
     const double value = spectra_at(&set->spectra, series, damping, period)->value[quantity];
@@ -82,7 +74,20 @@ static int print_intensities(const struct spectrum_request *q, const struct spec
         printer_whole(&t, (long)g->n);
         printer_number(&t, g->dt);
         printer_number(&t, set->scale[r]);
-        print_intensity(&t, &set->intensity[r], q->record.gravity);
+        // Accelerations in g.
+        const struct intensity *i = &set->intensity[r];
+        const double value[N_INTENSITY] = {i->pga / q->record.gravity,
+                                           i->pgv,
+                                           i->pgd,
+                                           i->arias,
+                                           i->cav,
+                                           i->d5_75,
+                                           i->d5_95,
+                                           i->pga_time,
+                                           i->pgv_time,
+                                           i->pgd_time,
+                                           i->time_5};
+        printer_numbers(&t, value, N_INTENSITY);
         printer_number(&t, g->end);
         printer_text(&t, set->name[r]);
         printer_number(&t, q->target ? set->match.misfit[r] : (double)NAN);
@@ -182,22 +187,6 @@ static void print_series(struct printer *t, const struct spectrum_request *q,
     }
 }
 
-// At those of the periods that it has.
-static void print_target(struct printer *t, const struct spectrum_request *q,
-                         const struct spectrum_set *set) {
-    for (int p = 0; p < q->periods.n; p++) {
-        const double goal = goal_at(q, set, p);
-        if (!isnan(goal)) {
-            printer_text(t, "target");
-            printer_text(t, set->target_name);
-            printer_number(t, q->damping[0]);
-            printer_number(t, q->periods.value[p]);
-            printer_number(t, goal);
-            printer_line(t);
-        }
-    }
-}
-
 static int print_data(const struct spectrum_request *q, const struct spectrum_set *set) {
     struct printer t = {.to = stdout, .form = (enum printer_form)q->form};
     const int n_series = q->n_record > 1 ? q->n_record + SPECTRA_STATISTICS : 1;
@@ -208,7 +197,18 @@ static int print_data(const struct spectrum_request *q, const struct spectrum_se
         print_series(&t, q, set, s);
     }
     if (q->target) {
-        print_target(&t, q, set);
+        // At those of the periods that it has.
+        for (int p = 0; p < q->periods.n; p++) {
+            const double goal = goal_at(q, set, p);
+            if (!isnan(goal)) {
+                printer_text(&t, "target");
+                printer_text(&t, set->target_name);
+                printer_number(&t, q->damping[0]);
+                printer_number(&t, q->periods.value[p]);
+                printer_number(&t, goal);
+                printer_line(&t);
+            }
+        }
     }
     return printer_close(&t);
 }

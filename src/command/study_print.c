@@ -42,24 +42,20 @@ static bool is_shown(const struct study_item *item) {
     return item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
 }
 
-static void add_values(struct study_peaks *p, const struct study_view *v,
-                       const struct study_run *r) {
-    for (int k = 0; k < v->table.n_item; k++) {
-        const struct study_item *item = &v->table.item[k];
-        struct study_peak *peak = &p->peak[k];
-        for (size_t i = 0; is_shown(item) && i < item->n; i++) {
-            const double x = r->value[item->first + i];
-            if (!isnan(x) && (!peak->found || x > peak->value)) {
-                *peak = (struct study_peak){.found = true, .value = x, .run = r->number, .at = i};
-                peak->hit = study_view_hit(v, item, i, r->value) > 0;
-            }
-        }
-    }
-}
-
 void study_peaks_add(struct study_peaks *p, const struct study_view *v, const struct study_run *r) {
     if (r->outcome->status == STUDY_DONE) {
-        add_values(p, v, r);
+        for (int k = 0; k < v->table.n_item; k++) {
+            const struct study_item *item = &v->table.item[k];
+            struct study_peak *peak = &p->peak[k];
+            for (size_t i = 0; is_shown(item) && i < item->n; i++) {
+                const double x = r->value[item->first + i];
+                if (!isnan(x) && (!peak->found || x > peak->value)) {
+                    *peak =
+                        (struct study_peak){.found = true, .value = x, .run = r->number, .at = i};
+                    peak->hit = study_view_hit(v, item, i, r->value) > 0;
+                }
+            }
+        }
     } else if (r->outcome->status == STUDY_MISSING) {
         p->n_missing++;
     } else if (p->n_failed++ == 0) {
@@ -138,17 +134,6 @@ static void choose(struct shown *s, const char *owner, double drift) {
     s->n_building++;
 }
 
-static struct shown choose_buildings(const struct study_peaks *p, const struct study_view *v) {
-    struct shown s = {.n = 0};
-    for (int k = 0; k < v->table.n_item; k++) {
-        const struct study_item *item = &v->table.item[k];
-        if (item->leaf && item->owner && strcmp(item->name, "drift") == 0) {
-            choose(&s, item->owner, p->peak[k].found ? p->peak[k].value : -HUGE_VAL);
-        }
-    }
-    return s;
-}
-
 static bool is_hidden(const struct shown *s, const struct study_item *item) {
     bool hidden = item->owner != NULL;
     for (int i = 0; i < s->n && hidden; i++) {
@@ -188,7 +173,13 @@ static int name_width(const struct study_peaks *p, const struct study_view *v,
 }
 
 static void print_peaks(const struct study_peaks *p, const struct study_view *v, FILE *to) {
-    const struct shown shown = choose_buildings(p, v);
+    struct shown shown = {.n = 0};
+    for (int k = 0; k < v->table.n_item; k++) {
+        const struct study_item *item = &v->table.item[k];
+        if (item->leaf && item->owner && strcmp(item->name, "drift") == 0) {
+            choose(&shown, item->owner, p->peak[k].found ? p->peak[k].value : -HUGE_VAL);
+        }
+    }
     const int width = name_width(p, v, &shown);
     bool any_hit = false;
     fprintf(to, "\nlargest values\n%-*s %-14s %5s %12s %-8s %6s  run\n", width, "", "quantity",

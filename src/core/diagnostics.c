@@ -102,18 +102,6 @@ void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, cons
     }
 }
 
-static void print_caret(const struct diagnostic *item, FILE *to, bool colour) {
-    int columns = text_columns(item->source_line, strlen(item->source_line));
-    int first = item->source_first > 1 ? item->source_first : 1;
-    int offset = item->column - first;
-    fprintf(to, "    %s\n    %*s%s^", item->source_line, offset > 0 ? offset : 0, "",
-            colour ? "\033[32m" : "");
-    for (int i = 1; i < item->width && offset + i < columns; i++) {
-        fputc('~', to);
-    }
-    fprintf(to, "%s\n", colour ? "\033[0m" : "");
-}
-
 static void print_item(const struct diagnostic *item, FILE *to, bool colour) {
     bool error = item->severity == SEVERITY_ERROR;
     const char *tint = error ? "\033[31m" : "\033[35m";
@@ -125,7 +113,15 @@ static void print_item(const struct diagnostic *item, FILE *to, bool colour) {
     fprintf(to, "%s%s:%s %s\n", colour ? tint : "", error ? "error" : "warning",
             colour ? "\033[0m" : "", item->message);
     if (item->line > 0 && item->source_line) {
-        print_caret(item, to, colour);
+        int columns = text_columns(item->source_line, strlen(item->source_line));
+        int first = item->source_first > 1 ? item->source_first : 1;
+        int offset = item->column - first;
+        fprintf(to, "    %s\n    %*s%s^", item->source_line, offset > 0 ? offset : 0, "",
+                colour ? "\033[32m" : "");
+        for (int i = 1; i < item->width && offset + i < columns; i++) {
+            fputc('~', to);
+        }
+        fprintf(to, "%s\n", colour ? "\033[0m" : "");
     }
 }
 

@@ -121,16 +121,6 @@ static int taken(const char *wanted, const char *path, struct error *e) {
                      strcmp(wanted, path) == 0 ? "it" : path);
 }
 
-// After `path` could not be opened.
-static int cannot_claim(const char *wanted, int flags, struct error *e) {
-    if (errno == ENOENT && !(flags & O_CREAT)) {
-        return STATUS_OK;
-    }
-    return errno == EEXIST || errno == ELOOP
-               ? STATUS_RETRY
-               : error_set(e, STATUS_SYSTEM, "cannot write %s: %s", wanted, strerror(errno));
-}
-
 int file_claim(const char *wanted, const char *path, int flags, int *file, struct error *e) {
     const char *obstacle = file_obstacle(AT_FDCWD, path);
     *file = -1;
@@ -139,7 +129,13 @@ int file_claim(const char *wanted, const char *path, int flags, int *file, struc
     }
     const int opened = open_file(path, O_RDWR | O_NOFOLLOW | O_NOCTTY | flags);
     if (opened < 0) {
-        return cannot_claim(wanted, flags, e);
+        // After `path` could not be opened.
+        if (errno == ENOENT && !(flags & O_CREAT)) {
+            return STATUS_OK;
+        }
+        return errno == EEXIST || errno == ELOOP
+                   ? STATUS_RETRY
+                   : error_set(e, STATUS_SYSTEM, "cannot write %s: %s", wanted, strerror(errno));
     }
     const bool locked = file_lock(opened);
     if (locked && file_is_named(opened, path)) {

@@ -188,19 +188,6 @@ static double power_parse(const char **at) {
     return sign * digits / scale;
 }
 
-static void multiply(struct dimension *dimension, double *si, const struct simple *unit,
-                     double gravity, double power) {
-    double size = unit->size > 0 ? unit->size : gravity;
-    if (power >= 0) {
-        *si *= pow(size, power);
-    } else {
-        *si /= pow(size, -power);
-    }
-    dimension->force += power * unit->dimension.force;
-    dimension->length += power * unit->dimension.length;
-    dimension->time += power * unit->dimension.time;
-}
-
 bool unit_parse(const char *text, double gravity, const char **end, struct dimension *dimension,
                 double *si) {
     *end = text;
@@ -212,7 +199,16 @@ bool unit_parse(const char *text, double gravity, const char **end, struct dimen
         if (!unit || (unit->alone && *end != text)) {
             break;
         }
-        multiply(dimension, si, unit, gravity, sign * (unit->alone ? 1 : power_parse(&at)));
+        double power = sign * (unit->alone ? 1 : power_parse(&at));
+        double size = unit->size > 0 ? unit->size : gravity;
+        if (power >= 0) {
+            *si *= pow(size, power);
+        } else {
+            *si /= pow(size, -power);
+        }
+        dimension->force += power * unit->dimension.force;
+        dimension->length += power * unit->dimension.length;
+        dimension->time += power * unit->dimension.time;
         *end = at;
         if (unit->alone || (*at != '*' && *at != '/')) {
             break;

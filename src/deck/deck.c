@@ -168,17 +168,6 @@ double deck_gravity(struct deck *d) {
     return d->units.gravity;
 }
 
-static void add_statement(struct checksum_sum *sum, const struct statement *s) {
-    if (strcmp(s->word[0].text, "title") == 0) {
-        return;
-    }
-    checksum_add_number(sum, (uint64_t)s->n_word);
-    for (int i = 0; i < s->n_word; i++) {
-        checksum_add_number(sum, s->word[i].quoted);
-        checksum_add_text(sum, s->word[i].text);
-    }
-}
-
 // The checksum of an open deck, which is then freed. If some lines cannot be split into statements,
 // the whole text counts.
 static int checksum_statements(struct deck *d, struct checksum *out, struct error *e) {
@@ -186,7 +175,13 @@ static int checksum_statements(struct deck *d, struct checksum *out, struct erro
     struct statement s;
     checksum_start(&sum);
     while (scan_statement(d, &d->reader->frame[0], &s)) {
-        add_statement(&sum, &s);
+        if (strcmp(s.word[0].text, "title") != 0) {
+            checksum_add_number(&sum, (uint64_t)s.n_word);
+            for (int i = 0; i < s.n_word; i++) {
+                checksum_add_number(&sum, s.word[i].quoted);
+                checksum_add_text(&sum, s.word[i].text);
+            }
+        }
     }
     if (d->torn) {
         checksum_add_text(&sum, d->text);

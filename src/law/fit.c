@@ -252,24 +252,6 @@ static int search_all(struct fit *f, struct fit_result *out, struct error *e) {
     return search(f, out, e);
 }
 
-static int allocate(struct fit *f, struct error *e) {
-    const size_t p = (size_t)f->n_unknown;
-    gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
-    f->work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, f->model.q->n, p);
-    f->covariance = gsl_matrix_alloc(p, p);
-    return f->work && f->covariance ? STATUS_OK : error_no_memory(e);
-}
-
-static void release(struct fit *f) {
-    if (f->work) {
-        gsl_multifit_nlinear_free(f->work);
-    }
-    if (f->covariance) {
-        gsl_matrix_free(f->covariance);
-    }
-    fit_model_free(&f->model);
-}
-
 int fit_run(const struct fit_request *request, struct fit_result *out, struct error *e) {
     struct fit f = {.work = NULL};
     int status = fit_model_init(request, &f.model, e);
@@ -279,7 +261,11 @@ int fit_run(const struct fit_request *request, struct fit_result *out, struct er
         status = fit_check_impulse(&f.model, &agreed, e);
     }
     if (status == STATUS_OK) {
-        status = allocate(&f, e);
+        const size_t p = (size_t)f.n_unknown;
+        gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
+        f.work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, f.model.q->n, p);
+        f.covariance = gsl_matrix_alloc(p, p);
+        status = f.work && f.covariance ? STATUS_OK : error_no_memory(e);
     }
     if (status == STATUS_OK) {
         status = fit_start(&f.model, &f.start, &f.duration, e);
@@ -289,6 +275,12 @@ int fit_run(const struct fit_request *request, struct fit_result *out, struct er
         out->restitution = agreed.restitution;
         out->cut = agreed.cut;
     }
-    release(&f);
+    if (f.work) {
+        gsl_multifit_nlinear_free(f.work);
+    }
+    if (f.covariance) {
+        gsl_matrix_free(f.covariance);
+    }
+    fit_model_free(&f.model);
     return status;
 }

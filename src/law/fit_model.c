@@ -98,23 +98,6 @@ bool fit_model_note_jumps(struct fit_model *m) {
     return m->jumps_closing || m->jumps_opening;
 }
 
-// The samples up to `first` continue the force at closure, those from `end` on that at opening, as
-// far as they are held. The others have none.
-static void hold(struct fit_model *m, const struct fit_samples *held) {
-    for (size_t i = 0; i < m->q->n; i++) {
-        const bool before = i < m->contact.first;
-        const bool in = i >= held->first && i < held->end;
-        if (in && !before && i < m->contact.end) {
-            continue;
-        }
-        const struct isolated_point *edge = before ? &m->closure : &m->opening;
-        const double rate = in && isfinite(edge->rate) ? edge->rate : 0.0;
-        m->force[i] = in ? edge->force + rate * (m->time[i] - edge->time) : 0.0;
-        m->rate[i] = rate;
-    }
-    m->contact = *held;
-}
-
 // Takes the samples on both sides of a jump, of which `inner` is the one in contact, as measured.
 static void leave_out(struct fit_model *m, size_t inner, size_t outer) {
     const size_t n = m->q->n;
@@ -122,15 +105,6 @@ static void leave_out(struct fit_model *m, size_t inner, size_t outer) {
         m->force[inner] = m->q->force[inner];
         m->force[outer] = m->q->force[outer];
         m->rate[inner] = m->rate[outer] = 0.0;
-    }
-}
-
-static void leave_out_jumps(struct fit_model *m) {
-    if (m->contact.first > 0 && m->jumps_closing) {
-        leave_out(m, m->contact.first, m->contact.first - 1);
-    }
-    if (m->contact.end > m->contact.first && m->jumps_opening) {
-        leave_out(m, m->contact.end - 1, m->contact.end);
     }
 }
 
@@ -160,9 +134,27 @@ void fit_model_predict(struct fit_model *m, const struct fit_point *p,
         return;
     }
     if (held) {
-        hold(m, held);
+        // The samples up to `first` continue the force at closure, those from `end` on that at
+        // opening, as far as they are held. The others have none.
+        for (size_t i = 0; i < m->q->n; i++) {
+            const bool before = i < m->contact.first;
+            const bool in = i >= held->first && i < held->end;
+            if (in && !before && i < m->contact.end) {
+                continue;
+            }
+            const struct isolated_point *edge = before ? &m->closure : &m->opening;
+            const double rate = in && isfinite(edge->rate) ? edge->rate : 0.0;
+            m->force[i] = in ? edge->force + rate * (m->time[i] - edge->time) : 0.0;
+            m->rate[i] = rate;
+        }
+        m->contact = *held;
     }
-    leave_out_jumps(m);
+    if (m->contact.first > 0 && m->jumps_closing) {
+        leave_out(m, m->contact.first, m->contact.first - 1);
+    }
+    if (m->contact.end > m->contact.first && m->jumps_opening) {
+        leave_out(m, m->contact.end - 1, m->contact.end);
+    }
 }
 
 double fit_model_squares(struct fit_model *m, const struct fit_point *p) {

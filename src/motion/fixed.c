@@ -97,14 +97,6 @@ static int read_time(const struct record_text *t, const struct lines *l,
     return status == STATUS_OK ? values_check_time(t, l->number, i, time, out, e) : status;
 }
 
-static int read_value(const struct record_text *t, const struct lines *l,
-                      const struct fixed_format *format, size_t i, double *value, struct error *e) {
-    const size_t used = (i % format->n + 1) * fields_each(format);
-    const struct number_field f = {t, l->number, "value", i + 1,
-                                   fixed_field(l->whole, format, used - 1)};
-    return lines_read_number(&f, value, e);
-}
-
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e) {
@@ -124,7 +116,10 @@ int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
         }
         int status = format->timed ? read_time(t, l, format, i, out, e) : STATUS_OK;
         if (status == STATUS_OK) {
-            status = read_value(t, l, format, i, &value[i], e);
+            const size_t used = (i % format->n + 1) * fields_each(format);
+            const struct number_field f = {t, l->number, "value", i + 1,
+                                           fixed_field(l->whole, format, used - 1)};
+            status = lines_read_number(&f, &value[i], e);
         }
         if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
             status = check_rest(t, l, (column + 1) * fields_each(format) * format->width, e);

@@ -134,7 +134,7 @@ static int check_text(const struct record_text *t, struct error *e) {
     return STATUS_OK;
 }
 
-static struct record_text strip_marks(const struct record_text *t) {
+int record_clean(const struct record_text *t, struct record_text *out, struct error *e) {
     struct record_text s = *t;
     if (s.size >= 3 && memcmp(s.text, "\xef\xbb\xbf", 3) == 0) {
         s.text += 3;
@@ -145,11 +145,7 @@ static struct record_text strip_marks(const struct record_text *t) {
         end--;
         s.size = s.text[end] == '\x1a' ? end : s.size;
     }
-    return s;
-}
-
-int record_clean(const struct record_text *t, struct record_text *out, struct error *e) {
-    *out = strip_marks(t);
+    *out = s;
     return check_text(out, e);
 }
 

@@ -75,22 +75,6 @@ static struct entry *find(struct shelf *s, const struct record_request *request)
     return NULL;
 }
 
-// Removes the entries after those that fit into the cache.
-static void make_room(struct shelf *s) {
-    size_t bytes = 0;
-    for (struct entry **at = &s->first; *at;) {
-        struct entry *i = *at;
-        if (bytes + bytes_of(&i->record) > s->bytes_max) {
-            *at = i->next;
-            arena_free(i->arena);
-        } else {
-            bytes += bytes_of(&i->record);
-            at = &i->next;
-        }
-    }
-    s->bytes = bytes;
-}
-
 // Copies the values of `r` into memory from `a`; false: no memory.
 static bool copy(struct arena *a, const struct record *r, struct record *out) {
     double *value = arena_alloc(a, r->n, sizeof *value);
@@ -131,7 +115,19 @@ static int put(struct shelf *s, const struct record_request *request, const stru
     s->first = new;
     s->bytes += bytes_of(r);
     if (s->bytes > s->bytes_max) {
-        make_room(s);
+        // Removes the entries after those that fit into the cache.
+        size_t bytes = 0;
+        for (struct entry **at = &s->first; *at;) {
+            struct entry *i = *at;
+            if (bytes + bytes_of(&i->record) > s->bytes_max) {
+                *at = i->next;
+                arena_free(i->arena);
+            } else {
+                bytes += bytes_of(&i->record);
+                at = &i->next;
+            }
+        }
+        s->bytes = bytes;
     }
     return STATUS_OK;
 }

@@ -46,31 +46,8 @@ static double psa(const struct spectra *s, int record, int period) {
     return spectra_at(s, record, 0, period)->value[SPECTRUM_PSA];
 }
 
-static void fit_record(struct match *m, const struct spectra *s, const double *goal, int record) {
-    double sum = 0.0, squares = 0.0;
-    for (int p = 0; p < s->n_period; p++) {
-        sum += log(goal[p] / psa(s, record, p));
-    }
-    const double mean = sum / s->n_period;
-    for (int p = 0; p < s->n_period; p++) {
-        const double left = log(goal[p] / psa(s, record, p)) - mean;
-        squares += left * left;
-    }
-    m->factor[record] = exp(mean);
-    m->misfit[record] = sqrt(squares / s->n_period);
-}
-
-static struct match_ratio ratio_at(const struct match *m, const struct spectra *s,
-                                   const double *goal, int period) {
-    double sum = 0.0;
-    for (int r = 0; r < s->n_record; r++) {
-        sum += m->factor[r] * psa(s, r, period);
-    }
-    return (struct match_ratio){s->period[period], sum / s->n_record / goal[period]};
-}
-
 int target_match(struct match *m, const struct spectra *s, const double *goal, struct arena *a,
-                  struct error *e) {
+                 struct error *e) {
     *m = (struct match){
         .factor = arena_alloc(a, (size_t)s->n_record, sizeof *m->factor),
         .misfit = arena_alloc(a, (size_t)s->n_record, sizeof *m->misfit),
@@ -81,10 +58,25 @@ int target_match(struct match *m, const struct spectra *s, const double *goal, s
         return error_no_memory(e);
     }
     for (int r = 0; r < s->n_record; r++) {
-        fit_record(m, s, goal, r);
+        double sum = 0.0, squares = 0.0;
+        for (int p = 0; p < s->n_period; p++) {
+            sum += log(goal[p] / psa(s, r, p));
+        }
+        const double mean = sum / s->n_period;
+        for (int p = 0; p < s->n_period; p++) {
+            const double left = log(goal[p] / psa(s, r, p)) - mean;
+            squares += left * left;
+        }
+        m->factor[r] = exp(mean);
+        m->misfit[r] = sqrt(squares / s->n_period);
     }
     for (int p = 0; p < s->n_period; p++) {
-        const struct match_ratio ratio = ratio_at(m, s, goal, p);
+        double sum = 0.0;
+        for (int r = 0; r < s->n_record; r++) {
+            sum += m->factor[r] * psa(s, r, p);
+        }
+        const struct match_ratio ratio =
+            (struct match_ratio){s->period[p], sum / s->n_record / goal[p]};
         m->least = ratio.value < m->least.value ? ratio : m->least;
         m->largest = ratio.value > m->largest.value ? ratio : m->largest;
     }

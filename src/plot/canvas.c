@@ -93,21 +93,6 @@ static void axis_text(const struct axis *axis, const char *name, const struct un
              g);
 }
 
-// The name of an axis across; the brief one where the other would run into those beside, and a
-// small one where that would.
-static void write_across(const struct canvas *c, struct area a, const struct axis *axis) {
-    char text[160];
-    axis_text(axis, axis->name, c->units, text, sizeof text);
-    const double room = a.right - a.left + 2;
-    if (axis->brief && script_width(text) > room) {
-        axis_text(axis, axis->brief, c->units, text, sizeof text);
-    }
-    fprintf(c->to, "set label ");
-    safe_put(c->to, SAFE_GNUPLOT, text);
-    canvas_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
-    fprintf(c->to, " center%s\n", axis->brief && script_width(text) > room ? small_font : "");
-}
-
 // How far neighbouring numbers across must be apart [em], with this step.
 static double number_room(const struct axis *axis, double step) {
     const double unit = pow(10, axis_power(axis));
@@ -258,7 +243,18 @@ void canvas_axes(const struct canvas *c, struct area a, const struct axis *x,
     write_scale(c, 'x', x, a.right - a.left, 0);
     write_scale(c, 'y', y, a.top - a.bottom, 1.5);
     if (x->name) {
-        write_across(c, a, x);
+        // The name of an axis across; the brief one where the other would run into those beside,
+        // and a small one where that would.
+        char text[160];
+        axis_text(x, x->name, c->units, text, sizeof text);
+        const double room = a.right - a.left + 2;
+        if (x->brief && script_width(text) > room) {
+            axis_text(x, x->brief, c->units, text, sizeof text);
+        }
+        fprintf(c->to, "set label ");
+        safe_put(c->to, SAFE_GNUPLOT, text);
+        canvas_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
+        fprintf(c->to, " center%s\n", x->brief && script_width(text) > room ? small_font : "");
     }
     if (y->name) {
         canvas_upright(c, a, y);

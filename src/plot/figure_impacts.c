@@ -81,21 +81,6 @@ static double size_of(const struct view *v, const struct impact *p) {
     return v->impulse ? p->impulse : p->peak_force;
 }
 
-// Finds the largest force, or impulse where some impact has no force.
-static void find_largest(struct view *v) {
-    double force = 0.0;
-    double impulse = 0.0;
-    for (int k = 0; k < v->s->n; k++) {
-        for (long i = 0; i < v->s->r[k]->n_impact; i++) {
-            const struct impact *p = &v->s->r[k]->impact[i];
-            v->impulse |= isnan(p->peak_force);
-            force = fmax(force, p->peak_force);
-            impulse = fmax(impulse, p->impulse);
-        }
-    }
-    v->largest = v->impulse ? impulse : force;
-}
-
 // Area goes with the force. Where floors are close together all points are smaller.
 static double point_size(const struct view *v, double size) {
     const double most = fmin(4, fmax(1.3, 60 / v->top));
@@ -166,9 +151,11 @@ static void write_floors(const struct view *v, double em, FILE *to) {
     fprintf(to, ")\n");
 }
 
-// The names stand beside the middles of the bands, or so near that they do not touch: `line` is
-// the room of one on the axis.
-static void place_names(const struct view *v, double line, double *at) {
+static void write_names(const struct view *v, double em, FILE *to) {
+    double at[BANDS_MAX];
+    // The names stand beside the middles of the bands, or so near that they do not touch: `line` is
+    // the room of one on the axis.
+    double line = 0.8 / em;
     for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
         at[b] = band->base + (band->low + band->high) / 2.0;
@@ -177,11 +164,6 @@ static void place_names(const struct view *v, double line, double *at) {
     for (int b = v->n - 1; b >= 0; b--) {
         at[b] = fmin(at[b], b + 1 < v->n ? at[b + 1] - line : v->top - line / 2);
     }
-}
-
-static void write_names(const struct view *v, double em, FILE *to) {
-    double at[BANDS_MAX];
-    place_names(v, 0.8 / em, at);
     for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
         char text[160];
@@ -273,7 +255,18 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     (void)e;
     struct view v = {.s = s};
     collect(&v);
-    find_largest(&v);
+    // Finds the largest force, or impulse where some impact has no force.
+    double force = 0.0;
+    double impulse = 0.0;
+    for (int k = 0; k < v.s->n; k++) {
+        for (long i = 0; i < v.s->r[k]->n_impact; i++) {
+            const struct impact *p = &v.s->r[k]->impact[i];
+            v.impulse |= isnan(p->peak_force);
+            force = fmax(force, p->peak_force);
+            impulse = fmax(impulse, p->impulse);
+        }
+    }
+    v.largest = v.impulse ? impulse : force;
     for (int k = 0; k < s->n; k++) {
         write_data(&v, k, c->data);
     }

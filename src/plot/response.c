@@ -68,22 +68,6 @@ static void write_factor(const struct response_sheet *sheet, int record, char *t
     }
 }
 
-static void write_title(const struct response_sheet *sheet, char *text, size_t size) {
-    const struct spectra *s = sheet->spectra;
-    char damping[64] = "", name[128], factor[32];
-    if (s->n_damping == 1) {
-        snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
-    }
-    if (s->n_record > 1) {
-        snprintf(text, size, "Response spectra of %d%s records%s", s->n_record,
-                 sheet->target ? " scaled" : "", damping);
-    } else {
-        write_factor(sheet, 0, factor, sizeof factor);
-        script_shorten(sheet->name[0], 20, name, sizeof name);
-        snprintf(text, size, "Response spectrum of %s%s%s", name, factor, damping);
-    }
-}
-
 static void write_subtitle(const struct response_sheet *sheet, char *text, size_t size) {
     const struct spectra *s = sheet->spectra;
     const struct intensity *i = &sheet->intensity[0];
@@ -225,7 +209,20 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
         return status;
     }
     write_data(sheet, c.data);
-    write_title(sheet, title, sizeof title);
+    size_t size = sizeof title;
+    const struct spectra *s = sheet->spectra;
+    char damping[64] = "", name[128], factor[32];
+    if (s->n_damping == 1) {
+        snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
+    }
+    if (s->n_record > 1) {
+        snprintf(title, size, "Response spectra of %d%s records%s", s->n_record,
+                 sheet->target ? " scaled" : "", damping);
+    } else {
+        write_factor(sheet, 0, factor, sizeof factor);
+        script_shorten(sheet->name[0], 20, name, sizeof name);
+        snprintf(title, size, "Response spectrum of %s%s%s", name, factor, damping);
+    }
     write_subtitle(sheet, subtitle, sizeof subtitle);
     canvas_head(&c, title, subtitle);
     write_legend(sheet, &c);

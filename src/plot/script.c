@@ -176,16 +176,6 @@ static size_t extremes(const double *value, size_t first, size_t end, size_t *ro
     return 2;
 }
 
-static size_t distinct(size_t *row, size_t n) {
-    size_t kept = 0;
-    for (size_t i = 0; i < n; i++) {
-        if (kept == 0 || row[i] != row[kept - 1]) {
-            row[kept++] = row[i];
-        }
-    }
-    return kept;
-}
-
 size_t script_thin(const double *const *series, int n_series, size_t n, size_t bins, size_t *row) {
     const size_t room = 2 * (size_t)n_series * bins + 2;
     if (n <= room) {
@@ -203,5 +193,11 @@ size_t script_thin(const double *const *series, int n_series, size_t n, size_t b
     }
     row[n_row++] = n - 1;
     qsort(row, n_row, sizeof *row, ascending);
-    return distinct(row, n_row);
+    size_t kept = 0;
+    for (size_t i = 0; i < n_row; i++) {
+        if (kept == 0 || row[i] != row[kept - 1]) {
+            row[kept++] = row[i];
+        }
+    }
+    return kept;
 }

@@ -109,20 +109,6 @@ static void write_legend(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static void draw_panel(const struct view *v, struct canvas *c) {
-    const struct axis y = {
-        .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
-    study_panel(c, 3.2, &v->x, &y);
-    for (int i = 0; i < v->n; i++) {
-        panel_series(c, panel_points(script_colour[i], script_point[i], mark_size(v, i)),
-                     "$counts%d using 1:2", i);
-        if (v->fit[i].outcome == FRAGILITY_FITTED) {
-            panel_series(c, panel_line(script_colour[i], 1.5), "$curve%d using 1:2", i);
-        }
-    }
-    panel_close(c);
-}
-
 static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
@@ -138,7 +124,17 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
              p->n_limit > 1 ? "limit" : limit, s->n_sample, s->n_sample == 1 ? "" : "s");
     study_head(c, s, text);
     write_legend(&v, c);
-    draw_panel(&v, c);
+    const struct axis y = {
+        .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
+    study_panel(c, 3.2, &v.x, &y);
+    for (int i = 0; i < v.n; i++) {
+        panel_series(c, panel_points(script_colour[i], script_point[i], mark_size(&v, i)),
+                     "$counts%d using 1:2", i);
+        if (v.fit[i].outcome == FRAGILITY_FITTED) {
+            panel_series(c, panel_line(script_colour[i], 1.5), "$curve%d using 1:2", i);
+        }
+    }
+    panel_close(c);
     return STATUS_OK;
 }
 
