@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Collects messages that point at places in text files, and prints them as compilers do.
+#include <assert.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -12,6 +13,7 @@
 enum { SHOWN_MAX = 160, LEAD = 60, DOTS = 3, MESSAGE_MAX = 1024 };
 
 void diagnostics_init(struct diagnostics *d, struct arena *arena) {
+    assert(d && arena);
     *d = (struct diagnostics){.arena = arena};
 }
 
@@ -84,6 +86,7 @@ static int keep(struct diagnostics *d, const struct diagnostic *entry, const cha
 
 void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, const char *format,
                      ...) {
+    assert(entry && format);
     if (entry->severity == SEVERITY_ERROR) {
         d->n_error++;
     } else {
@@ -143,6 +146,7 @@ int diagnostics_cause(const struct diagnostics *d, struct error *e) {
 }
 
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {
+    assert(d && to);
     for (int i = 0; i < d->n_item; i++) {
         print_item(&d->item[i], to, colour);
     }
@@ -158,6 +162,7 @@ void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {
 // Writes the one message of an error value.
 
 int error_set(struct error *e, int status, const char *format, ...) {
+    assert(status != STATUS_OK && format);
     e->status = status;
     va_list list;
     va_start(list, format);

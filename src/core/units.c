@@ -6,6 +6,7 @@
 // B).
 #include "jostle/units.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -190,6 +191,7 @@ static double power_parse(const char **at) {
 
 bool unit_parse(const char *text, double gravity, const char **end, struct dimension *dimension,
                 double *si) {
+    assert(text && end && dimension && si);
     *end = text;
     *dimension = dimension_none;
     *si = 1;
@@ -224,6 +226,7 @@ double unit_size(const struct unit_system *s, struct dimension dimension) {
 }
 
 double unit_convert(double value, double from, double to) {
+    assert(from > 0.0 && to > 0.0);
     return from >= to ? value * (from / to) : value / (to / from);
 }
 
@@ -248,6 +251,7 @@ static const char *mass_name(double kilogram) {
 }
 
 void unit_text(const struct unit_system *s, struct dimension dimension, char *text, size_t size) {
+    assert(text && size > 0);
     const char *mass = mass_name(unit_size(s, dimension_mass));
     if (dimension_equal(dimension, dimension_mass) && mass) {
         snprintf(text, size, "%s", mass);

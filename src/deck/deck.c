@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a deck and returns its statements one by one, those of included files too.
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -113,6 +114,7 @@ int deck_open_text(const char *path, const char *text, const char *const *define
 }
 
 void deck_bind(struct deck *d, const struct deck *first, const int *choice) {
+    assert(first && choice);
     d->reader->first_reading = first;
     d->reader->bound = first->sweeps;
     d->reader->choice = choice;

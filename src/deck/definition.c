@@ -3,6 +3,7 @@
 // replaces the value of the param and must have its kind and dimension.
 #include "deck/definition.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/text.h"
@@ -24,6 +25,7 @@ const struct sweep *sweep_bound(const struct deck *d, const char *name, int *cho
 }
 
 void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
+    assert(choice >= 0 && choice < s->n);
     p->kind = s->number ? PARAMETER_NUMBER : PARAMETER_TEXT;
     p->swept = true;
     if (s->number) {

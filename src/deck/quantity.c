@@ -3,6 +3,7 @@
 // Values are in the deck's units.
 #include "deck/quantity.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -247,6 +248,7 @@ static bool literal_unit(struct deck *d, const struct word *w, const char **at,
 }
 
 bool quantity_read(struct deck *d, const struct word *w, const char **at, struct quantity *out) {
+    assert(at && *at && out);
     const char *start = *at;
     *out = (struct quantity){0};
     enum text_number found = text_number(start, at, &out->value);

@@ -19,6 +19,7 @@
 // the values of the others.
 #include "deck/random.h"
 
+#include <assert.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
@@ -128,6 +129,7 @@ static double probability(const gsl_rng *twister) {
 }
 
 int random_draw(const struct random_values *r, int *order, double *value, struct error *e) {
+    assert(r->n > 0 && order && value);
     const struct distribution *d = r->distribution;
     struct part part = {LOWER_TAIL, 0.0, 1.0};
     if (d->score) {

@@ -3,6 +3,7 @@
 //
 // range gives FROM + i (TO - FROM) / (N - 1), or with -log FROM (TO / FROM)^(i / (N - 1)), i = 0 ..
 // N - 1; the last is TO itself.
+#include <assert.h>
 #include <glob.h>
 #include <math.h>
 #include <stdlib.h>
@@ -60,6 +61,7 @@ static struct parameter *read_values(struct deck *d, const struct word *word, in
 }
 
 bool sweep_take(struct deck *d, struct sweep *s, const struct parameter *p, int n) {
+    assert(n >= 0 && (p || n == 0));
     s->n = n;
     if (p[0].kind == PARAMETER_TEXT) {
         const char **text = deck_array(d, (size_t)n, sizeof *text);

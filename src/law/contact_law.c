@@ -2,6 +2,7 @@
 // The table of contact laws.
 #include "jostle/contact_law.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "law/contact_list.h"
@@ -18,6 +19,7 @@ const struct contact_law *const contact_laws[] = {
 const int n_contact_law = sizeof contact_laws / sizeof contact_laws[0];
 
 const struct contact_law *contact_law_find(const char *name) {
+    assert(name);
     for (int i = 0; i < n_contact_law; i++) {
         if (strcmp(contact_laws[i]->name, name) == 0) {
             return contact_laws[i];
@@ -27,6 +29,7 @@ const struct contact_law *contact_law_find(const char *name) {
 }
 
 int contact_law_row(const struct contact_law *law, const char *key) {
+    assert(law && key);
     for (int i = 0; i < law->n_row; i++) {
         if (strcmp(law->row[i].key, key) == 0) {
             return i;
@@ -51,9 +54,11 @@ static int n_curve(const struct contact_law *law, const double *value) {
 }
 
 int contact_law_n_value(const struct contact_law *law, const double *value) {
+    assert(law && value);
     return law->n_row + n_curve(law, value);
 }
 
 int contact_law_n_constant(const struct contact_law *law, const double *value) {
+    assert(law && value);
     return law->n_constant + n_curve(law, value);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "law/fit_model.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -115,6 +116,7 @@ static void clear(struct fit_model *m) {
 
 void fit_model_predict(struct fit_model *m, const struct fit_point *p,
                        const struct fit_samples *held) {
+    assert(m && p);
     size_t first = 0;
     for (size_t i = 0; i < m->q->n; i++) {
         m->time[i] = m->q->time[i] - p->start;
@@ -158,6 +160,7 @@ void fit_model_predict(struct fit_model *m, const struct fit_point *p,
 }
 
 double fit_model_squares(struct fit_model *m, const struct fit_point *p) {
+    assert(m && p);
     double sum = 0.0;
     fit_model_predict(m, p, NULL);
     for (size_t i = 0; i < m->q->n; i++) {

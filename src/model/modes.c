@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With y = M^(1/2) phi the problem is the symmetric one A y = omega^2 y, A = M^(-1/2) K M^(-1/2),
-// which GSL solves by tridiagonal reduction and QR (Golub & Van Loan, Matrix Computations,
-// section 8.3).
+// The substitution y = M^(1/2) phi gives the symmetric problem A y = omega^2 y with A =
+// M^(-1/2) K M^(-1/2). GSL solves it by tridiagonal reduction and QR (Golub & Van Loan, Matrix
+// Computations, section 8.3).
 #include "model/modes.h"
 
+#include <assert.h>
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 
 #include "model/parts.h"
 
-// Rigid-body modes come out as zero up to rounding of the largest eigenvalue.
+// The frequency of an eigenvalue. An eigenvalue within the rounding error of the largest one is 0,
+// a rigid-body mode.
 static double frequency(double square, double largest) {
     double rounding = 1e-13 * largest;
     return square > rounding ? sqrt(square) : 0.0;
@@ -39,6 +41,7 @@ static void extract(int n, const double *mass, const gsl_vector *value, const gs
 
 int modes_solve(int n, const double *mass, const double *stiffness, const double *parts,
                 double *omega, double *shape, struct error *e) {
+    assert(n > 0 && mass && stiffness && omega && shape);
     size_t size = (size_t)n;
     int status = STATUS_OK;
     gsl_matrix *a = gsl_matrix_alloc(size, size);
@@ -78,6 +81,7 @@ end:
 }
 
 void modes_scale_to_largest(int n, double *shape) {
+    assert(n > 0 && shape);
     for (int m = 0; m < n; m++) {
         double *phi = shape + (size_t)m * (size_t)n;
         double largest = phi[0];

@@ -2,6 +2,7 @@
 // Values in fields of a fixed width.
 #include "motion/fixed.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -59,6 +60,7 @@ bool fixed_format_find(struct piece line, struct fixed_format *out) {
 }
 
 struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i) {
+    assert(format->n > 0 && format->width > 0);
     const size_t from = i * format->width;
     const size_t left = from < line.n ? line.n - from : 0;
     struct piece rest = {line.text + (left ? from : line.n),
@@ -100,6 +102,7 @@ static int read_time(const struct record_text *t, const struct lines *l,
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e) {
+    assert(n > 0 && format->n > 0 && format->width > 0);
     const int title = format->stated ? format->stated : l->number;
     if (n > (size_t)(l->end - l->at)) {
         return lines_error(e, t->path, title, "the line says %zu values; the file ends before", n);

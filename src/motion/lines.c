@@ -2,6 +2,7 @@
 // Lines, fields and numbers of a record file, and messages that point into it.
 #include "motion/lines.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -38,6 +39,7 @@ struct piece lines_trim(struct piece s) {
 }
 
 void lines_init(struct lines *l, const struct record_text *t) {
+    assert(l && t);
     bool has_newline = t->size > 0 && memchr(t->text, '\n', t->size);
     *l = (struct lines){
         .at = t->text,
@@ -76,6 +78,7 @@ static const char *skip_blanks(const char *at, const char *end) {
 }
 
 bool lines_field(struct piece *rest, const char *separators, struct piece *field) {
+    assert(rest && separators && field);
     if (rest->n == 0) {
         *field = *rest;  // which may be nowhere
         return false;
@@ -161,6 +164,7 @@ static const char *find(struct piece line, const char *text, size_t from) {
 }
 
 const char *lines_word(struct piece line, const char *word) {
+    assert(word && word[0]);
     size_t n = strlen(word);
     const char *end = line.text + line.n;
     const char *at = find(line, word, 0);
@@ -218,6 +222,7 @@ static size_t fortran_exponent(struct piece s) {
 }
 
 enum number lines_number(struct piece field, double *value) {
+    assert(value);
     enum { LONGEST = 60 };
     if (field.n == 0) {
         return NUMBER_BAD;
@@ -298,6 +303,7 @@ struct excerpt lines_excerpt(struct piece field) {
 }
 
 struct line_place lines_place(const char *path, int line) {
+    assert(path && line >= 0);
     enum { SHOWN = 200 };
     size_t n = strlen(path);
     const char *from = n > SHOWN ? path + n - SHOWN : path;
@@ -325,6 +331,7 @@ struct line_place lines_place_field(const struct record_text *t, int line, struc
 }
 
 int lines_error(struct error *e, const char *path, int line, const char *format, ...) {
+    assert(path && line >= 0 && format);
     char cause[sizeof e->message];
     va_list arguments;
     va_start(arguments, format);

@@ -2,6 +2,7 @@
 // Reads a record: reads the file as text, finds its format, reads its values and checks them.
 #include "jostle/record.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -151,6 +152,7 @@ int record_clean(const struct record_text *t, struct record_text *out, struct er
 
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e) {
+    assert(a && request && t && out);
     *out = (struct record){0};
     struct record_text stripped;
     int status = record_clean(t, &stripped, e);
@@ -179,6 +181,7 @@ int record_read_text(struct arena *a, const struct record_request *request,
 
 int record_read(struct arena *a, const struct record_request *request, struct record *out,
                 struct error *e) {
+    assert(a && request && out);
     *out = (struct record){.wrong = RECORD_PATH};
     struct record_text t;
     struct arena *scratch;

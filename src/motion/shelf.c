@@ -3,6 +3,7 @@
 // removed, so that memory does not grow with the number of records of a study.
 #include "motion/shelf.h"
 
+#include <assert.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,7 @@ struct shelf {
 };
 
 struct shelf *shelf_create(size_t bytes_max) {
+    assert(bytes_max > 0);
     struct shelf *s = calloc(1, sizeof *s);
     if (s && pthread_mutex_init(&s->lock, NULL) != 0) {
         free(s);

@@ -7,6 +7,7 @@
 // Before the first and after the last sample the value is zero, so v stays and u grows linearly.
 #include "jostle/signal.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <math.h>
 #include <stdbool.h>
@@ -21,6 +22,7 @@ static const double END_SLACK = 1e-6;
 
 int signal_init_samples(struct signal *s, struct arena *a, const double *value, size_t n, double dt,
                         double scale, double start, struct error *e) {
+    assert(value && n > 0 && dt > 0.0);
     double *y = arena_alloc(a, n, sizeof *y);
     double *v = arena_alloc(a, n, sizeof *v);
     double *u = arena_alloc(a, n, sizeof *u);
@@ -94,6 +96,7 @@ LANES static void add_samples(const struct signal *s, int n, const double *restr
 }
 
 void signal_add_values(const struct signal *s, int n, const double *t, double *sum) {
+    assert(s && n >= 0 && (n == 0 || t[0] <= t[n - 1]));
     if (s->value && s->n <= INT_MAX) {
         add_samples(s, n, t, sum);
         return;
@@ -117,6 +120,7 @@ static void integrals_of_sine(const struct signal *s, double t, double *v, doubl
 }
 
 void signal_integrals(const struct signal *s, double t, double *velocity, double *displacement) {
+    assert(s && velocity && displacement);
     if (t <= s->start) {
         *velocity = 0.0;
         *displacement = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "motion/target.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "core/arena.h"
@@ -25,6 +26,7 @@ int target_read(struct arena *a, const char *path, struct target *out, struct er
 }
 
 double target_at(const struct target *t, double period) {
+    assert(t->n >= 2);
     if (!(period >= t->period[0] && period <= t->period[t->n - 1])) {
         return NAN;
     }
@@ -48,6 +50,7 @@ static double psa(const struct spectra *s, int record, int period) {
 
 int target_match(struct match *m, const struct spectra *s, const double *goal, struct arena *a,
                  struct error *e) {
+    assert(s->n_record > 0 && s->n_period > 0 && goal);
     *m = (struct match){
         .factor = arena_alloc(a, (size_t)s->n_record, sizeof *m->factor),
         .misfit = arena_alloc(a, (size_t)s->n_record, sizeof *m->misfit),

@@ -3,6 +3,7 @@
 // are read, so that the memory depends on the file and not on the number in its header.
 #include "motion/values.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "core/arena.h"
@@ -83,6 +84,7 @@ static double mean_above(const double *value, size_t n, double base) {
 }
 
 double values_mean(const double *value, size_t n) {
+    assert(value && n > 0);
     const double mean = mean_above(value, n, 0);
     return mean + mean_above(value, n, mean);
 }
@@ -106,6 +108,7 @@ static int read_field(const struct record_text *t, int line, struct piece field,
 
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
                 const char *separators, size_t n, struct record_content *out, struct error *e) {
+    assert(n > 0);
     if (n > VALUES_MAX && n > t->size) {
         return lines_error(e, t->path, 0, "%zu values, most of them repeated; at most %d are read",
                            n, VALUES_MAX);

@@ -2,6 +2,7 @@
 // Places on the sheet.
 #include "plot/canvas.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -44,6 +45,7 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
 }
 
 struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1) {
+    assert(x0 <= x1 && y0 <= y1);
     const struct area *a = &c->area;
     const double width = a->right - a->left, height = a->top - a->bottom;
     return (struct area){a->left + x0 * width, a->left + x1 * width, a->bottom + y0 * height,
@@ -236,6 +238,7 @@ void canvas_upright(const struct canvas *c, struct area a, const struct axis *ax
 
 void canvas_axes(const struct canvas *c, struct area a, const struct axis *x,
                  const struct axis *y) {
+    assert(a.left <= a.right && a.bottom <= a.top);
     fprintf(c->to,
             "unset logscale\nset lmargin at screen %.4f\nset rmargin at screen %.4f\n"
             "set bmargin at screen %.4f\nset tmargin at screen %.4f\n",

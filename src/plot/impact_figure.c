@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot/pictures.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -160,6 +161,7 @@ static void draw_panels(const struct impact_figure *f, const struct extent *x,
 
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e) {
+    assert(f->n_curve <= IMPACT_FIGURE_CURVES);
     struct unit_system si;
     unit_system_init(&si);
     const struct figure_head head = {
