@@ -3,9 +3,8 @@
 #include <gsl/gsl_math.h>
 #include <string.h>
 
-#include "command/check_study.h"
+#include "command/check.h"
 #include "command/deck_command.h"
-#include "command/guidance_print.h"
 #include "command/law_print.h"
 #include "command/printer.h"
 #include "command/sweeps.h"
@@ -144,25 +143,6 @@ static bool same_law(const struct link *a, const struct link *b) {
 
 enum { WORDS_SIZE = 256 };
 
-// The parameters of the laws as a deck would give them, once for neighbours that share them.
-static void print_laws(const struct model *m) {
-    printf("\n");
-    for (int first = 0, last; first < m->n_link; first = last + 1) {
-        const struct link *l = &m->link[first];
-        last = first;
-        while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
-            last++;
-        }
-        char words[WORDS_SIZE], calibrated[48] = "";
-        law_words(l->law, l->value, words, sizeof words);
-        if (l->calibrated) {
-            snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
-        }
-        safe_line(stdout, "%s%s%s: %s%s", l->name, last > first ? " to " : "",
-                  last > first ? m->link[last].name : "", words, calibrated);
-    }
-}
-
 static int print_links(const struct model *m) {
     struct printer t = {.to = stdout, .units = &m->deck->units, .at_head = UNITS_BELOW_BARE};
     if (m->n_link == 0) {
@@ -180,32 +160,43 @@ static int print_links(const struct model *m) {
         printer_text(&t, l->law->name);
         printer_line(&t);
     }
-    print_laws(m);
+    // The parameters of the laws as a deck would give them, once for neighbours that share them.
+    printf("\n");
+    for (int first = 0, last; first < m->n_link; first = last + 1) {
+        const struct link *l = &m->link[first];
+        last = first;
+        while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
+            last++;
+        }
+        char words[WORDS_SIZE], calibrated[48] = "";
+        law_words(l->law, l->value, words, sizeof words);
+        if (l->calibrated) {
+            snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
+        }
+        safe_line(stdout, "%s%s%s: %s%s", l->name, last > first ? " to " : "",
+                  last > first ? m->link[last].name : "", words, calibrated);
+    }
     return printer_close(&t);
-}
-
-static void print_adaptive(const struct model *m, const struct unit_texts *t) {
-    double omega = 0.0;
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        omega = fmax(omega, g->omega[g->n_floor - 1]);
-    }
-    if (m->integrator == INTEGRATOR_NEWMARK) {
-        printf("\nnewmark beta %g gamma %g", m->beta, m->gamma);
-    } else {
-        printf("\ndormand-prince");
-    }
-    printf(", adaptive steps to the tolerance %g, duration %.6g %s\n", m->control.tolerance,
-           m->duration, t->time);
-    if (omega > 0.0) {
-        printf("shortest period of a building %.4g %s\n", 2.0 * M_PI / omega, t->time);
-    }
-    printf("a row of output every %.6g %s, %ld rows\n", m->dt, t->time, m->n_step + 1);
 }
 
 static void print_time(const struct model *m, const struct unit_texts *t) {
     if (m->adaptive) {
-        print_adaptive(m, t);
+        double omega = 0.0;
+        for (int k = 0; k < m->n_building; k++) {
+            const struct building *g = &m->building[k];
+            omega = fmax(omega, g->omega[g->n_floor - 1]);
+        }
+        if (m->integrator == INTEGRATOR_NEWMARK) {
+            printf("\nnewmark beta %g gamma %g", m->beta, m->gamma);
+        } else {
+            printf("\ndormand-prince");
+        }
+        printf(", adaptive steps to the tolerance %g, duration %.6g %s\n", m->control.tolerance,
+               m->duration, t->time);
+        if (omega > 0.0) {
+            printf("shortest period of a building %.4g %s\n", 2.0 * M_PI / omega, t->time);
+        }
+        printf("a row of output every %.6g %s, %ld rows\n", m->dt, t->time, m->n_step + 1);
         return;
     }
     printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/check_study.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "command/guidance_print.h"
+#include "command/check.h"
 #include "core/safe.h"
 #include "study/survey.h"
 
@@ -53,15 +52,6 @@ static void print_from(const struct diagnostics *d, int known) {
                       stderr, command_colour());
 }
 
-static void print_softest(const struct survey *s) {
-    const struct model *first = s->plan->first;
-    const struct diagnostics *d = &first->deck->diagnostics;
-    const int known = d->n_item;
-    guidance_warn_storeys(first, s->n_contact, s->softest, softest_where,
-                          &(struct soft_text){.survey = s});
-    print_from(d, known);
-}
-
 // The warnings about the damping of the first run have been given.
 static void print_damped(const struct survey *s) {
     const struct model *first = s->plan->first;
@@ -91,7 +81,12 @@ static int report(struct survey *s, struct error *e) {
         safe_line(stderr, "jostle: error: %s%s%s%s", says_run ? "" : run, says_run ? "" : ": ",
                   f->message, more);
     }
-    print_softest(s);
+    const struct model *first = s->plan->first;
+    const struct diagnostics *d = &first->deck->diagnostics;
+    const int known = d->n_item;
+    guidance_warn_storeys(first, s->n_contact, s->softest, softest_where,
+                          &(struct soft_text){.survey = s});
+    print_from(d, known);
     print_damped(s);
     const bool adaptive = s->plan->first->adaptive;
     return adaptive || isinf(s->bound) ? STATUS_OK : survey_strongest(s, print_strongest, s, e);

@@ -94,29 +94,25 @@ static void print_kind(enum page page, const struct statement_kind *kind) {
     printf("\n");
 }
 
-static int print_one(enum page page, const char *name) {
-    const char *known[STATEMENTS_MAX];
-    int n = 0;
-    for (int i = 0; i < n_deck_statement && n < STATEMENTS_MAX; i++) {
-        known[n++] = deck_statements[i].name;
-        if (strcmp(deck_statements[i].name, name) == 0) {
-            print_language(page, &deck_statements[i]);
-            return EXIT_DONE;
-        }
-    }
-    for (int i = 0; i < n_statement_kind && n < STATEMENTS_MAX; i++) {
-        known[n++] = statement_kinds[i]->name;
-        if (strcmp(statement_kinds[i]->name, name) == 0) {
-            print_kind(page, statement_kinds[i]);
-            return EXIT_DONE;
-        }
-    }
-    return command_unknown(&command_deck, "statement", name, known, n);
-}
-
 static int print(enum page page, const char *name) {
     if (name) {
-        return print_one(page, name);
+        const char *known[STATEMENTS_MAX];
+        int n = 0;
+        for (int i = 0; i < n_deck_statement && n < STATEMENTS_MAX; i++) {
+            known[n++] = deck_statements[i].name;
+            if (strcmp(deck_statements[i].name, name) == 0) {
+                print_language(page, &deck_statements[i]);
+                return EXIT_DONE;
+            }
+        }
+        for (int i = 0; i < n_statement_kind && n < STATEMENTS_MAX; i++) {
+            known[n++] = statement_kinds[i]->name;
+            if (strcmp(statement_kinds[i]->name, name) == 0) {
+                print_kind(page, statement_kinds[i]);
+                return EXIT_DONE;
+            }
+        }
+        return command_unknown(&command_deck, "statement", name, known, n);
     }
     if (page == PAGE_MARKDOWN) {
         rows_generated("deck");

@@ -187,27 +187,6 @@ static void print_data(const struct result *r, struct printer *t) {
     }
 }
 
-static void print_title(const struct suite *s) {
-    char over[32] = "";
-    if (s->view->title[0]) {
-        safe_line(stdout, "%s", s->view->title);
-    }
-    if (s->over[0]) {
-        snprintf(over, sizeof over, ", %d sample%s of ", s->n_sample, s->n_sample == 1 ? "" : "s");
-    }
-    safe_line(stdout, "fragility over %s%s%s%s%s", s->abscissa->name, over, s->over,
-              s->fixed[0] ? "; " : "", s->fixed);
-}
-
-static void print_head(const struct suite *s, struct printer *t) {
-    PRINTER_ADD(t, of_limit);
-    for (int i = 0; i < s->n_group_sweep; i++) {
-        printer_add_sweep(t, s->view->sweep[s->group_sweep[i]]);
-    }
-    PRINTER_ADD(t, of_level);
-    printer_head(t);
-}
-
 static int fit(struct result *r, struct error *e) {
     const struct suite *s = r->suite;
     fragility_count(s, r->group, r->limit, r->level);
@@ -228,9 +207,23 @@ static int print_all(const struct request *q, const struct suite *s, const doubl
         return error_no_memory(e);
     }
     if (q->form == FORM_TEXT) {
-        print_title(s);
+        char over[32] = "";
+        if (s->view->title[0]) {
+            safe_line(stdout, "%s", s->view->title);
+        }
+        if (s->over[0]) {
+            snprintf(over, sizeof over, ", %d sample%s of ", s->n_sample,
+                     s->n_sample == 1 ? "" : "s");
+        }
+        safe_line(stdout, "fragility over %s%s%s%s%s", s->abscissa->name, over, s->over,
+                  s->fixed[0] ? "; " : "", s->fixed);
     } else {
-        print_head(s, &t);
+        PRINTER_ADD(&t, of_limit);
+        for (int i = 0; i < s->n_group_sweep; i++) {
+            printer_add_sweep(&t, s->view->sweep[s->group_sweep[i]]);
+        }
+        PRINTER_ADD(&t, of_level);
+        printer_head(&t);
     }
     int status = STATUS_OK;
     for (int i = 0; i < n * s->n_group && status == STATUS_OK; i++) {

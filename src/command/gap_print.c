@@ -200,25 +200,6 @@ static void print_aim(const struct gap_search_request *q, const struct gap_searc
               study_print_g(&d->units, q->edp.units, q->limit).added, runs);
 }
 
-static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {
-    const char *length = q->plan->first->deck->units.length_name;
-    if (!s->found) {
-        printf("\nno gap: the limit is exceeded at the widest one, %.6g %s\n", q->to, length);
-    } else if (isnan(s->below)) {
-        printf("\ngap %.6g %s: every gap scanned meets the limit\n", s->gap, length);
-    } else {
-        printf("\ngap %.6g %s: from here on every gap scanned meets the limit; %.6g %s does not\n",
-               s->gap, length, s->below, length);
-    }
-    if (s->opened && s->open.n_failed == 0) {
-        printf("Without any contact the limit is %s.\n",
-               s->open.kept ? "met" : "exceeded: a gap that avoids contact does not meet it");
-    }
-    printf("The response is not a smooth function of the gap: between gaps that are %.3g %s apart\n"
-           "the limit may be exceeded unseen.\n",
-           spacing(q), length);
-}
-
 static void print_point(struct printer *t, const struct gap_search_request *q,
                         const struct gap_point *p) {
     static const char *const stage[] = {
@@ -292,7 +273,24 @@ int gap_print_search(const struct gap_search_request *q, const struct gap_search
     }
     print_points(&t, q, s);
     if (form == FORM_TEXT) {
-        print_answer(q, s);
+        const char *length = q->plan->first->deck->units.length_name;
+        if (!s->found) {
+            printf("\nno gap: the limit is exceeded at the widest one, %.6g %s\n", q->to, length);
+        } else if (isnan(s->below)) {
+            printf("\ngap %.6g %s: every gap scanned meets the limit\n", s->gap, length);
+        } else {
+            printf(
+                "\ngap %.6g %s: from here on every gap scanned meets the limit; %.6g %s does not\n",
+                s->gap, length, s->below, length);
+        }
+        if (s->opened && s->open.n_failed == 0) {
+            printf("Without any contact the limit is %s.\n",
+                   s->open.kept ? "met" : "exceeded: a gap that avoids contact does not meet it");
+        }
+        printf("The response is not a smooth function of the gap: between gaps that are %.3g %s "
+               "apart\n"
+               "the limit may be exceeded unseen.\n",
+               spacing(q), length);
     }
     return printer_close(&t);
 }

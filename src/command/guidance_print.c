@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/guidance_print.h"
+#include "command/check.h"
 
 #include <math.h>
 #include <stdio.h>

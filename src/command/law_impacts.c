@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "model/stiffness_estimate.h"
+#include "model/law_choice.h"
 
 enum { M1, M2, VELOCITY, N_ROW };
 

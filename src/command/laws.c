@@ -25,7 +25,12 @@ static const char introduction[] =
     "dimension, and a bare one is in the deck's units. Of the options marked `one of`, exactly\n"
     "one must be given.\n\n";
 
-static void print_traits(enum page page, unsigned traits) {
+static void print_contact_law(enum page page, const struct contact_law *law) {
+    rows_heading(page, 3, law->name);
+    rows_entry(page, "what", law->summary);
+    rows_code(page, "force", law->formula);
+    rows_entry(page, "source", law->source);
+    rows_entry(page, "remarks", law->remarks);
     static const struct {
         enum contact_trait trait;
         const char *text;
@@ -37,21 +42,12 @@ static void print_traits(enum page page, unsigned traits) {
     };
     char text[256] = "";
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
-        if (traits & known[i].trait) {
+        if (law->traits & known[i].trait) {
             size_t used = strlen(text);
             snprintf(text + used, sizeof text - used, "%s%s", used ? "; " : "", known[i].text);
         }
     }
     rows_entry(page, "solver", text[0] ? text : NULL);
-}
-
-static void print_contact_law(enum page page, const struct contact_law *law) {
-    rows_heading(page, 3, law->name);
-    rows_entry(page, "what", law->summary);
-    rows_code(page, "force", law->formula);
-    rows_entry(page, "source", law->source);
-    rows_entry(page, "remarks", law->remarks);
-    print_traits(page, law->traits);
     // The command that shows an impact, and on the page its picture, which `make docs` draws by it.
     char command[256];
     if (law->example) {

@@ -33,28 +33,6 @@ struct scan {
     char letters[2 * ROWS_MAX + 3];            // likewise
 };
 
-static void scan_init(struct scan *s) {
-    char *letter = s->letters;
-    *letter++ = '+';  // operands are left to read_words
-    *letter++ = ':';
-    for (const struct option_part *p = s->list->part; p->row || p->text || p->print; p++) {
-        for (const struct option_row *r = p->row; r && r->doc; r++) {
-            assert(s->n < ROWS_MAX);
-            s->row[s->n] = r;
-            s->part[s->n] = p;
-            s->option[s->n] = (struct option){r->name, r->value ? required_argument : no_argument,
-                                              NULL, LONG_FIRST + s->n};
-            s->n++;
-            if (r->letter) {
-                *letter++ = r->letter;
-                *letter = ':';
-                letter += r->value != NULL;
-            }
-        }
-    }
-    *letter = '\0';
-}
-
 // --- the help ------------------------------------------------------------------------------------
 
 // "-o, --output FILE"; returns its width.
@@ -373,7 +351,25 @@ int option_run(const struct option_list *l, int argc, char **argv, void *request
     struct scan s = {.list = l, .request = request, .arena = arena_create(), .argc = argc};
     struct words operand = {
         s.arena ? arena_alloc(s.arena, (size_t)argc, sizeof *operand.word) : NULL, 0};
-    scan_init(&s);
+    char *letter = s.letters;
+    *letter++ = '+';  // operands are left to read_words
+    *letter++ = ':';
+    for (const struct option_part *p = s.list->part; p->row || p->text || p->print; p++) {
+        for (const struct option_row *r = p->row; r && r->doc; r++) {
+            assert(s.n < ROWS_MAX);
+            s.row[s.n] = r;
+            s.part[s.n] = p;
+            s.option[s.n] = (struct option){r->name, r->value ? required_argument : no_argument,
+                                            NULL, LONG_FIRST + s.n};
+            s.n++;
+            if (r->letter) {
+                *letter++ = r->letter;
+                *letter = ':';
+                letter += r->value != NULL;
+            }
+        }
+    }
+    *letter = '\0';
     int status = operand.word ? read_words(&s, argv, &operand) : command_no_memory();
     if (status == GO_ON) {
         status = l->use(request, s.arena, &operand);

@@ -88,25 +88,6 @@ static void print_run(const struct study_view *v, long run, FILE *to) {
     fputs(")\n", to);
 }
 
-static void print_head(const struct study_peaks *p, const struct study_view *v, FILE *to) {
-    const struct study_shard *part = &v->part.shard;
-    if (v->title[0]) {
-        safe_line(to, "%s", v->title);
-    }
-    if (part->n > 0) {
-        fprintf(to, "part %ld of %ld: %ld of the ", part->number, part->n, v->n_run);
-    }
-    fprintf(to, part->n > 0 ? "%ld runs of a study, %ld failed" : "study of %ld runs, %ld failed",
-            v->n_study, p->n_failed);
-    if (p->n_missing > 0) {
-        fprintf(to, ", %ld missing", p->n_missing);
-    }
-    fputc('\n', to);
-    for (int i = 0; i < v->n_sweep; i++) {
-        sweeps_print(v->sweep[i], NULL, to);
-    }
-}
-
 // Elastic storeys keep no drift.
 static bool is_nothing(const struct study_item *item, const struct study_peak *peak) {
     return strcmp(item->name, layout_residual_drift_name) == 0 && peak->value == 0;
@@ -212,7 +193,22 @@ static void print_peaks(const struct study_peaks *p, const struct study_view *v,
 }
 
 void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to) {
-    print_head(p, v, to);
+    const struct study_shard *part = &v->part.shard;
+    if (v->title[0]) {
+        safe_line(to, "%s", v->title);
+    }
+    if (part->n > 0) {
+        fprintf(to, "part %ld of %ld: %ld of the ", part->number, part->n, v->n_run);
+    }
+    fprintf(to, part->n > 0 ? "%ld runs of a study, %ld failed" : "study of %ld runs, %ld failed",
+            v->n_study, p->n_failed);
+    if (p->n_missing > 0) {
+        fprintf(to, ", %ld missing", p->n_missing);
+    }
+    fputc('\n', to);
+    for (int i = 0; i < v->n_sweep; i++) {
+        sweeps_print(v->sweep[i], NULL, to);
+    }
     print_peaks(p, v, to);
     if (p->n_failed > 0) {
         fprintf(to, "\nthe first failed run: ");

@@ -4,8 +4,8 @@
 #include <limits.h>
 #include <string.h>
 
+#include "command/deck_command.h"
 #include "command/interrupt.h"
-#include "command/load.h"
 #include "core/arena.h"
 #include "core/safe.h"
 #include "jostle/study_rerun.h"
@@ -56,7 +56,7 @@ static int load_and_rerun(struct study_file *f, struct verify_options *o, struct
     if (!o->load.define.word) {
         return command_no_memory();
     }
-    int status = load_model(&o->load, &m);
+    int status = deck_command_load(&o->load, &m);
     if (status != EXIT_DONE) {
         return status;
     }

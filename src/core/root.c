@@ -10,7 +10,7 @@ enum { ITERATIONS_MAX = 200 };
 
 double root_find(double (*function)(double x, void *context), void *context, double low,
                  double high, double tolerance) {
-    assert(function && low <= high && tolerance > 0.0);
+    assert(function && tolerance > 0.0);
     gsl_function f = {.function = function, .params = context};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     if (!solver) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "law/calibrate.h"
+#include "law/restitution.h"
 
 #include <assert.h>
 #include <math.h>

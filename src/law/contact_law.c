@@ -5,7 +5,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "law/contact_list.h"
+#include "law/lists.h"
 #include "law/power.h"
 
 const struct range power_range = {.min = 1.0, .max = 3.0, .text = ">= 1 and <= 3"};

@@ -119,26 +119,6 @@ static double normalised_error(const struct fit *f) {
            gsl_blas_dnrm2(&measured.vector);
 }
 
-static void summarise(const struct fit *f, struct fit_result *out) {
-    const double degrees = (double)f->model.q->n - f->n_unknown;
-    const double sigma = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(f->work)) / sqrt(degrees);
-    const struct fit_point p = point_of(f, gsl_multifit_nlinear_position(f->work));
-    double error[N_UNKNOWN_MAX] = {0};
-    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(f->work), 0.0, f->covariance);
-    for (int u = 0; u < f->n_unknown; u++) {
-        error[u] = sigma * sqrt(gsl_matrix_get(f->covariance, (size_t)u, (size_t)u));
-    }
-    *out = (struct fit_result){
-        .k = {p.k, p.k * error[K]},
-        .zeta = {NAN, NAN},
-        .start = {p.start, f->duration * error[START]},
-        .normalised_error = normalised_error(f),
-    };
-    if (f->n_unknown > ZETA) {
-        out->zeta = (struct fit_parameter){p.zeta, p.zeta * error[ZETA]};
-    }
-}
-
 // One search from f->start.
 static int search(struct fit *f, struct fit_result *out, struct error *e) {
     double first[N_UNKNOWN_MAX] = {ORIGIN, ORIGIN, ORIGIN};
@@ -161,7 +141,23 @@ static int search(struct fit *f, struct fit_result *out, struct error *e) {
                          f->model.q->law->name, 100.0 * normalised_error(f),
                          gsl_multifit_nlinear_niter(f->work));
     }
-    summarise(f, out);
+    const double degrees = (double)f->model.q->n - f->n_unknown;
+    const double sigma = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(f->work)) / sqrt(degrees);
+    const struct fit_point p = point_of(f, gsl_multifit_nlinear_position(f->work));
+    double error[N_UNKNOWN_MAX] = {0};
+    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(f->work), 0.0, f->covariance);
+    for (int u = 0; u < f->n_unknown; u++) {
+        error[u] = sigma * sqrt(gsl_matrix_get(f->covariance, (size_t)u, (size_t)u));
+    }
+    *out = (struct fit_result){
+        .k = {p.k, p.k * error[K]},
+        .zeta = {NAN, NAN},
+        .start = {p.start, f->duration * error[START]},
+        .normalised_error = normalised_error(f),
+    };
+    if (f->n_unknown > ZETA) {
+        out->zeta = (struct fit_parameter){p.zeta, p.zeta * error[ZETA]};
+    }
     return STATUS_OK;
 }
 

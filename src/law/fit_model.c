@@ -188,9 +188,15 @@ struct pulse {
     double edges;  // by which the impulse may be off at both ends
 };
 
-static struct pulse find_pulse(const struct fit_request *q, double peak) {
+// The force at an end of the record that the pulse reaches, over the peak.
+static double cut_at(const struct fit_request *q, size_t end, size_t edge, double peak) {
+    return edge == end && q->force[edge] > CUT * peak ? q->force[edge] / peak : 0.0;
+}
+
+int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct error *e) {
+    const struct fit_request *q = m->q;
     size_t top = 0;
-    while (q->force[top] < peak) {
+    while (q->force[top] < m->peak) {
         top++;
     }
     struct pulse p = {top, top, 0.0, 0.0};
@@ -208,17 +214,6 @@ static struct pulse find_pulse(const struct fit_request *q, double peak) {
     const double behind = p.last + 1 < q->n ? q->time[p.last + 1] - q->time[p.last] : 0.0;
     p.edges = (q->force[p.first] * before + q->force[p.last] * behind) / 2.0;
     p.impulse += p.edges;
-    return p;
-}
-
-// The force at an end of the record that the pulse reaches, over the peak.
-static double cut_at(const struct fit_request *q, size_t end, size_t edge, double peak) {
-    return edge == end && q->force[edge] > CUT * peak ? q->force[edge] / peak : 0.0;
-}
-
-int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct error *e) {
-    const struct fit_request *q = m->q;
-    const struct pulse p = find_pulse(q, m->peak);
     const double momentum = q->mass * q->velocity;
     const double error = MEASURING_ERROR + p.edges / momentum;
     out->restitution = p.impulse / momentum - 1.0;

@@ -264,18 +264,6 @@ static bool allocate(struct flight *f) {
     return f->step && f->control && f->evolve;
 }
 
-static void release(struct flight *f) {
-    if (f->evolve) {
-        gsl_odeiv2_evolve_free(f->evolve);
-    }
-    if (f->control) {
-        gsl_odeiv2_control_free(f->control);
-    }
-    if (f->step) {
-        gsl_odeiv2_step_free(f->step);
-    }
-}
-
 // An impact without a force is over at once.
 static void rigid(const struct contact_law *law, const double *constant, double mass,
                   double velocity, const struct isolated_observer *observer,
@@ -309,7 +297,15 @@ static int follow(struct flight *f, struct isolated_impact *out, struct error *e
     if (status == STATUS_OK) {
         summarise(f, out);
     }
-    release(f);
+    if (f->evolve) {
+        gsl_odeiv2_evolve_free(f->evolve);
+    }
+    if (f->control) {
+        gsl_odeiv2_control_free(f->control);
+    }
+    if (f->step) {
+        gsl_odeiv2_step_free(f->step);
+    }
     return status;
 }
 

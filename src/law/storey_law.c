@@ -5,7 +5,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "law/storey_list.h"
+#include "law/lists.h"
 #include "law/yield.h"
 
 const struct range yield_hardening_range = {

@@ -156,4 +156,11 @@ bool builder_once(struct builder *b, struct word *mark, const struct statement *
 // Turns the drafts into a const model; src/model/finish.c.
 int builder_finish(struct builder *b, struct model *m, struct error *e);
 
+// The descriptors of statements. A statement is one file in src/model/statement/ with a const
+// descriptor (jostle/model.h), and one line in statement_list.inc. Parsing, `jostle deck` and the
+// deck reference come from the descriptor.
+#define STATEMENT(descriptor) extern const struct statement_kind descriptor;
+#include "model/statement_list.inc"
+#undef STATEMENT
+
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/lanes.h"
-#include "law/storey_list.h"
+#include "law/lists.h"
 #include "model/finish.h"
 #include "model/modes.h"
 #include "model/parts.h"
@@ -91,17 +91,6 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     }
 }
 
-// The tangent predicts the shear if each storey is elastic or has a law of straight lines that
-// does not identify its line (`branch`).
-static bool is_predictable(const struct building *g, const struct storey *storey) {
-    bool is = !g->elastic && g->n_part == 0;
-    for (int i = 0; i < g->n_floor; i++) {
-        const struct storey_law *law = storey[g->first + i].law;
-        is = is && (law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch));
-    }
-    return is;
-}
-
 static void finish_storeys(struct builder *b, struct model *m, struct building *g,
                            const struct building_draft *d, struct storey *storey) {
     g->elastic = true;
@@ -127,7 +116,14 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= linear;
         g->smooth |= !linear;
     }
-    g->predictable = is_predictable(g, storey);
+    // The tangent predicts the shear if each storey is elastic or has a law of straight lines that
+    // does not identify its line (`branch`).
+    bool is = !g->elastic && g->n_part == 0;
+    for (int i = 0; i < g->n_floor; i++) {
+        const struct storey_law *law = storey[g->first + i].law;
+        is = is && (law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch));
+    }
+    g->predictable = is;
     m->elastic &= g->elastic;
 }
 

@@ -146,15 +146,11 @@ static enum integrator choose_adaptive(struct builder *b, const struct model *m)
     return INTEGRATOR_DORMAND_PRINCE;
 }
 
-static void check_histories(struct builder *b) {
+void finish_time(struct builder *b, struct model *m) {
     if (b->of_runs.text && !b->deck->sweeps) {
         deck_error(b->deck, &b->of_runs,
                    "-histories is for studies by sweep; one analysis always writes its histories");
     }
-}
-
-void finish_time(struct builder *b, struct model *m) {
-    check_histories(b);
     m->beta = b->beta;
     m->gamma = b->gamma;
     m->tolerance = b->tolerance;

@@ -5,7 +5,6 @@
 #include <assert.h>
 #include <string.h>
 
-#include "model/stiffness_estimate.h"
 #include "motion/curve_file.h"
 
 const struct row law_choice_rows[LAW_CHOICE_ROWS] = {

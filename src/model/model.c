@@ -8,7 +8,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 #define STATEMENT(descriptor) &descriptor,
 const struct statement_kind *const statement_kinds[] = {

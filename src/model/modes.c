@@ -17,15 +17,6 @@ static double frequency(double square, double largest) {
     return square > rounding ? sqrt(square) : 0.0;
 }
 
-static void add_parts(gsl_matrix *a, int n, const double *mass, const double *parts) {
-    for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-            *gsl_matrix_ptr(a, (size_t)i, (size_t)j) +=
-                parts_on_floors(parts, n, i, j) / sqrt(mass[i] * mass[j]);
-        }
-    }
-}
-
 static void extract(int n, const double *mass, const gsl_vector *value, const gsl_matrix *vector,
                     double *omega, double *shape) {
     size_t last = (size_t)n - 1;
@@ -64,7 +55,12 @@ int modes_solve(int n, const double *mass, const double *stiffness, const double
         }
     }
     if (parts) {
-        add_parts(a, n, mass, parts);
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                *gsl_matrix_ptr(a, (size_t)i, (size_t)j) +=
+                    parts_on_floors(parts, n, i, j) / sqrt(mass[i] * mass[j]);
+            }
+        }
     }
     if (gsl_eigen_symmv(a, value, vector, w) != 0 ||
         gsl_eigen_symmv_sort(value, vector, GSL_EIGEN_SORT_VAL_ASC) != 0) {

@@ -6,7 +6,7 @@
 //            Johnson (1985), Contact Mechanics, eq. 4.22. A formula with sqrt(R E*) is in print,
 //            and is wrong.
 //     slab   k = E A / L, the axial stiffness of the slab that is struck; F = k d.
-#include "model/stiffness_estimate.h"
+#include "model/law_choice.h"
 
 #include <string.h>
 

@@ -40,24 +40,6 @@ static double share(const double *point) {
     return point[CURVE_LOADING] > 0.0 ? point[CURVE_UNLOADING] / point[CURVE_LOADING] : NAN;
 }
 
-static int check_unloading(const struct curve_row *r, struct error *e) {
-    double loading = r->value[CURVE_LOADING];
-    double unloading = r->value[CURVE_UNLOADING];
-    if (unloading < 0.0 || unloading > loading) {
-        return error_set(e, STATUS_INPUT,
-                         "%s: unloading force is %.6g; it must be >= 0 and <= the loading force, "
-                         "which is %.6g",
-                         place(r, CURVE_UNLOADING).text, unloading, loading);
-    }
-    if (share(r->value) < share(r->before) * (1.0 - ROUNDING)) {
-        return error_set(e, STATUS_INPUT,
-                         "%s: unloading force is %.6g of the loading force, but %.6g in the row "
-                         "above; this share must not fall, or cycles would create energy",
-                         place(r, CURVE_UNLOADING).text, share(r->value), share(r->before));
-    }
-    return STATUS_OK;
-}
-
 static int check_row(const struct curve_row *r, struct error *e) {
     if (!r->before) {
         for (enum curve_column c = 0; c < CURVE_COLUMNS; c++) {
@@ -79,7 +61,21 @@ static int check_row(const struct curve_row *r, struct error *e) {
             e, STATUS_INPUT, "%s: loading force %.6g after %.6g; loading forces must not fall",
             place(r, CURVE_LOADING).text, r->value[CURVE_LOADING], r->before[CURVE_LOADING]);
     }
-    return check_unloading(r, e);
+    double loading = r->value[CURVE_LOADING];
+    double unloading = r->value[CURVE_UNLOADING];
+    if (unloading < 0.0 || unloading > loading) {
+        return error_set(
+            e, STATUS_INPUT,
+            "%s: unloading force is %.6g; it must be >= 0 and <= the loading force, which is %.6g",
+            place(r, CURVE_UNLOADING).text, unloading, loading);
+    }
+    if (share(r->value) < share(r->before) * (1.0 - ROUNDING)) {
+        return error_set(e, STATUS_INPUT,
+                         "%s: unloading force is %.6g of the loading force, but %.6g in the row "
+                         "above; this share must not fall, or cycles would create energy",
+                         place(r, CURVE_UNLOADING).text, share(r->value), share(r->before));
+    }
+    return STATUS_OK;
 }
 
 // Reads the line. With two columns both branches are equal.

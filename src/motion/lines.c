@@ -39,7 +39,6 @@ struct piece lines_trim(struct piece s) {
 }
 
 void lines_init(struct lines *l, const struct record_text *t) {
-    assert(l && t);
     bool has_newline = t->size > 0 && memchr(t->text, '\n', t->size);
     *l = (struct lines){
         .at = t->text,
@@ -303,7 +302,6 @@ struct excerpt lines_excerpt(struct piece field) {
 }
 
 struct line_place lines_place(const char *path, int line) {
-    assert(path && line >= 0);
     enum { SHOWN = 200 };
     size_t n = strlen(path);
     const char *from = n > SHOWN ? path + n - SHOWN : path;

@@ -131,26 +131,6 @@ static double names_width(const struct view *v) {
     return most > 0 ? 0.75 * most + 1.2 : 0.5;
 }
 
-// Numbers of the floors in each band, as far as they find room; `em` of one floor.
-static void write_floors(const struct view *v, double em, FILE *to) {
-    const int step = (int)ceil(1.3 / em);
-    const char *before = "set ytics (";
-    double below = -INFINITY;
-    for (int b = 0; b < v->n; b++) {
-        const struct band *band = &v->band[b];
-        const double top = band->base + band->high;
-        for (int floor = band->high; floor >= band->low; floor -= step) {
-            const double room = (band->base + floor - below) * em;
-            if (room > (floor == band->high ? 0.9 : 1.3)) {
-                fprintf(to, "%s'%d' %.7g", before, floor, band->base + floor);
-                before = ", ";
-            }
-        }
-        below = (top - below) * em > 0.9 ? top : below;
-    }
-    fprintf(to, ")\n");
-}
-
 static void write_names(const struct view *v, double em, FILE *to) {
     double at[BANDS_MAX];
     // The names stand beside the middles of the bands, or so near that they do not touch: `line` is
@@ -188,7 +168,23 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     panel_open(c, &(struct panel){.area = a,
                                   .x = runs_time_axis(v->s, true),
                                   .y = {.name = "floor", .unit = "", .span = {0, v->top}}});
-    write_floors(v, em, c->to);
+    // Numbers of the floors in each band, as far as they find room; `em` of one floor.
+    const int step = (int)ceil(1.3 / em);
+    const char *before = "set ytics (";
+    double below = -INFINITY;
+    for (int b = 0; b < v->n; b++) {
+        const struct band *band = &v->band[b];
+        const double top = band->base + band->high;
+        for (int floor = band->high; floor >= band->low; floor -= step) {
+            const double room = (band->base + floor - below) * em;
+            if (room > (floor == band->high ? 0.9 : 1.3)) {
+                fprintf(c->to, "%s'%d' %.7g", before, floor, band->base + floor);
+                before = ", ";
+            }
+        }
+        below = (top - below) * em > 0.9 ? top : below;
+    }
+    fprintf(c->to, ")\n");
     if (v->n > 1) {
         write_names(v, em, c->to);
     }

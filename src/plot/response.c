@@ -155,19 +155,6 @@ static struct axis acceleration_axis(const struct response_sheet *sheet) {
         .name = "pseudo-acceleration", .unit = "g", .span = span_with_room(span, 0)};
 }
 
-// The ends of the periods at which the target was compared, where they are within the picture.
-static void write_match(const struct response_sheet *sheet, struct span shown, FILE *to) {
-    const double end[] = {sheet->match.low, sheet->match.high};
-    for (int i = 0; sheet->target && i < 2; i++) {
-        if (end[i] > shown.low && end[i] < shown.high) {
-            fprintf(to,
-                    "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
-                    "lw 1 dt (2,4)\n",
-                    end[i], end[i], target.colour);
-        }
-    }
-}
-
 static void draw_line(struct canvas *c, int at, const char *colour, double width) {
     panel_series(c, panel_line(colour, width), "$spectra using 1:%d", at);
 }
@@ -230,7 +217,16 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
                             .x = period_axis(sheet->spectra),
                             .y = acceleration_axis(sheet)};
     panel_open(&c, &p);
-    write_match(sheet, p.x.span, c.to);
+    // The ends of the periods at which the target was compared, where they are within the picture.
+    const double end[] = {sheet->match.low, sheet->match.high};
+    for (int i = 0; sheet->target && i < 2; i++) {
+        if (end[i] > p.x.span.low && end[i] < p.x.span.high) {
+            fprintf(c.to,
+                    "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
+                    "lw 1 dt (2,4)\n",
+                    end[i], end[i], target.colour);
+        }
+    }
     draw_series(sheet, &c);
     panel_close(&c);
     figure_close(&c);

@@ -64,25 +64,6 @@ static int write_counts(struct view *v, FILE *to, struct error *e) {
     return status;
 }
 
-static void write_curves(const struct view *v, FILE *to) {
-    const struct span *x = &v->x.span;
-    const bool logarithmic = v->x.kind == AXIS_LOGARITHMIC;
-    for (int i = 0; i < v->n; i++) {
-        if (v->fit[i].outcome != FRAGILITY_FITTED) {
-            continue;
-        }
-        fprintf(to, "$curve%d << EOD\n# intensity, probability\n", i);
-        for (int k = 0; k <= STEPS; k++) {
-            const double t = (double)k / STEPS;
-            const double at =
-                logarithmic ? x->low * pow(x->high / x->low, t) : x->low + t * (x->high - x->low);
-            const double value = at > 0 ? fragility_probability(&v->fit[i], at) : 0;
-            fprintf(to, "%.7g %.7g\n", at, value);
-        }
-        fprintf(to, "EOD\n");
-    }
-}
-
 // Where shares coincide the later mark lies on the earlier ones, which are larger.
 static double mark_size(const struct view *v, int curve) {
     return 1.5 + 0.6 * (v->n - 1 - curve);
@@ -117,7 +98,23 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     if (status != STATUS_OK) {
         return status;
     }
-    write_curves(&v, c->data);
+    FILE *to = c->data;
+    const struct span *x = &v.x.span;
+    const bool logarithmic = v.x.kind == AXIS_LOGARITHMIC;
+    for (int i = 0; i < v.n; i++) {
+        if (v.fit[i].outcome != FRAGILITY_FITTED) {
+            continue;
+        }
+        fprintf(to, "$curve%d << EOD\n# intensity, probability\n", i);
+        for (int k = 0; k <= STEPS; k++) {
+            const double t = (double)k / STEPS;
+            const double at =
+                logarithmic ? x->low * pow(x->high / x->low, t) : x->low + t * (x->high - x->low);
+            const double value = at > 0 ? fragility_probability(&v.fit[i], at) : 0;
+            fprintf(to, "%.7g %.7g\n", at, value);
+        }
+        fprintf(to, "EOD\n");
+    }
     char text[256], limit[96];
     study_limit_text(&v.demand, s, p->limit[0], limit, sizeof limit);
     snprintf(text, sizeof text, "%s > %s: shares of %d run%s, and lognormal curves", v.demand.name,

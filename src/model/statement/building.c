@@ -4,7 +4,7 @@
 
 #include "core/arena.h"
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { FLOORS, MASS, STIFFNESS, HEIGHT, N_ROW };
 

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { MODES, ALPHA, BETA, N_ROW };
 

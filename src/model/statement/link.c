@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "law/bilateral.h"
+#include "model/builder.h"
 #include "model/pairs.h"
-#include "model/statement.h"
 
 enum { NAME, N_ROW };
 

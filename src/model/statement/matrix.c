@@ -4,7 +4,7 @@
 #include "motion/matrix_file.h"
 
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { UNIT, N_ROW };
 

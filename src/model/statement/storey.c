@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -63,25 +63,6 @@ static bool warn_yield(struct builder *b, const struct word *w, const char *buil
     return metres < YIELD_MIN;
 }
 
-// Sets the yield shears of the storeys, for laws with a row `yield`. At most one warning for a
-// statement.
-static void take_yields(struct builder *b, const struct storey_law *law, struct building_draft *d,
-                        const struct selection *floors, const struct argument *given,
-                        double *const *value) {
-    int row = 0;
-    while (row < law->n_row && !(value[row] && strcmp(law->row[row].key, "yield") == 0)) {
-        row++;
-    }
-    bool warned = false;
-    for (int k = 0; k < floors->n_floor; k++) {
-        const int i = floors->floor[k] - 1;
-        const double yield = row < law->n_row ? value[row][k] : INFINITY;
-        d->storey[i].yield = yield;
-        warned = warned || (isfinite(yield) && warn_yield(b, &given[row].word[0], d->name, i + 1,
-                                                          yield / d->stiffness[i]));
-    }
-}
-
 static void assign(struct builder *b, const struct statement *s, const struct storey_law *law,
                    const struct selection *floors, const struct argument *own,
                    const struct argument *given) {
@@ -115,7 +96,20 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         good = good && prepare(b, s, law, value, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
-        take_yields(b, law, d, floors, given, value);
+        // Sets the yield shears of the storeys, for laws with a row `yield`. At most one warning
+        // for a statement.
+        int row = 0;
+        while (row < law->n_row && !(value[row] && strcmp(law->row[row].key, "yield") == 0)) {
+            row++;
+        }
+        bool warned = false;
+        for (int k = 0; k < floors->n_floor; k++) {
+            const int i = floors->floor[k] - 1;
+            const double yield = row < law->n_row ? value[row][k] : INFINITY;
+            d->storey[i].yield = yield;
+            warned = warned || (isfinite(yield) && warn_yield(b, &given[row].word[0], d->name,
+                                                              i + 1, yield / d->stiffness[i]));
+        }
     }
 }
 
