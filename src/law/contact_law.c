@@ -50,15 +50,16 @@ int contact_law_curve(const struct contact_law *law) {
 // The number of values of the curve.
 static int n_curve(const struct contact_law *law, const double *value) {
     int row = contact_law_curve(law);
+    assert(row < 0 || value);
     return row >= 0 ? CURVE_COLUMNS * (int)value[row] : 0;
 }
 
 int contact_law_n_value(const struct contact_law *law, const double *value) {
-    assert(law && value);
+    assert(law);
     return law->n_row + n_curve(law, value);
 }
 
 int contact_law_n_constant(const struct contact_law *law, const double *value) {
-    assert(law && value);
+    assert(law);
     return law->n_constant + n_curve(law, value);
 }
