@@ -51,7 +51,7 @@ void parts_respond(const struct building *g, const double *history, const double
 }
 
 double parts_stored(const struct building *g, const double *history, const double *drift) {
-    assert(history && drift);
+    assert(drift);
     double sum = 0.0;
     for (int i = 0; i < g->n_part; i++) {
         const struct part *p = &g->part[i];

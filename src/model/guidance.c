@@ -129,7 +129,6 @@ static void take_signal(struct guidance *g, const struct signal *s) {
 }
 
 double guidance_round(double step) {
-    assert(step > 0.0 && isfinite(step));
     double power = pow(10.0, floor(log10(step)));
     double share = step / power * (1.0 + 8.0 * DBL_EPSILON);
     return share < 1.0 ? 0.5 * power

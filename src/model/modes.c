@@ -17,19 +17,6 @@ static double frequency(double square, double largest) {
     return square > rounding ? sqrt(square) : 0.0;
 }
 
-static void extract(int n, const double *mass, const gsl_vector *value, const gsl_matrix *vector,
-                    double *omega, double *shape) {
-    size_t last = (size_t)n - 1;
-    double largest = gsl_vector_get(value, last);
-    for (size_t m = 0; m <= last; m++) {
-        omega[m] = frequency(gsl_vector_get(value, m), largest);
-        double sign = gsl_matrix_get(vector, last, m) < 0.0 ? -1.0 : 1.0;
-        for (size_t i = 0; i <= last; i++) {
-            shape[m * (size_t)n + i] = sign * gsl_matrix_get(vector, i, m) / sqrt(mass[i]);
-        }
-    }
-}
-
 int modes_solve(int n, const double *mass, const double *stiffness, const double *parts,
                 double *omega, double *shape, struct error *e) {
     assert(n > 0 && mass && stiffness && omega && shape);
@@ -67,7 +54,15 @@ int modes_solve(int n, const double *mass, const double *stiffness, const double
         status = error_set(e, STATUS_FAILED, "the eigenvalues of the building did not converge");
         goto end;
     }
-    extract(n, mass, value, vector, omega, shape);
+    size_t last = (size_t)n - 1;
+    double largest = gsl_vector_get(value, last);
+    for (size_t m = 0; m <= last; m++) {
+        omega[m] = frequency(gsl_vector_get(value, m), largest);
+        double sign = gsl_matrix_get(vector, last, m) < 0.0 ? -1.0 : 1.0;
+        for (size_t i = 0; i <= last; i++) {
+            shape[m * (size_t)n + i] = sign * gsl_matrix_get(vector, i, m) / sqrt(mass[i]);
+        }
+    }
 end:
     gsl_eigen_symmv_free(w);
     gsl_vector_free(value);

@@ -83,8 +83,10 @@ static bool read_side(struct builder *b, struct word *w, enum wall_use walls,
                              : kind == END_FLOORS && builder_select(b, w, walls, side);
 }
 
-static bool read_sides(struct builder *b, const struct statement *s, enum wall_use walls,
-                       struct selection side[2], struct pairs *out) {
+bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
+                struct pairs *out) {
+    struct selection side[2];
+    *out = (struct pairs){.word = &s->word[1]};
     bool good = true;
     for (int i = 0; i < 2; i++) {
         struct word w = s->word[1 + i];
@@ -105,16 +107,6 @@ static bool read_sides(struct builder *b, const struct statement *s, enum wall_u
                 return false;
             }
         }
-    }
-    return true;
-}
-
-bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
-                struct pairs *out) {
-    struct selection side[2];
-    *out = (struct pairs){.word = &s->word[1]};
-    if (!read_sides(b, s, walls, side, out)) {
-        return false;
     }
     bool walled = side[0].building == WALL || side[1].building == WALL;
     if (!walled && side[0].n_floor != side[1].n_floor) {

@@ -47,7 +47,6 @@ static bool is_stable(double complex z) {
 
 // Each ray leaves the region of stability once below LARGEST.
 double stability_limit(double ratio) {
-    assert(ratio >= 0.0 || isnan(ratio));
     double complex ray =
         ratio < 1.0 ? -ratio + I * sqrt(1.0 - ratio * ratio) : -ratio - sqrt(ratio * ratio - 1.0);
     struct root end = {.high = LARGEST};
@@ -93,7 +92,7 @@ struct stability stability_of(const struct building *g) {
 }
 
 double stability_step(const struct stability *s, double spring, double dashpot) {
-    assert(spring >= 0.0 && dashpot >= 0.0);
+    assert(s);
     double step = s->alone * sqrt(s->square / (s->square + spring));
     step = s->square > 0.0 ? step : INFINITY;
     step = spring > 0.0 ? fmin(step, UNDAMPED / sqrt(spring)) : step;

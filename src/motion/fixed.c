@@ -102,7 +102,7 @@ static int read_time(const struct record_text *t, const struct lines *l,
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e) {
-    assert(n > 0 && format->n > 0 && format->width > 0);
+    assert(format->n > 0 && format->width > 0);
     const int title = format->stated ? format->stated : l->number;
     if (n > (size_t)(l->end - l->at)) {
         return lines_error(e, t->path, title, "the line says %zu values; the file ends before", n);

@@ -263,7 +263,7 @@ struct spectrum_point spectrum_at(const struct signal *ground, double period, do
 }
 
 double spectrum_velocity(const struct signal *ground, double omega, double zeta) {
-    assert(ground && omega > 0.0 && zeta >= 0.0);
+    assert(ground && omega > 0.0);
     struct quantity velocity = quantity_of(VELOCITY, omega, zeta);
     respond(ground, omega, zeta, 1, &velocity);
     return velocity.peak;

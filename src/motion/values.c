@@ -108,7 +108,6 @@ static int read_field(const struct record_text *t, int line, struct piece field,
 
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
                 const char *separators, size_t n, struct record_content *out, struct error *e) {
-    assert(n > 0);
     if (n > VALUES_MAX && n > t->size) {
         return lines_error(e, t->path, 0, "%zu values, most of them repeated; at most %d are read",
                            n, VALUES_MAX);

@@ -238,7 +238,6 @@ void canvas_upright(const struct canvas *c, struct area a, const struct axis *ax
 
 void canvas_axes(const struct canvas *c, struct area a, const struct axis *x,
                  const struct axis *y) {
-    assert(a.left <= a.right && a.bottom <= a.top);
     fprintf(c->to,
             "unset logscale\nset lmargin at screen %.4f\nset rmargin at screen %.4f\n"
             "set bmargin at screen %.4f\nset tmargin at screen %.4f\n",

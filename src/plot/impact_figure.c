@@ -42,30 +42,6 @@ static struct scale scale_for(const struct scale *known, double largest) {
     return known[i];
 }
 
-static struct extent extent_of(const struct impact_figure *f) {
-    struct extent x = {span_none, span_none, span_none};
-    for (int c = 0; c < f->n_curve; c++) {
-        const struct impact_curve *curve = &f->curve[c];
-        for (size_t i = 0; i < curve->n; i++) {
-            const struct isolated_point *p = &curve->point[i];
-            span_add(&x.time, curve->start + p->time);
-            span_add(&x.force, p->force);
-            span_add(&x.depth, p->penetration);
-        }
-    }
-    if (f->n_sample > 0) {
-        const double margin = AROUND * (x.time.high - x.time.low);
-        x.time = (struct span){x.time.low - margin, x.time.high + margin};
-    }
-    for (size_t i = 0; i < f->n_sample; i++) {
-        if (f->time[i] >= x.time.low && f->time[i] <= x.time.high) {
-            span_add(&x.force, f->force[i]);
-        }
-    }
-    span_add(&x.force, 0);
-    return x;
-}
-
 static struct scales scales_of(const struct extent *x) {
     return (struct scales){.force = scale_for(forces, fmax(x->force.high, -x->force.low)),
                            .time = scale_for(times, x->time.high - x->time.low),
@@ -166,7 +142,26 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
     unit_system_init(&si);
     const struct figure_head head = {
         .name = "impact", .doc = "force of isolated impacts", .version = f->version, .units = &si};
-    const struct extent x = extent_of(f);
+    struct extent x = {span_none, span_none, span_none};
+    for (int c = 0; c < f->n_curve; c++) {
+        const struct impact_curve *curve = &f->curve[c];
+        for (size_t i = 0; i < curve->n; i++) {
+            const struct isolated_point *p = &curve->point[i];
+            span_add(&x.time, curve->start + p->time);
+            span_add(&x.force, p->force);
+            span_add(&x.depth, p->penetration);
+        }
+    }
+    if (f->n_sample > 0) {
+        const double margin = AROUND * (x.time.high - x.time.low);
+        x.time = (struct span){x.time.low - margin, x.time.high + margin};
+    }
+    for (size_t i = 0; i < f->n_sample; i++) {
+        if (f->time[i] >= x.time.low && f->time[i] <= x.time.high) {
+            span_add(&x.force, f->force[i]);
+        }
+    }
+    span_add(&x.force, 0);
     const struct scales s = scales_of(&x);
     struct canvas canvas;
     int status = figure_open(&head, to, &canvas, e);
