@@ -97,13 +97,9 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .PHONY: all
 all: $(PROGRAM) $(LIBRARY)  ## build build/jostle and build/libjostle.a (the default)
 
-# Linkers write in small pieces, which is how the file then lies in memory and how it is mapped, page
-# by page; a copy is in large ones and starts sooner. What is installed is a copy too.
 $(PROGRAM): $(B)/object/src/main.o $(INTERNAL)
 	$(SAY) LINK $@
-	$(Q)$(if $(TRY),$(LINK) -o $@.linked $^ $(ARCHIVES) 2>/dev/null ||) \
-	    $(LINK) -o $@.linked $^ $(LIBS)
-	$(Q)cp $@.linked $@.copy && mv $@.copy $@ && rm $@.linked
+	$(Q)$(if $(TRY),$(LINK) -o $@ $^ $(ARCHIVES) 2>/dev/null ||) $(LINK) -o $@ $^ $(LIBS)
 
 $(INTERNAL): $(filter-out %/src/main.o,$(OBJECTS)) $(B)/members
 	$(SAY) AR $@

@@ -3,9 +3,8 @@
 #include <gsl/gsl_math.h>
 #include <string.h>
 
-#include "command/check_study.h"
+#include "command/check.h"
 #include "command/deck_command.h"
-#include "command/guidance_print.h"
 #include "command/law_print.h"
 #include "command/printer.h"
 #include "command/sweeps.h"
@@ -79,8 +78,16 @@ static int print_storeys(const struct model *m, const struct building *g) {
     return printer_close(&t);
 }
 
-// Periods and damping ratios of the first modes.
-static void print_modes(const struct building *g, const struct unit_texts *t) {
+static int print_building(const struct model *m, const struct building *g,
+                          const struct unit_texts *t) {
+    double mass = 0.0;
+    for (int i = 0; i < g->n_floor; i++) {
+        mass += g->mass[i];
+    }
+    fputc('\n', stdout);
+    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
+              g->n_floor == 1 ? "" : "s", mass, t->mass);
+    // Periods and damping ratios of the first modes.
     for (int k = 0; k < g->n_floor && k < MODES_SHOWN; k++) {
         double ratio = building_damping_ratio(g, k + 1);
         if (g->omega[k] == 0.0) {
@@ -93,18 +100,6 @@ static void print_modes(const struct building *g, const struct unit_texts *t) {
         }
         printf("\n");
     }
-}
-
-static int print_building(const struct model *m, const struct building *g,
-                          const struct unit_texts *t) {
-    double mass = 0.0;
-    for (int i = 0; i < g->n_floor; i++) {
-        mass += g->mass[i];
-    }
-    fputc('\n', stdout);
-    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
-              g->n_floor == 1 ? "" : "s", mass, t->mass);
-    print_modes(g, t);
     for (int i = 0; i < g->n_part; i++) {
         safe_line(stdout, "  %s: %d x %d from %s", g->part[i].name, g->n_floor, g->n_floor,
                   g->part[i].source);
@@ -139,19 +134,6 @@ static void print_signals(const struct model *m, const struct unit_texts *t) {
     }
 }
 
-static void print_loads(const struct model *m, const struct unit_texts *t) {
-    for (int i = 0; i < m->n_load; i++) {
-        const struct load *load = &m->load[i];
-        const struct building *g = m->building;
-        while (load->dof >= g->first + g->n_floor) {
-            g++;
-        }
-        fputs(i ? "" : "\n", stdout);
-        safe_line(stdout, "load on %s:%d: %s, peak %.4g %s", g->name, load->dof - g->first + 1,
-                  load->signal.name, signal_peak(&load->signal), t->force);
-    }
-}
-
 static bool same_law(const struct link *a, const struct link *b) {
     return a->law == b->law && a->calibrated == b->calibrated &&
            contact_law_n_value(a->law, a->value) == contact_law_n_value(b->law, b->value) &&
@@ -160,25 +142,6 @@ static bool same_law(const struct link *a, const struct link *b) {
 }
 
 enum { WORDS_SIZE = 256 };
-
-// The parameters of the laws as a deck would give them, once for neighbours that share them.
-static void print_laws(const struct model *m) {
-    printf("\n");
-    for (int first = 0, last; first < m->n_link; first = last + 1) {
-        const struct link *l = &m->link[first];
-        last = first;
-        while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
-            last++;
-        }
-        char words[WORDS_SIZE], calibrated[48] = "";
-        law_words(l->law, l->value, words, sizeof words);
-        if (l->calibrated) {
-            snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
-        }
-        safe_line(stdout, "%s%s%s: %s%s", l->name, last > first ? " to " : "",
-                  last > first ? m->link[last].name : "", words, calibrated);
-    }
-}
 
 static int print_links(const struct model *m) {
     struct printer t = {.to = stdout, .units = &m->deck->units, .at_head = UNITS_BELOW_BARE};
@@ -197,32 +160,43 @@ static int print_links(const struct model *m) {
         printer_text(&t, l->law->name);
         printer_line(&t);
     }
-    print_laws(m);
+    // The parameters of the laws as a deck would give them, once for neighbours that share them.
+    printf("\n");
+    for (int first = 0, last; first < m->n_link; first = last + 1) {
+        const struct link *l = &m->link[first];
+        last = first;
+        while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
+            last++;
+        }
+        char words[WORDS_SIZE], calibrated[48] = "";
+        law_words(l->law, l->value, words, sizeof words);
+        if (l->calibrated) {
+            snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
+        }
+        safe_line(stdout, "%s%s%s: %s%s", l->name, last > first ? " to " : "",
+                  last > first ? m->link[last].name : "", words, calibrated);
+    }
     return printer_close(&t);
-}
-
-static void print_adaptive(const struct model *m, const struct unit_texts *t) {
-    double omega = 0.0;
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        omega = fmax(omega, g->omega[g->n_floor - 1]);
-    }
-    if (m->integrator == INTEGRATOR_NEWMARK) {
-        printf("\nnewmark beta %g gamma %g", m->beta, m->gamma);
-    } else {
-        printf("\ndormand-prince");
-    }
-    printf(", adaptive steps to the tolerance %g, duration %.6g %s\n", m->control.tolerance,
-           m->duration, t->time);
-    if (omega > 0.0) {
-        printf("shortest period of a building %.4g %s\n", 2.0 * M_PI / omega, t->time);
-    }
-    printf("a row of output every %.6g %s, %ld rows\n", m->dt, t->time, m->n_step + 1);
 }
 
 static void print_time(const struct model *m, const struct unit_texts *t) {
     if (m->adaptive) {
-        print_adaptive(m, t);
+        double omega = 0.0;
+        for (int k = 0; k < m->n_building; k++) {
+            const struct building *g = &m->building[k];
+            omega = fmax(omega, g->omega[g->n_floor - 1]);
+        }
+        if (m->integrator == INTEGRATOR_NEWMARK) {
+            printf("\nnewmark beta %g gamma %g", m->beta, m->gamma);
+        } else {
+            printf("\ndormand-prince");
+        }
+        printf(", adaptive steps to the tolerance %g, duration %.6g %s\n", m->control.tolerance,
+               m->duration, t->time);
+        if (omega > 0.0) {
+            printf("shortest period of a building %.4g %s\n", 2.0 * M_PI / omega, t->time);
+        }
+        printf("a row of output every %.6g %s, %ld rows\n", m->dt, t->time, m->n_step + 1);
         return;
     }
     printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta,
@@ -254,7 +228,16 @@ static int check(void *options, const struct model *m) {
         return status;
     }
     print_signals(m, &t);
-    print_loads(m, &t);
+    for (int i = 0; i < m->n_load; i++) {
+        const struct load *load = &m->load[i];
+        const struct building *g = m->building;
+        while (load->dof >= g->first + g->n_floor) {
+            g++;
+        }
+        fputs(i ? "" : "\n", stdout);
+        safe_line(stdout, "load on %s:%d: %s, peak %.4g %s", g->name, load->dof - g->first + 1,
+                  load->signal.name, signal_peak(&load->signal), t.force);
+    }
     print_time(m, &t);
     if (deck_is_study(m->deck)) {
         return check_study(&o->load, m);

@@ -1,27 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/check_study.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "command/guidance_print.h"
+#include "command/check.h"
 #include "core/safe.h"
 #include "study/survey.h"
-
-static void print_errors(const struct survey *s) {
-    for (const struct survey_error *f = s->error; f; f = f->next) {
-        struct plan_text t;
-        const char *run = plan_describe(s->plan, f->run, &t);
-        // The message of a run of another shape begins with the run.
-        const bool says_run = strncmp(f->message, run, strlen(run)) == 0;
-        char more[64] = "";
-        if (f->n_more > 0) {
-            snprintf(more, sizeof more, " (and %ld more of the runs checked)", f->n_more);
-        }
-        safe_line(stderr, "jostle: error: %s%s%s%s", says_run ? "" : run, says_run ? "" : ": ",
-                  f->message, more);
-    }
-}
 
 static bool has_message(const struct diagnostics *d, const char *message) {
     for (int i = 0; i < d->n_item; i++) {
@@ -32,23 +16,20 @@ static bool has_message(const struct diagnostics *d, const char *message) {
     return false;
 }
 
-// The warnings about a run that the first run does not have.
-static void print_new_warnings(const struct diagnostics *first, const struct diagnostics *run) {
-    for (int i = 0; i < run->n_item; i++) {
-        if (!has_message(first, run->item[i].message)) {
-            const struct diagnostics one = {.item = &run->item[i], .n_item = 1, .n_warning = 1};
-            diagnostics_print(&one, stderr, command_colour());
-        }
-    }
-}
-
 static void print_strongest(void *context, const struct model *m, const struct guidance *g) {
     const struct survey *s = context;
     struct plan_text t;
     safe_line(stdout, "%s is the strongest run checked:", plan_describe(s->plan, s->strongest, &t));
     guidance_print(m, g);
     guidance_warn(m, g);
-    print_new_warnings(&s->plan->first->deck->diagnostics, &m->deck->diagnostics);
+    // The warnings about a run that the first run does not have.
+    const struct diagnostics *run = &m->deck->diagnostics;
+    for (int i = 0; i < run->n_item; i++) {
+        if (!has_message(&s->plan->first->deck->diagnostics, run->item[i].message)) {
+            const struct diagnostics one = {.item = &run->item[i], .n_item = 1, .n_warning = 1};
+            diagnostics_print(&one, stderr, command_colour());
+        }
+    }
 }
 
 struct soft_text {
@@ -71,15 +52,6 @@ static void print_from(const struct diagnostics *d, int known) {
                       stderr, command_colour());
 }
 
-static void print_softest(const struct survey *s) {
-    const struct model *first = s->plan->first;
-    const struct diagnostics *d = &first->deck->diagnostics;
-    const int known = d->n_item;
-    guidance_warn_storeys(first, s->n_contact, s->softest, softest_where,
-                          &(struct soft_text){.survey = s});
-    print_from(d, known);
-}
-
 // The warnings about the damping of the first run have been given.
 static void print_damped(const struct survey *s) {
     const struct model *first = s->plan->first;
@@ -97,8 +69,24 @@ static void print_damped(const struct survey *s) {
 static int report(struct survey *s, struct error *e) {
     printf("\nchecked the models of %ld of %ld runs, which read %ld file%s\n", s->n_run,
            s->plan->n_run, s->n_file, s->n_file == 1 ? "" : "s");
-    print_errors(s);
-    print_softest(s);
+    for (const struct survey_error *f = s->error; f; f = f->next) {
+        struct plan_text t;
+        const char *run = plan_describe(s->plan, f->run, &t);
+        // The message of a run of another shape begins with the run.
+        const bool says_run = strncmp(f->message, run, strlen(run)) == 0;
+        char more[64] = "";
+        if (f->n_more > 0) {
+            snprintf(more, sizeof more, " (and %ld more of the runs checked)", f->n_more);
+        }
+        safe_line(stderr, "jostle: error: %s%s%s%s", says_run ? "" : run, says_run ? "" : ": ",
+                  f->message, more);
+    }
+    const struct model *first = s->plan->first;
+    const struct diagnostics *d = &first->deck->diagnostics;
+    const int known = d->n_item;
+    guidance_warn_storeys(first, s->n_contact, s->softest, softest_where,
+                          &(struct soft_text){.survey = s});
+    print_from(d, known);
     print_damped(s);
     const bool adaptive = s->plan->first->adaptive;
     return adaptive || isinf(s->bound) ? STATUS_OK : survey_strongest(s, print_strongest, s, e);

@@ -112,17 +112,6 @@ static void print_row(struct printer *t, const struct refinement *r, const struc
     printer_line(t);
 }
 
-// A result; below it, an acceleration in g.
-static void print_result(struct printer *t, const struct model *m, const struct refinement *r,
-                         const struct refined *f) {
-    char unit[48];
-    print_row(t, r, f, f->dimension ? unit_of(m, f, unit, sizeof unit) : "", 1.0);
-    if (f->dimension && dimension_equal(*f->dimension, dimension_acceleration)) {
-        const struct unit_system *u = &m->deck->units;
-        print_row(t, r, f, "g", u->gravity / unit_size(u, dimension_acceleration));
-    }
-}
-
 static void print_heading(struct printer *t, const struct refinement *r, const struct model *m) {
     const char *unit = m->adaptive ? " " : m->deck->units.time_name;
     struct printer_column level[SHOWN_LEVELS];
@@ -172,7 +161,13 @@ static int print_results(const struct model *m, const struct refinement *r) {
             (!before || before->owner != f->owner || before->index != f->index)) {
             safe_line(stdout, "%s %s", owner_of(m, f), name_of(m, f));
         }
-        print_result(&t, m, r, f);
+        // A result; below it, an acceleration in g.
+        char unit[48];
+        print_row(&t, r, f, f->dimension ? unit_of(m, f, unit, sizeof unit) : "", 1.0);
+        if (f->dimension && dimension_equal(*f->dimension, dimension_acceleration)) {
+            const struct unit_system *u = &m->deck->units;
+            print_row(&t, r, f, "g", u->gravity / unit_size(u, dimension_acceleration));
+        }
         before = f;
     }
     if (n_hidden > 0) {

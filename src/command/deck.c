@@ -61,18 +61,13 @@ static void print_language(enum page page, const struct deck_statement *s) {
     printf("\n");
 }
 
-static void print_variant(enum page page, const struct statement_kind *kind,
-                          const struct statement_variant *v) {
-    if (v->name && page == PAGE_MARKDOWN) {
-        printf("\n`%s ... %s`: %s\n", kind->name, v->name, v->summary);
-    } else if (v->name) {
-        printf("\n  %s ... %s: %s\n", kind->name, v->name, v->summary);
-    }
-    rows_print(page, v->row, v->n_row);
-}
-
-// The laws that the statement chooses from.
-static void print_laws(enum page page, const struct statement_kind *kind) {
+static void print_kind(enum page page, const struct statement_kind *kind) {
+    char usage[USAGE_SIZE];
+    snprintf(usage, sizeof usage, "%s %s", kind->name, kind->usage);
+    rows_heading(page, 2, kind->name);
+    rows_entry(page, "what", kind->summary);
+    rows_code(page, "usage", usage);
+    // The laws that the statement chooses from.
     const char *name[STATEMENTS_MAX];
     char list[USAGE_SIZE], text[2 * USAGE_SIZE];
     const bool contact = strcmp(kind->name, "contact") == 0;
@@ -85,73 +80,58 @@ static void print_laws(enum page page, const struct statement_kind *kind) {
                  page == PAGE_TEXT ? "'jostle laws LAW' explains one" : "see [laws.md](laws.md)");
         rows_entry(page, "laws", text);
     }
-}
-
-static void print_kind(enum page page, const struct statement_kind *kind) {
-    char usage[USAGE_SIZE];
-    snprintf(usage, sizeof usage, "%s %s", kind->name, kind->usage);
-    rows_heading(page, 2, kind->name);
-    rows_entry(page, "what", kind->summary);
-    rows_code(page, "usage", usage);
-    print_laws(page, kind);
     rows_example(page, kind->example);
     rows_print(page, kind->row, kind->n_row);
     for (int i = 0; i < kind->n_variant; i++) {
-        print_variant(page, kind, &kind->variant[i]);
+        const struct statement_variant *v = &kind->variant[i];
+        if (v->name && page == PAGE_MARKDOWN) {
+            printf("\n`%s ... %s`: %s\n", kind->name, v->name, v->summary);
+        } else if (v->name) {
+            printf("\n  %s ... %s: %s\n", kind->name, v->name, v->summary);
+        }
+        rows_print(page, v->row, v->n_row);
     }
     printf("\n");
 }
 
-static void print_list(void) {
-    for (int i = 0; i < n_deck_statement; i++) {
-        printf("  %-11s %s\n", deck_statements[i].name, deck_statements[i].doc);
-    }
-    for (int i = 0; i < n_statement_kind; i++) {
-        printf("  %-11s %s\n", statement_kinds[i]->name, statement_kinds[i]->summary);
-    }
-    printf("\n'jostle deck STATEMENT' explains one of them.\n");
-}
-
-static void print_page(void) {
-    rows_generated("deck");
-    rows_heading(PAGE_MARKDOWN, 1, "Statements of a deck");
-    fputs(introduction, stdout);
-    for (int i = 0; i < n_deck_statement; i++) {
-        print_language(PAGE_MARKDOWN, &deck_statements[i]);
-    }
-    for (int i = 0; i < n_statement_kind; i++) {
-        print_kind(PAGE_MARKDOWN, statement_kinds[i]);
-    }
-}
-
-static int print_one(enum page page, const char *name) {
-    const char *known[STATEMENTS_MAX];
-    int n = 0;
-    for (int i = 0; i < n_deck_statement && n < STATEMENTS_MAX; i++) {
-        known[n++] = deck_statements[i].name;
-        if (strcmp(deck_statements[i].name, name) == 0) {
-            print_language(page, &deck_statements[i]);
-            return EXIT_DONE;
-        }
-    }
-    for (int i = 0; i < n_statement_kind && n < STATEMENTS_MAX; i++) {
-        known[n++] = statement_kinds[i]->name;
-        if (strcmp(statement_kinds[i]->name, name) == 0) {
-            print_kind(page, statement_kinds[i]);
-            return EXIT_DONE;
-        }
-    }
-    return command_unknown(&command_deck, "statement", name, known, n);
-}
-
 static int print(enum page page, const char *name) {
     if (name) {
-        return print_one(page, name);
+        const char *known[STATEMENTS_MAX];
+        int n = 0;
+        for (int i = 0; i < n_deck_statement && n < STATEMENTS_MAX; i++) {
+            known[n++] = deck_statements[i].name;
+            if (strcmp(deck_statements[i].name, name) == 0) {
+                print_language(page, &deck_statements[i]);
+                return EXIT_DONE;
+            }
+        }
+        for (int i = 0; i < n_statement_kind && n < STATEMENTS_MAX; i++) {
+            known[n++] = statement_kinds[i]->name;
+            if (strcmp(statement_kinds[i]->name, name) == 0) {
+                print_kind(page, statement_kinds[i]);
+                return EXIT_DONE;
+            }
+        }
+        return command_unknown(&command_deck, "statement", name, known, n);
     }
     if (page == PAGE_MARKDOWN) {
-        print_page();
+        rows_generated("deck");
+        rows_heading(PAGE_MARKDOWN, 1, "Statements of a deck");
+        fputs(introduction, stdout);
+        for (int i = 0; i < n_deck_statement; i++) {
+            print_language(PAGE_MARKDOWN, &deck_statements[i]);
+        }
+        for (int i = 0; i < n_statement_kind; i++) {
+            print_kind(PAGE_MARKDOWN, statement_kinds[i]);
+        }
     } else {
-        print_list();
+        for (int i = 0; i < n_deck_statement; i++) {
+            printf("  %-11s %s\n", deck_statements[i].name, deck_statements[i].doc);
+        }
+        for (int i = 0; i < n_statement_kind; i++) {
+            printf("  %-11s %s\n", statement_kinds[i]->name, statement_kinds[i]->summary);
+        }
+        printf("\n'jostle deck STATEMENT' explains one of them.\n");
     }
     return EXIT_DONE;
 }

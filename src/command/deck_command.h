@@ -4,7 +4,27 @@
 #ifndef JOSTLE_DECK_COMMAND_H
 #define JOSTLE_DECK_COMMAND_H
 
-#include "command/load.h"
+#include "command/option.h"
+#include "model/guidance.h"
+
+// What commands that read a deck share: the options for it, and the model with its messages
+// printed.
+
+struct load_request {
+    const struct deck_command *command;  // that it is for; NULL: another one
+    const char *path;                    // of the deck
+    struct words define;                 // NAME=VALUE
+    bool quiet;                          // no warnings
+    struct guidance *guidance;           // filled, and its warnings given, if not NULL
+    bool checks;                         // warns of what only `check` does
+};
+
+// Reads the deck and builds its model; prints errors and warnings to stderr. Returns EXIT_DONE with
+// *out to be given to model_free, or another exit status.
+int deck_command_load(const struct load_request *request, struct model **out);
+
+// STATUS_INPUT if the deck of the model is not a study.
+int deck_command_check_study(const struct model *m, struct error *e);
 
 // Rows of -D, of a request that begins with a struct load_request, and of -j.
 #define DECK_DEFINE_ROW                                                                            \

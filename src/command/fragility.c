@@ -119,15 +119,6 @@ static void print_crossings(const struct result *r, enum fragility_crossing cros
     printf("\n");
 }
 
-static void print_records(const struct result *r) {
-    print_crossings(r, CROSSING_AT, "first exceed the limit between two intensities");
-    print_crossings(r, CROSSING_ABOVE,
-                    "never exceed it and count as above their highest intensity");
-    print_crossings(r, CROSSING_BELOW,
-                    "always exceed it and count as below their lowest intensity");
-    print_crossings(r, CROSSING_NO_RUNS, "have no runs and are left out");
-}
-
 static int print_text(const struct result *r, struct error *e) {
     const struct suite *s = r->suite;
     const char *unit = unit_suffix(s->edp.units);
@@ -152,22 +143,15 @@ static int print_text(const struct result *r, struct error *e) {
         printer_line(&t);
     }
     if (r->method == METHOD_IDA) {
-        print_records(r);
+        print_crossings(r, CROSSING_AT, "first exceed the limit between two intensities");
+        print_crossings(r, CROSSING_ABOVE,
+                        "never exceed it and count as above their highest intensity");
+        print_crossings(r, CROSSING_BELOW,
+                        "always exceed it and count as below their lowest intensity");
+        print_crossings(r, CROSSING_NO_RUNS, "have no runs and are left out");
     }
     print_parameters(r);
     return printer_end(&t, STATUS_OK, e);
-}
-
-static void print_fit(struct printer *t, const struct fragility *f, double intensity) {
-    const double value[] = {fragility_probability(f, intensity), f->median, f->dispersion,
-                            f->log_median_error, f->dispersion_error};
-    for (int i = 0; i < 5; i++) {
-        if (f->outcome == FRAGILITY_FITTED) {
-            printer_number(t, value[i]);
-        } else {
-            printer_empty(t);
-        }
-    }
 }
 
 static void print_data(const struct result *r, struct printer *t) {
@@ -186,34 +170,21 @@ static void print_data(const struct result *r, struct printer *t) {
         printer_text(t, s->abscissa_units[0] ? s->abscissa_units : "1");
         printer_whole(t, l->n);
         printer_whole(t, l->exceeded);
-        print_fit(t, f, l->intensity);
+        const double value[] = {fragility_probability(f, l->intensity), f->median, f->dispersion,
+                                f->log_median_error, f->dispersion_error};
+        for (int i = 0; i < 5; i++) {
+            if (f->outcome == FRAGILITY_FITTED) {
+                printer_number(t, value[i]);
+            } else {
+                printer_empty(t);
+            }
+        }
         printer_text(t, method_name[r->method]);
         printer_sign(t, ida ? count_crossings(r, CROSSING_ABOVE) : -1);
         printer_sign(t, ida ? count_crossings(r, CROSSING_BELOW) : -1);
         printer_text(t, f->outcome == FRAGILITY_FITTED ? "fitted" : fragility_reason(f));
         printer_line(t);
     }
-}
-
-static void print_title(const struct suite *s) {
-    char over[32] = "";
-    if (s->view->title[0]) {
-        safe_line(stdout, "%s", s->view->title);
-    }
-    if (s->over[0]) {
-        snprintf(over, sizeof over, ", %d sample%s of ", s->n_sample, s->n_sample == 1 ? "" : "s");
-    }
-    safe_line(stdout, "fragility over %s%s%s%s%s", s->abscissa->name, over, s->over,
-              s->fixed[0] ? "; " : "", s->fixed);
-}
-
-static void print_head(const struct suite *s, struct printer *t) {
-    PRINTER_ADD(t, of_limit);
-    for (int i = 0; i < s->n_group_sweep; i++) {
-        printer_add_sweep(t, s->view->sweep[s->group_sweep[i]]);
-    }
-    PRINTER_ADD(t, of_level);
-    printer_head(t);
 }
 
 static int fit(struct result *r, struct error *e) {
@@ -236,9 +207,23 @@ static int print_all(const struct request *q, const struct suite *s, const doubl
         return error_no_memory(e);
     }
     if (q->form == FORM_TEXT) {
-        print_title(s);
+        char over[32] = "";
+        if (s->view->title[0]) {
+            safe_line(stdout, "%s", s->view->title);
+        }
+        if (s->over[0]) {
+            snprintf(over, sizeof over, ", %d sample%s of ", s->n_sample,
+                     s->n_sample == 1 ? "" : "s");
+        }
+        safe_line(stdout, "fragility over %s%s%s%s%s", s->abscissa->name, over, s->over,
+                  s->fixed[0] ? "; " : "", s->fixed);
     } else {
-        print_head(s, &t);
+        PRINTER_ADD(&t, of_limit);
+        for (int i = 0; i < s->n_group_sweep; i++) {
+            printer_add_sweep(&t, s->view->sweep[s->group_sweep[i]]);
+        }
+        PRINTER_ADD(&t, of_level);
+        printer_head(&t);
     }
     int status = STATUS_OK;
     for (int i = 0; i < n * s->n_group && status == STATUS_OK; i++) {

@@ -170,29 +170,23 @@ static int parse_limit(const struct plan *p, const char *text, struct gap_search
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-static int make_request(const struct plan *p, const struct options *o,
-                        struct gap_search_request *q) {
+static int run_search(const struct plan *p, const struct options *o) {
+    struct gap_search_request q;
     const struct unit_system *u = &p->first->deck->units;
-    *q = (struct gap_search_request){.plan = p, .parameter = o->parameter, .percentile = 100.0};
-    int status = parse_limit(p, o->limit, q);
+    q = (struct gap_search_request){.plan = p, .parameter = o->parameter, .percentile = 100.0};
+    int status = parse_limit(p, o->limit, &q);
     if (status == EXIT_DONE && o->percentile) {
-        status = parse_quantity("--percentile", u, &dimension_none, o->percentile, 100.0,
-                                &q->percentile);
+        status =
+            parse_quantity("--percentile", u, &dimension_none, o->percentile, 100.0, &q.percentile);
     }
     if (status == EXIT_DONE && o->tolerance) {
         status = parse_quantity("--tolerance", u, &dimension_length, o->tolerance, INFINITY,
-                                &q->tolerance);
+                                &q.tolerance);
     }
     if (status == EXIT_DONE) {
-        status = o->range ? parse_range(u, o->range, q) : default_range(p, o, q);
+        status = o->range ? parse_range(u, o->range, &q) : default_range(p, o, &q);
     }
-    q->tolerance = o->tolerance ? q->tolerance : (q->to - q->from) / 1000.0;
-    return status;
-}
-
-static int run_search(const struct plan *p, const struct options *o) {
-    struct gap_search_request q;
-    int status = make_request(p, o, &q);
+    q.tolerance = o->tolerance ? q.tolerance : (q.to - q.from) / 1000.0;
     if (status != EXIT_DONE) {
         return status;
     }

@@ -145,21 +145,6 @@ int gap_print_apart(const struct plan *p, const struct contact_free *a, double *
     return status[0] | status[1] | status[2] | status[3];
 }
 
-static void print_run(struct printer *t, const struct plan *p, const struct contact_free *a,
-                      long run, int contact) {
-    int choice[STUDY_SWEEPS_MAX], k = 0;
-    plan_choose(p, run, choice);
-    printer_whole(t, run + 1);
-    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
-        printer_sweep(t, s, choice[k++]);
-    }
-    printer_text(t, study_print_status(&a->outcome[run]));
-    printer_text(t, p->first->link[contact].name);
-    printer_numbers(t, contact_free_values(a, run, contact), FREE_VALUES);
-    printer_text(t, a->outcome[run].message);
-    printer_line(t);
-}
-
 int gap_print_runs(const struct plan *p, const struct contact_free *a, enum printer_form form) {
     const struct deck *d = p->first->deck;
     struct printer t = {.to = stdout, .form = form, .units = &d->units};
@@ -175,7 +160,19 @@ int gap_print_runs(const struct plan *p, const struct contact_free *a, enum prin
     printer_add(&t, &(struct printer_column)COLUMN_DATA("message"), 1);
     printer_head(&t);
     for (long i = 0; i < a->n_run * a->n_contact; i++) {
-        print_run(&t, p, a, i / a->n_contact, (int)(i % a->n_contact));
+        long run = i / a->n_contact;
+        int contact = (int)(i % a->n_contact);
+        int choice[STUDY_SWEEPS_MAX], k = 0;
+        plan_choose(p, run, choice);
+        printer_whole(&t, run + 1);
+        for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+            printer_sweep(&t, s, choice[k++]);
+        }
+        printer_text(&t, study_print_status(&a->outcome[run]));
+        printer_text(&t, p->first->link[contact].name);
+        printer_numbers(&t, contact_free_values(a, run, contact), FREE_VALUES);
+        printer_text(&t, a->outcome[run].message);
+        printer_line(&t);
     }
     return printer_close(&t);
 }
@@ -201,25 +198,6 @@ static void print_aim(const struct gap_search_request *q, const struct gap_searc
               q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
               counts ? "" : " ", counts ? "" : q->edp.units,
               study_print_g(&d->units, q->edp.units, q->limit).added, runs);
-}
-
-static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {
-    const char *length = q->plan->first->deck->units.length_name;
-    if (!s->found) {
-        printf("\nno gap: the limit is exceeded at the widest one, %.6g %s\n", q->to, length);
-    } else if (isnan(s->below)) {
-        printf("\ngap %.6g %s: every gap scanned meets the limit\n", s->gap, length);
-    } else {
-        printf("\ngap %.6g %s: from here on every gap scanned meets the limit; %.6g %s does not\n",
-               s->gap, length, s->below, length);
-    }
-    if (s->opened && s->open.n_failed == 0) {
-        printf("Without any contact the limit is %s.\n",
-               s->open.kept ? "met" : "exceeded: a gap that avoids contact does not meet it");
-    }
-    printf("The response is not a smooth function of the gap: between gaps that are %.3g %s apart\n"
-           "the limit may be exceeded unseen.\n",
-           spacing(q), length);
 }
 
 static void print_point(struct printer *t, const struct gap_search_request *q,
@@ -295,7 +273,24 @@ int gap_print_search(const struct gap_search_request *q, const struct gap_search
     }
     print_points(&t, q, s);
     if (form == FORM_TEXT) {
-        print_answer(q, s);
+        const char *length = q->plan->first->deck->units.length_name;
+        if (!s->found) {
+            printf("\nno gap: the limit is exceeded at the widest one, %.6g %s\n", q->to, length);
+        } else if (isnan(s->below)) {
+            printf("\ngap %.6g %s: every gap scanned meets the limit\n", s->gap, length);
+        } else {
+            printf(
+                "\ngap %.6g %s: from here on every gap scanned meets the limit; %.6g %s does not\n",
+                s->gap, length, s->below, length);
+        }
+        if (s->opened && s->open.n_failed == 0) {
+            printf("Without any contact the limit is %s.\n",
+                   s->open.kept ? "met" : "exceeded: a gap that avoids contact does not meet it");
+        }
+        printf("The response is not a smooth function of the gap: between gaps that are %.3g %s "
+               "apart\n"
+               "the limit may be exceeded unseen.\n",
+               spacing(q), length);
     }
     return printer_close(&t);
 }

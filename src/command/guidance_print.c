@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/guidance_print.h"
+#include "command/check.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,22 +15,6 @@ static bool looks_the_same(const struct guidance_contact *a, const struct guidan
     return strcmp(text[0], text[1]) == 0;
 }
 
-static void print_contact(const struct model *m, const struct guidance *g, int first, int last) {
-    const struct guidance_contact *c = &g->contact[first];
-    printf("%-*s ", NAME_WIDTH, m->link[first].name);
-    if (c->duration == 0.0) {
-        printf("%12.3g %12s %12s", c->velocity, "-", "-");
-    } else if (isnan(c->duration)) {
-        printf("%12.3g %12s %12s", c->velocity, "unknown", "-");
-    } else {
-        printf("%12.3g %12.3g %12.3g", c->velocity, c->duration, c->duration / m->dt);
-    }
-    if (last > first) {
-        printf("  to %s", m->link[last].name);
-    }
-    printf("\n");
-}
-
 static void print_contacts(const struct model *m, const struct guidance *g) {
     const struct unit_system *u = &m->deck->units;
     char velocity[48];
@@ -44,7 +28,19 @@ static void print_contacts(const struct model *m, const struct guidance *g) {
                looks_the_same(&g->contact[first], &g->contact[last + 1])) {
             last++;
         }
-        print_contact(m, g, first, last);
+        const struct guidance_contact *c = &g->contact[first];
+        printf("%-*s ", NAME_WIDTH, m->link[first].name);
+        if (c->duration == 0.0) {
+            printf("%12.3g %12s %12s", c->velocity, "-", "-");
+        } else if (isnan(c->duration)) {
+            printf("%12.3g %12s %12s", c->velocity, "unknown", "-");
+        } else {
+            printf("%12.3g %12.3g %12.3g", c->velocity, c->duration, c->duration / m->dt);
+        }
+        if (last > first) {
+            printf("  to %s", m->link[last].name);
+        }
+        printf("\n");
     }
     if (g->n_contact < m->n_contact) {
         printf("the other %d contacts are not estimated\n", m->n_contact - g->n_contact);

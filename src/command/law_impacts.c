@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "model/stiffness_estimate.h"
+#include "model/law_choice.h"
 
 enum { M1, M2, VELOCITY, N_ROW };
 
@@ -316,30 +316,6 @@ static int run(struct law_impacts *l, struct law_impact *i, struct error *e) {
     return status;
 }
 
-static int read_measured(struct law_impacts *l, const char *path, struct error *e) {
-    const struct time_series_column column[TIME_SERIES_COLUMNS] = {
-        {.name = "time", .dimension = dimension_time, .unit = 1.0},
-        {.name = "value", .dimension = dimension_force, .unit = 1.0},
-    };
-    return time_series_read(l->deck->arena, path, column, &l->measured, e);
-}
-
-static int run_all(struct law_impacts *l, const struct law_words *words, struct error *e) {
-    int status = STATUS_OK;
-    if (words->fit) {
-        status = read_measured(l, words->fit, e);
-    }
-    for (int i = 0; i < l->n && status == STATUS_OK; i++) {
-        if (words->fit) {
-            status = fit(l, &l->impact[i], e);
-        }
-        if (status == STATUS_OK) {
-            status = run(l, &l->impact[i], e);
-        }
-    }
-    return status;
-}
-
 static int fail(struct law_impacts *l, const struct error *e) {
     law_impacts_free(l);
     return command_fail(e);
@@ -363,7 +339,22 @@ int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
                   "the command line has %d error%s", d->n_error, d->n_error == 1 ? "" : "s");
         return fail(out, &e);
     }
-    const int status = run_all(out, words, &e);
+    int status = STATUS_OK;
+    if (words->fit) {
+        const struct time_series_column column[TIME_SERIES_COLUMNS] = {
+            {.name = "time", .dimension = dimension_time, .unit = 1.0},
+            {.name = "value", .dimension = dimension_force, .unit = 1.0},
+        };
+        status = time_series_read(out->deck->arena, words->fit, column, &out->measured, &e);
+    }
+    for (int i = 0; i < out->n && status == STATUS_OK; i++) {
+        if (words->fit) {
+            status = fit(out, &out->impact[i], &e);
+        }
+        if (status == STATUS_OK) {
+            status = run(out, &out->impact[i], &e);
+        }
+    }
     return status == STATUS_OK ? EXIT_DONE : fail(out, &e);
 }
 

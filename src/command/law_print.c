@@ -55,17 +55,6 @@ static void print_fit(const struct law_impact *i, FILE *to) {
     fprintf(to, "  normalised error %.4g %%\n", 100.0 * f->normalised_error);
 }
 
-static void print_laws(const struct law_impacts *l, FILE *to) {
-    for (int i = 0; i < l->n; i++) {
-        char name[NAME_SIZE];
-        law_words(l->impact[i].choice.law, l->impact[i].value, name, sizeof name);
-        fprintf(to, "%s%s\n", name, l->impact[i].choice.calibrated ? " (calibrated)" : "");
-        if (l->measured.n > 0) {
-            print_fit(&l->impact[i], to);
-        }
-    }
-}
-
 double law_print_dissipated(const struct law_impacts *l, const struct law_impact *i) {
     const double energy = l->mass * l->velocity * l->velocity / 2.0;
     return fabs(i->impact.dissipated) < ROUNDING * energy ? 0.0 : i->impact.dissipated;
@@ -129,7 +118,14 @@ static int print_text(const struct law_impacts *l, FILE *to) {
     int status = EXIT_DONE;
     law_print_bodies(l, bodies, sizeof bodies);
     fprintf(to, "%s, effective mass %.6g kg\n\n", bodies, l->mass);
-    print_laws(l, to);
+    for (int i = 0; i < l->n; i++) {
+        char name[NAME_SIZE];
+        law_words(l->impact[i].choice.law, l->impact[i].value, name, sizeof name);
+        fprintf(to, "%s%s\n", name, l->impact[i].choice.calibrated ? " (calibrated)" : "");
+        if (l->measured.n > 0) {
+            print_fit(&l->impact[i], to);
+        }
+    }
     for (int first = 0; first < l->n && status == EXIT_DONE; first += LAWS_IN_A_ROW) {
         const int last = first + LAWS_IN_A_ROW;
         fputc('\n', to);

@@ -25,7 +25,12 @@ static const char introduction[] =
     "dimension, and a bare one is in the deck's units. Of the options marked `one of`, exactly\n"
     "one must be given.\n\n";
 
-static void print_traits(enum page page, unsigned traits) {
+static void print_contact_law(enum page page, const struct contact_law *law) {
+    rows_heading(page, 3, law->name);
+    rows_entry(page, "what", law->summary);
+    rows_code(page, "force", law->formula);
+    rows_entry(page, "source", law->source);
+    rows_entry(page, "remarks", law->remarks);
     static const struct {
         enum contact_trait trait;
         const char *text;
@@ -37,36 +42,22 @@ static void print_traits(enum page page, unsigned traits) {
     };
     char text[256] = "";
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
-        if (traits & known[i].trait) {
+        if (law->traits & known[i].trait) {
             size_t used = strlen(text);
             snprintf(text + used, sizeof text - used, "%s%s", used ? "; " : "", known[i].text);
         }
     }
     rows_entry(page, "solver", text[0] ? text : NULL);
-}
-
-// The command that shows an impact, and on the page its picture, which `make docs` draws by it.
-static void print_example(enum page page, const struct contact_law *law) {
+    // The command that shows an impact, and on the page its picture, which `make docs` draws by it.
     char command[256];
-    if (!law->example) {
-        return;
+    if (law->example) {
+        snprintf(command, sizeof command, "jostle law %s %s -m1 25t -m2 40t -v 0.5m/s", law->name,
+                 law->example);
+        rows_example(page, command);
+        if (page == PAGE_MARKDOWN) {
+            printf("\n![Force of %s in this impact](pictures/law_%s.svg)\n", law->name, law->name);
+        }
     }
-    snprintf(command, sizeof command, "jostle law %s %s -m1 25t -m2 40t -v 0.5m/s", law->name,
-             law->example);
-    rows_example(page, command);
-    if (page == PAGE_MARKDOWN) {
-        printf("\n![Force of %s in this impact](pictures/law_%s.svg)\n", law->name, law->name);
-    }
-}
-
-static void print_contact_law(enum page page, const struct contact_law *law) {
-    rows_heading(page, 3, law->name);
-    rows_entry(page, "what", law->summary);
-    rows_code(page, "force", law->formula);
-    rows_entry(page, "source", law->source);
-    rows_entry(page, "remarks", law->remarks);
-    print_traits(page, law->traits);
-    print_example(page, law);
     rows_print(page, law->row, law->n_row);
     printf("\n");
 }

@@ -111,18 +111,6 @@ static int print_building(const struct model *m, const struct building *g) {
     return status;
 }
 
-static int print_data(const struct model *m, enum printer_form form) {
-    struct printer t;
-    open_table(&t, m, form);
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = 0; i < g->n_floor * g->n_floor; i++) {
-            print_mode(&t, g, i / g->n_floor, i % g->n_floor);
-        }
-    }
-    return printer_close(&t);
-}
-
 struct options {
     struct load_request load;
     enum printer_form form;
@@ -131,7 +119,15 @@ struct options {
 static int print_modes(void *options, const struct model *m) {
     const struct options *o = options;
     if (o->form != FORM_TEXT) {
-        return print_data(m, o->form);
+        struct printer t;
+        open_table(&t, m, o->form);
+        for (int k = 0; k < m->n_building; k++) {
+            const struct building *g = &m->building[k];
+            for (int i = 0; i < g->n_floor * g->n_floor; i++) {
+                print_mode(&t, g, i / g->n_floor, i % g->n_floor);
+            }
+        }
+        return printer_close(&t);
     }
     int status = EXIT_DONE;
     sweeps_print_first(m->deck, "", "\n");

@@ -33,28 +33,6 @@ struct scan {
     char letters[2 * ROWS_MAX + 3];            // likewise
 };
 
-static void scan_init(struct scan *s) {
-    char *letter = s->letters;
-    *letter++ = '+';  // operands are left to read_words
-    *letter++ = ':';
-    for (const struct option_part *p = s->list->part; p->row || p->text || p->print; p++) {
-        for (const struct option_row *r = p->row; r && r->doc; r++) {
-            assert(s->n < ROWS_MAX);
-            s->row[s->n] = r;
-            s->part[s->n] = p;
-            s->option[s->n] = (struct option){r->name, r->value ? required_argument : no_argument,
-                                              NULL, LONG_FIRST + s->n};
-            s->n++;
-            if (r->letter) {
-                *letter++ = r->letter;
-                *letter = ':';
-                letter += r->value != NULL;
-            }
-        }
-    }
-    *letter = '\0';
-}
-
 // --- the help ------------------------------------------------------------------------------------
 
 // "-o, --output FILE"; returns its width.
@@ -66,23 +44,6 @@ static int tag(const struct option_row *r, char *text, size_t size) {
                     r->value ? " " : "", r->value ? r->value : "");
 }
 
-// Prints the words of the text from a column on, and a line end.
-static void print_wrapped(const char *text, int column) {
-    int at = column;
-    for (const char *word = text; *word; word += strspn(word, " ")) {
-        const size_t n = strcspn(word, " ");
-        const int width = text_columns(word, n);
-        if (at > column && at + 1 + width > HELP_WIDTH) {
-            printf("\n%*s", column, "");
-            at = column;
-        }
-        at += printf(at > column ? " " : "") + width;
-        printf("%.*s", (int)n, word);
-        word += n;
-    }
-    printf("\n");
-}
-
 static void print_rows(const struct option_row *row, int column) {
     char text[64];
     for (const struct option_row *r = row; r->doc; r++) {
@@ -91,7 +52,20 @@ static void print_rows(const struct option_row *row, int column) {
         } else {
             printf("  %-*s", column - 2, text);
         }
-        print_wrapped(r->doc, column);
+        // Prints the words of the text from a column on, and a line end.
+        int at = column;
+        for (const char *word = r->doc; *word; word += strspn(word, " ")) {
+            const size_t n = strcspn(word, " ");
+            const int width = text_columns(word, n);
+            if (at > column && at + 1 + width > HELP_WIDTH) {
+                printf("\n%*s", column, "");
+                at = column;
+            }
+            at += printf(at > column ? " " : "") + width;
+            printf("%.*s", (int)n, word);
+            word += n;
+        }
+        printf("\n");
     }
 }
 
@@ -165,15 +139,6 @@ static int refuse_word(const struct scan *s, const char *word) {
     const char *near = is_long(word) ? text_nearest(name, known, s->n) : NULL;
     return near ? command_usage(c, "unknown option '%s'; did you mean '--%s'?", word, near)
                 : command_usage(c, "unknown option '%s'", word);
-}
-
-// Says what getopt_long found wrong in a word: '?' or ':'. Of letters it leaves the wrong one in
-// optopt, as there may be others in the word.
-static int refuse(const struct scan *s, int answer, const char *word) {
-    const char letter[] = {'-', (char)optopt, '\0'};
-    const char *shown = optopt == 0 || optopt > UCHAR_MAX ? word : letter;
-    return answer == ':' ? command_usage(s->list->command, "option '%s' needs a value", shown)
-                         : refuse_word(s, shown);
 }
 
 static size_t place_of(const struct scan *s, int row) {
@@ -325,7 +290,12 @@ static int read_option(struct scan *s, char **argv) {
         return refuse_word(s, word);
     }
     if (answer == '?' || answer == ':') {
-        return refuse(s, answer, word);
+        // Says what getopt_long found wrong in a word: '?' or ':'. Of letters it leaves the wrong
+        // one in optopt, as there may be others in the word.
+        const char letter[] = {'-', (char)optopt, '\0'};
+        const char *shown = optopt == 0 || optopt > UCHAR_MAX ? word : letter;
+        return answer == ':' ? command_usage(s->list->command, "option '%s' needs a value", shown)
+                             : refuse_word(s, shown);
     }
     at = at >= 0 ? at : find_letter(s, answer);
     assert(at >= 0);
@@ -381,7 +351,25 @@ int option_run(const struct option_list *l, int argc, char **argv, void *request
     struct scan s = {.list = l, .request = request, .arena = arena_create(), .argc = argc};
     struct words operand = {
         s.arena ? arena_alloc(s.arena, (size_t)argc, sizeof *operand.word) : NULL, 0};
-    scan_init(&s);
+    char *letter = s.letters;
+    *letter++ = '+';  // operands are left to read_words
+    *letter++ = ':';
+    for (const struct option_part *p = s.list->part; p->row || p->text || p->print; p++) {
+        for (const struct option_row *r = p->row; r && r->doc; r++) {
+            assert(s.n < ROWS_MAX);
+            s.row[s.n] = r;
+            s.part[s.n] = p;
+            s.option[s.n] = (struct option){r->name, r->value ? required_argument : no_argument,
+                                            NULL, LONG_FIRST + s.n};
+            s.n++;
+            if (r->letter) {
+                *letter++ = r->letter;
+                *letter = ':';
+                letter += r->value != NULL;
+            }
+        }
+    }
+    *letter = '\0';
     int status = operand.word ? read_words(&s, argv, &operand) : command_no_memory();
     if (status == GO_ON) {
         status = l->use(request, s.arena, &operand);

@@ -32,26 +32,22 @@ static int refuse(const struct command *c, const char *option, const char *text)
     return command_usage(c, "%s takes FROM:TO:N or a list, not '%s'", option, text);
 }
 
-static int parse_range(const struct command *c, const char *option, const char *text,
-                       struct arena *a, struct periods *out) {
-    struct unit_system si;
-    double from, to, n;
-    unit_system_init(&si);
-    const char *at = quantity_word(text, &si, &dimension_time, BARE_ALLOWED, &from);
-    at = at && *at == ':' ? quantity_word(at + 1, &si, &dimension_time, BARE_ALLOWED, &to) : NULL;
-    if (!at || *at != ':' || !quantity_whole(at + 1, &dimension_none, BARE_ALLOWED, &n)) {
-        return refuse(c, option, text);
-    }
-    if (!(n >= 2.0 && n <= PERIODS_MAX && n == floor(n))) {
-        return command_usage(c, "%g periods; 2 to %d are taken", n, PERIODS_MAX);
-    }
-    return periods_range(c, from, to, (int)n, a, out);
-}
-
 int periods_parse(const struct command *c, const char *option, const char *text, struct arena *a,
                   struct periods *out) {
     if (strchr(text, ':')) {
-        return parse_range(c, option, text, a, out);
+        struct unit_system si;
+        double from, to, n;
+        unit_system_init(&si);
+        const char *at = quantity_word(text, &si, &dimension_time, BARE_ALLOWED, &from);
+        at = at && *at == ':' ? quantity_word(at + 1, &si, &dimension_time, BARE_ALLOWED, &to)
+                              : NULL;
+        if (!at || *at != ':' || !quantity_whole(at + 1, &dimension_none, BARE_ALLOWED, &n)) {
+            return refuse(c, option, text);
+        }
+        if (!(n >= 2.0 && n <= PERIODS_MAX && n == floor(n))) {
+            return command_usage(c, "%g periods; 2 to %d are taken", n, PERIODS_MAX);
+        }
+        return periods_range(c, from, to, (int)n, a, out);
     }
     const int max = quantity_count(text);
     double *value = arena_alloc(a, (size_t)max, sizeof *value);

@@ -141,23 +141,6 @@ static void become_gnuplot(const char *folder) {
     _exit(errno == ENOENT ? NOT_FOUND : NOT_FOUND - 1);
 }
 
-// The first line with text that gnuplot printed.
-static void first_message(const char *folder, char *line, int size) {
-    char path[PATH_SIZE];
-    snprintf(path, sizeof path, "%s/messages", folder);
-    line[0] = '\0';
-    FILE *from = fopen(path, "r");
-    while (from && fgets(line, size, from)) {
-        line[strcspn(line, "\n")] = '\0';
-        if (strstr(line, "line ") || strstr(line, "rror")) {
-            break;
-        }
-    }
-    if (from) {
-        fclose(from);
-    }
-}
-
 // Waits for the end of gnuplot. No signal ends it once its number may be that of another process.
 static int wait_for(pid_t child, int *state) {
     siginfo_t ended;
@@ -192,7 +175,20 @@ static int run_gnuplot(const char *folder, struct error *e) {
         return STATUS_OK;
     }
     char line[256];
-    first_message(folder, line, sizeof line);
+    // The first line with text that gnuplot printed.
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/messages", folder);
+    line[0] = '\0';
+    FILE *from = fopen(path, "r");
+    while (from && fgets(line, sizeof line, from)) {
+        line[strcspn(line, "\n")] = '\0';
+        if (strstr(line, "line ") || strstr(line, "rror")) {
+            break;
+        }
+    }
+    if (from) {
+        fclose(from);
+    }
     if (WIFEXITED(state) && WEXITSTATUS(state) == NOT_FOUND && !line[0]) {
         return error_set(e, STATUS_SYSTEM,
                          "cannot run gnuplot: it is not installed; --script DIR "

@@ -46,7 +46,7 @@ static const char *name_output(const char *result, const char *kind, char *name)
     return name;
 }
 
-struct study_request {
+struct plot_study_request {
     const struct command *command;
     const char *path;  // the study
     const char *kind;  // NULL: what shows it best
@@ -55,7 +55,7 @@ struct study_request {
 };
 
 struct job {
-    const struct study_request *request;
+    const struct plot_study_request *request;
     const struct study_figure *figure;  // NULL: what shows the suite best
     struct study_picture picture;
     char output[PLOT_PATH_SIZE];
@@ -72,7 +72,7 @@ static void print_study_kinds(void) {
 
 // EXIT_DONE with the figure asked for, or EXIT_INPUT.
 static int find_figure(struct job *j) {
-    const struct study_request *q = j->request;
+    const struct plot_study_request *q = j->request;
     if (!q->kind || (j->figure = study_figure_find(q->kind)) != NULL) {
         return EXIT_DONE;
     }
@@ -97,7 +97,7 @@ static int write_study_figure(void *context, const struct figure_files *to, stru
 }
 
 static int draw(struct job *j, const struct suite *s, struct error *e) {
-    const struct study_request *q = j->request;
+    const struct plot_study_request *q = j->request;
     double *limit = NULL;
     j->picture.suite = s;
     j->figure = j->figure ? j->figure : study_figure_default(s);
@@ -117,29 +117,6 @@ static int draw(struct job *j, const struct suite *s, struct error *e) {
         safe_line(stdout, "%s", picture.options.output);
     }
     return status;
-}
-
-static int plot_study(const struct study_request *q) {
-    struct job j = {.request = q};
-    struct study_file *f;
-    struct suite *s;
-    struct error e;
-    int status = find_figure(&j);
-    if (status != EXIT_DONE) {
-        return status;
-    }
-    if (study_file_open(q->path, &f, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    struct suite_request request = *suite_options_request(q->options);
-    request.guess = j.figure ? j.figure->guess : SUITE_ANY;
-    status = suite_create(f, &request, &s, &e);
-    if (status == STATUS_OK) {
-        status = draw(&j, s, &e);
-        suite_free(s);
-    }
-    study_file_close(f);
-    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static void print_kinds(void) {
@@ -243,12 +220,31 @@ static int plot_suite(struct request *q) {
         return command_usage(&command_plot, "--compare is for single runs; %s is a study",
                              q->result);
     }
-    const struct study_request study = {.command = &command_plot,
-                                        .path = q->result,
-                                        .kind = q->kind,
-                                        .options = &q->study,
-                                        .picture = q->picture};
-    return plot_study(&study);
+    const struct plot_study_request study = {.command = &command_plot,
+                                             .path = q->result,
+                                             .kind = q->kind,
+                                             .options = &q->study,
+                                             .picture = q->picture};
+    struct job j = {.request = (&study)};
+    struct study_file *f;
+    struct suite *s;
+    struct error e;
+    int status = find_figure(&j);
+    if (status != EXIT_DONE) {
+        return status;
+    }
+    if (study_file_open(study.path, &f, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    struct suite_request request = *suite_options_request(study.options);
+    request.guess = j.figure ? j.figure->guess : SUITE_ANY;
+    status = suite_create(f, &request, &s, &e);
+    if (status == STATUS_OK) {
+        status = draw(&j, s, &e);
+        suite_free(s);
+    }
+    study_file_close(f);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static int use(void *request, struct arena *a, const struct words *operand) {

@@ -5,8 +5,8 @@
 #include <assert.h>
 #include <string.h>
 
+#include "command/deck_command.h"
 #include "command/interrupt.h"
-#include "command/load.h"
 #include "command/progress.h"
 #include "core/arena.h"
 #include "core/safe.h"
@@ -45,7 +45,7 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     define[n + 1] = pair.define[1];
     const struct load_request request = {.path = q->load.path, .define = {define, n + 2}};
     struct model *m;
-    const int status = load_model(&request, &m);
+    const int status = deck_command_load(&request, &m);
     if (status != EXIT_DONE) {
         fprintf(stderr, "--pounding sets the params T1 and T2 of the deck, the periods of its two "
                         "structures\n");

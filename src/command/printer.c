@@ -53,15 +53,6 @@ static void put_aligned(struct printer *t, const struct printer_column *c, const
     t->blanks += -c->width > n ? -c->width - n : 0;
 }
 
-static void put_between(const struct printer *t) {
-    static const char *const between[] = {[FORM_TSV] = "\t", [FORM_CSV] = ",", [FORM_JSON] = ", "};
-    if (t->n_shown > 0) {
-        fputs(between[t->form], t->to);
-    } else if (t->form == FORM_JSON) {
-        fputs(t->n_line == 0 ? "{\"columns\": [" : t->n_line == 1 ? "\n[" : ",\n[", t->to);
-    }
-}
-
 // A cell: in text `text`; in data the literal `data`, or where that is NULL the text made safe.
 static void put(struct printer *t, const char *text, const char *data) {
     static const enum safe safe[] = {
@@ -76,7 +67,13 @@ static void put(struct printer *t, const char *text, const char *data) {
     if (t->form == FORM_TEXT) {
         put_aligned(t, c, text);
     } else {
-        put_between(t);
+        static const char *const between[] = {
+            [FORM_TSV] = "\t", [FORM_CSV] = ",", [FORM_JSON] = ", "};
+        if (t->n_shown > 0) {
+            fputs(between[t->form], t->to);
+        } else if (t->form == FORM_JSON) {
+            fputs(t->n_line == 0 ? "{\"columns\": [" : t->n_line == 1 ? "\n[" : ",\n[", t->to);
+        }
         if (data) {
             fputs(data, t->to);
         } else {

@@ -34,15 +34,6 @@ static const char *power_key(const struct row *row, int n_row) {
     return "p";
 }
 
-static void put_option(const struct row *row, char *cell) {
-    static const char *const value[] = {
-        [ROW_NUMBER] = " NUMBER", [ROW_LIST] = " LIST",   [ROW_INTEGER] = " INTEGER",
-        [ROW_TEXT] = " WORD",     [ROW_TEXTS] = " WORDS", [ROW_FILE] = " FILE",
-        [ROW_FLAG] = "",
-    };
-    snprintf(cell, CELL, "-%s%s", row->key, value[row->kind]);
-}
-
 // The SI unit of the row as a deck would have it: "N/m", "N/m^n"; "" for pure numbers and texts.
 static void put_unit(const struct row *row, const char *power, char *cell) {
     struct unit_system si;
@@ -77,7 +68,12 @@ static void put_default(const struct row *row, const char *unit, char *cell) {
 
 static struct line make_line(const struct row *row, const char *power) {
     struct line l;
-    put_option(row, l.cell[OPTION]);
+    static const char *const value[] = {
+        [ROW_NUMBER] = " NUMBER", [ROW_LIST] = " LIST",   [ROW_INTEGER] = " INTEGER",
+        [ROW_TEXT] = " WORD",     [ROW_TEXTS] = " WORDS", [ROW_FILE] = " FILE",
+        [ROW_FLAG] = "",
+    };
+    snprintf(l.cell[OPTION], CELL, "-%s%s", row->key, value[row->kind]);
     put_unit(row, power, l.cell[UNIT]);
     put_default(row, l.cell[UNIT], l.cell[DEFAULT]);
     snprintf(l.cell[RANGE], CELL, "%s", row->range ? row->range->text : "");
@@ -109,19 +105,15 @@ static void wrap(const char *text, int column) {
     printf("\n");
 }
 
-static void print_text(const struct line *l, const int *width) {
-    int column = printf("  ");
-    for (int c = 0; c < MEANING; c++) {
-        const char *text = l->cell[c];
-        printf("%s%*s  ", text, width[c] - text_columns(text, strlen(text)), "");
-        column += width[c] + 2;
-    }
-    wrap(l->meaning, column);
-}
-
 static void print_line(enum page page, const struct line *l, const int *width) {
     if (page == PAGE_TEXT) {
-        print_text(l, width);
+        int column = printf("  ");
+        for (int c = 0; c < MEANING; c++) {
+            const char *text = l->cell[c];
+            printf("%s%*s  ", text, width[c] - text_columns(text, strlen(text)), "");
+            column += width[c] + 2;
+        }
+        wrap(l->meaning, column);
         return;
     }
     printf("|");

@@ -9,7 +9,6 @@
 #include "command/output_name.h"
 #include "command/progress.h"
 #include "command/show_study.h"
-#include "command/study_progress.h"
 #include "core/checksum.h"
 #include "core/heap.h"
 #include "core/safe.h"
@@ -109,20 +108,6 @@ static int check_output(const struct model *m, const struct run_options *o, cons
     return STATUS_OK;
 }
 
-// With Newmark's method and these parameters the account closes to rounding. With Dormand &
-// Prince's the residual is of the size of the tolerance.
-static void warn_residual(const struct model *m, const struct results *r) {
-    double scale = fmax(fabs(r->energy[ENERGY_INPUT]), r->initial_energy);
-    bool closes = m->integrator == INTEGRATOR_NEWMARK && m->beta == 0.25 && m->gamma == 0.5;
-    if (closes && r->residual_peak > 1e-6 * scale) {
-        fprintf(
-            stderr,
-            "jostle: warning: the energy account misses %.2g of the input; stiffnesses or masses "
-            "differ by more than double precision can carry\n",
-            r->residual_peak / scale);
-    }
-}
-
 // The hardest impact that too few steps cover; NULL: none.
 static const struct impact *hardest_coarse(const struct model *m, const struct results *r) {
     const struct impact *hardest = NULL;
@@ -138,35 +123,6 @@ static const struct impact *hardest_coarse(const struct model *m, const struct r
 // Impacts with less than this share of the largest force change no result that matters.
 static const double WEAK = 0.05;
 
-static void warn_coarse(const struct model *m, const struct results *r) {
-    const struct impact *i = hardest_coarse(m, r);
-    double largest = 0.0;
-    for (int k = 0; k < m->n_contact; k++) {
-        largest = fmax(largest, r->link[k].force);  // NAN of rigid contacts is passed over
-    }
-    if (!i || i->peak_force < WEAK * largest) {
-        return;
-    }
-    const char *unit = m->deck->units.time_name;
-    const double lasted = i->t_end - i->t_start;
-    fprintf(
-        stderr,
-        "jostle: warning: fewer than %d steps cover %ld of %ld impacts; the hardest, of contact "
-        "%s at t = %.6g %s, lasted %.3g %s; step fixed %g resolves it\n",
-        IMPACT_STEPS_MIN, r->totals.coarse, r->n_impact, m->link[i->contact].name, i->t_start, unit,
-        lasted, unit, guidance_round(lasted / IMPACT_STEPS_MIN));
-}
-
-static void warn_damping(const struct model *m, const struct results *r) {
-    for (int k = 0; k < m->n_building; k++) {
-        char text[DAMPING_TEXT_SIZE];
-        const struct building *g = &m->building[k];
-        if (damping_warning(m, g, r->drift_rate + g->first, "", text) > 0.0) {
-            fprintf(stderr, "jostle: warning: %s\n", text);
-        }
-    }
-}
-
 // One analysis, with its summary.
 static int run_once(const struct model *m, const struct run_options *o,
                     const struct result_options *result) {
@@ -177,9 +133,39 @@ static int run_once(const struct model *m, const struct run_options *o,
         return command_fail(&e);
     }
     if (!o->load.quiet) {
-        warn_residual(m, results);
-        warn_coarse(m, results);
-        warn_damping(m, results);
+        // With Newmark's method and these parameters the account closes to rounding. With Dormand &
+        // Prince's the residual is of the size of the tolerance.
+        double scale = fmax(fabs(results->energy[ENERGY_INPUT]), results->initial_energy);
+        bool closes = m->integrator == INTEGRATOR_NEWMARK && m->beta == 0.25 && m->gamma == 0.5;
+        if (closes && results->residual_peak > 1e-6 * scale) {
+            fprintf(stderr,
+                    "jostle: warning: the energy account misses %.2g of the input; stiffnesses or "
+                    "masses differ by more than double precision can carry\n",
+                    results->residual_peak / scale);
+        }
+        const struct impact *i = hardest_coarse(m, results);
+        double largest = 0.0;
+        for (int k = 0; k < m->n_contact; k++) {
+            largest =
+                fmax(largest, results->link[k].force);  // NAN of rigid contacts is passed over
+        }
+        if (i && !(i->peak_force < WEAK * largest)) {
+            const char *unit = m->deck->units.time_name;
+            const double lasted = i->t_end - i->t_start;
+            fprintf(stderr,
+                    "jostle: warning: fewer than %d steps cover %ld of %ld impacts; the hardest, "
+                    "of contact %s at t = %.6g %s, lasted %.3g %s; step fixed %g resolves it\n",
+                    IMPACT_STEPS_MIN, results->totals.coarse, results->n_impact,
+                    m->link[i->contact].name, i->t_start, unit, lasted, unit,
+                    guidance_round(lasted / IMPACT_STEPS_MIN));
+        }
+        for (int k = 0; k < m->n_building; k++) {
+            char text[DAMPING_TEXT_SIZE];
+            const struct building *g = &m->building[k];
+            if (damping_warning(m, g, results->drift_rate + g->first, "", text) > 0.0) {
+                fprintf(stderr, "jostle: warning: %s\n", text);
+            }
+        }
         status = print_summary(m, results, result->path, &e);
     }
     results_free(results);
@@ -198,15 +184,6 @@ static struct checksum program_sum(void) {
     struct error e;
     return checksum_file("/proc/self/exe", &sum, &e) == STATUS_OK ? sum
                                                                   : (struct checksum){.digits = ""};
-}
-
-static void report_damage(const struct study_progress *p, const char *path) {
-    if (p->n_damaged > 0) {
-        safe_line(stderr,
-                  "jostle: warning: %s.runs is damaged in %ld %s; of %ld runs %ld were found in "
-                  "it, the others are run again",
-                  path, p->n_damaged, p->n_damaged == 1 ? "place" : "places", p->n_run, p->n_kept);
-    }
 }
 
 // What ended the study, and what is left of it.
@@ -245,7 +222,13 @@ static int run_study(const struct model *first, const struct run_options *o,
     int status = study_run(&request, &p, &e);
     study_display_end(&display);
     if (!o->load.quiet) {
-        report_damage(&p, result->path);
+        if (p.n_damaged > 0) {
+            safe_line(stderr,
+                      "jostle: warning: %s.runs is damaged in %ld %s; of %ld runs %ld were found "
+                      "in it, the others are run again",
+                      result->path, p.n_damaged, p.n_damaged == 1 ? "place" : "places", p.n_run,
+                      p.n_kept);
+        }
     }
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);
@@ -270,7 +253,7 @@ static int run_model(void *options, const struct model *m) {
         return command_no_memory();
     }
     if (check_output(m, o, result.path, &e) != STATUS_OK ||
-        (o->shard.n > 0 && load_check_study(m, &e) != STATUS_OK)) {
+        (o->shard.n > 0 && deck_command_check_study(m, &e) != STATUS_OK)) {
         return command_fail(&e);
     }
     interrupt_catch();

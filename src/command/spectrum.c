@@ -90,22 +90,6 @@ static int read_ground(const struct spectrum_request *q, int r, struct arena *a,
     return status;
 }
 
-static int allocate(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
-                    struct error *e) {
-    const size_t n = (size_t)q->n_record;
-    set->name = arena_alloc(a, n, sizeof *set->name);
-    set->scale = arena_alloc(a, n, sizeof *set->scale);
-    set->ground = arena_alloc(a, n, sizeof *set->ground);
-    set->intensity = arena_alloc(a, n, sizeof *set->intensity);
-    set->spectra = (struct spectra){.n_record = q->n_record,
-                                    .n_damping = q->n_damping,
-                                    .n_period = q->periods.n,
-                                    .damping = q->damping,
-                                    .period = q->periods.value};
-    return set->name && set->scale && set->ground && set->intensity ? STATUS_OK
-                                                                    : error_no_memory(e);
-}
-
 int spectrum_compute(struct spectra *s, const struct signal *ground, struct arena *a,
                      struct error *e) {
     struct progress progress;
@@ -120,7 +104,18 @@ int spectrum_compute(struct spectra *s, const struct signal *ground, struct aren
 
 static int compute(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                    struct error *e) {
-    int status = allocate(q, a, set, e);
+    const size_t n = (size_t)q->n_record;
+    set->name = arena_alloc(a, n, sizeof *set->name);
+    set->scale = arena_alloc(a, n, sizeof *set->scale);
+    set->ground = arena_alloc(a, n, sizeof *set->ground);
+    set->intensity = arena_alloc(a, n, sizeof *set->intensity);
+    set->spectra = (struct spectra){.n_record = q->n_record,
+                                    .n_damping = q->n_damping,
+                                    .n_period = q->periods.n,
+                                    .damping = q->damping,
+                                    .period = q->periods.value};
+    int status =
+        set->name && set->scale && set->ground && set->intensity ? STATUS_OK : error_no_memory(e);
     if (status == STATUS_OK) {
         status = name_records(q, a, set, e);
     }

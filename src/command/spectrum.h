@@ -4,7 +4,7 @@
 #define JOSTLE_COMMAND_SPECTRUM_H
 
 #include "command/command.h"
-#include "command/load.h"
+#include "command/deck_command.h"
 #include "command/picture.h"
 #include "command/printer.h"
 #include "jostle/intensity.h"

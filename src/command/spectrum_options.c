@@ -110,26 +110,6 @@ static int read_dt(void *request, struct arena *a, const char *text) {
                : command_usage(self, "--dt takes a time > 0 in s, not '%s'", text);
 }
 
-static int check_pounding(const struct spectrum_request *q) {
-    const struct record_request *r = &q->record;
-    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || r->demean || r->channel ||
-        q->scale != 1.0 || q->pga != 0.0 || q->target || q->damping ||
-        q->content == CONTENT_INTENSITIES) {
-        return command_usage(self, "--pounding takes records and damping from the deck");
-    }
-    if (q->periods.value && q->periods.value[0] == 0.0) {
-        return command_usage(self, "a structure of period 0 does not pound");
-    }
-    if (q->periods.value && q->periods.n > POUNDING_MAX) {
-        return command_usage(self, "%d periods; --pounding takes up to %d", q->periods.n,
-                             POUNDING_MAX);
-    }
-    if (picture_is_wanted(&q->picture) && q->periods.value && q->periods.n < 3) {
-        return command_usage(self, "a picture needs at least three periods > 0");
-    }
-    return EXIT_DONE;
-}
-
 static int check_target(const struct spectrum_request *q) {
     if (!q->target && (q->match.value || q->form == SPECTRUM_DECK)) {
         return command_usage(self, "%s needs --target", q->match.value ? "--match" : "--deck");
@@ -145,7 +125,23 @@ static int check(const struct spectrum_request *q) {
         return EXIT_INPUT;
     }
     if (q->load.path) {
-        return check_pounding(q);
+        const struct record_request *r = &q->record;
+        if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || r->demean || r->channel ||
+            q->scale != 1.0 || q->pga != 0.0 || q->target || q->damping ||
+            q->content == CONTENT_INTENSITIES) {
+            return command_usage(self, "--pounding takes records and damping from the deck");
+        }
+        if (q->periods.value && q->periods.value[0] == 0.0) {
+            return command_usage(self, "a structure of period 0 does not pound");
+        }
+        if (q->periods.value && q->periods.n > POUNDING_MAX) {
+            return command_usage(self, "%d periods; --pounding takes up to %d", q->periods.n,
+                                 POUNDING_MAX);
+        }
+        if (picture_is_wanted(&q->picture) && q->periods.value && q->periods.n < 3) {
+            return command_usage(self, "a picture needs at least three periods > 0");
+        }
+        return EXIT_DONE;
     }
     if (q->load.define.n > 0 || q->n_thread > 0) {
         return command_usage(self, "%s is for the deck of --pounding",

@@ -52,14 +52,6 @@ static const struct printer_column statistic_columns[] = {
 static const struct printer_column target_columns[] = {
     {"target", NULL, "g", NULL, WIDTH, 4, LOOK_G}, {"ratio", NULL, NULL, NULL, WIDTH, 4, LOOK_G}};
 
-// Accelerations in g.
-static void print_intensity(struct printer *t, const struct intensity *i, double g) {
-    const double value[N_INTENSITY] = {i->pga / g,  i->pgv,      i->pgd,   i->arias,
-                                       i->cav,      i->d5_75,    i->d5_95, i->pga_time,
-                                       i->pgv_time, i->pgd_time, i->time_5};
-    printer_numbers(t, value, N_INTENSITY);
-}
-
 static double response(const struct spectrum_request *q, const struct spectrum_set *set, int series,
                        int damping, int period, enum spectrum_quantity quantity) {
     const double value = spectra_at(&set->spectra, series, damping, period)->value[quantity];
@@ -82,7 +74,20 @@ static int print_intensities(const struct spectrum_request *q, const struct spec
         printer_whole(&t, (long)g->n);
         printer_number(&t, g->dt);
         printer_number(&t, set->scale[r]);
-        print_intensity(&t, &set->intensity[r], q->record.gravity);
+        // Accelerations in g.
+        const struct intensity *i = &set->intensity[r];
+        const double value[N_INTENSITY] = {i->pga / q->record.gravity,
+                                           i->pgv,
+                                           i->pgd,
+                                           i->arias,
+                                           i->cav,
+                                           i->d5_75,
+                                           i->d5_95,
+                                           i->pga_time,
+                                           i->pgv_time,
+                                           i->pgd_time,
+                                           i->time_5};
+        printer_numbers(&t, value, N_INTENSITY);
         printer_number(&t, g->end);
         printer_text(&t, set->name[r]);
         printer_number(&t, q->target ? set->match.misfit[r] : (double)NAN);
@@ -127,27 +132,6 @@ static void print_statistics(struct printer *t, const struct spectrum_request *q
     end_row(t, q, set, p, response(q, set, mean, damping, p, SPECTRUM_PSA));
 }
 
-// A table for readers, of one damping ratio.
-static int print_damping(const struct spectrum_request *q, const struct spectrum_set *set,
-                         int damping) {
-    struct printer t = {.to = stdout, .at_head = UNITS_BELOW};
-    PRINTER_ADD(&t, period_column);
-    if (q->n_record > 1) {
-        PRINTER_ADD(&t, statistic_columns);
-    } else {
-        PRINTER_ADD(&t, response_columns);
-    }
-    if (q->target) {
-        PRINTER_ADD(&t, target_columns);
-    }
-    printer_head(&t);
-    for (int p = 0; p < q->periods.n; p++) {
-        printer_number(&t, q->periods.value[p]);
-        (q->n_record > 1 ? print_statistics : print_record)(&t, q, set, damping, p);
-    }
-    return printer_close(&t);
-}
-
 static int print_spectra(const struct spectrum_request *q, const struct spectrum_set *set) {
     int status = EXIT_DONE;
     for (int d = 0; d < q->n_damping && status == EXIT_DONE; d++) {
@@ -156,46 +140,25 @@ static int print_spectra(const struct spectrum_request *q, const struct spectrum
             printf(", %d records", q->n_record);
         }
         printf("\n");
-        status = print_damping(q, set, d);
+        // A table for readers, of one damping ratio.
+        struct printer t = {.to = stdout, .at_head = UNITS_BELOW};
+        PRINTER_ADD(&t, period_column);
+        if (q->n_record > 1) {
+            PRINTER_ADD(&t, statistic_columns);
+        } else {
+            PRINTER_ADD(&t, response_columns);
+        }
+        if (q->target) {
+            PRINTER_ADD(&t, target_columns);
+        }
+        printer_head(&t);
+        for (int p = 0; p < q->periods.n; p++) {
+            printer_number(&t, q->periods.value[p]);
+            (q->n_record > 1 ? print_statistics : print_record)(&t, q, set, d, p);
+        }
+        status = printer_close(&t);
     }
     return status;
-}
-
-static void print_series(struct printer *t, const struct spectrum_request *q,
-                         const struct spectrum_set *set, int series) {
-    static const char *const statistic[SPECTRA_STATISTICS] = {[SPECTRA_MEAN] = "mean",
-                                                              [SPECTRA_P16] = "16%",
-                                                              [SPECTRA_P50] = "50%",
-                                                              [SPECTRA_P84] = "84%"};
-    const bool record = series < q->n_record;
-    for (int d = 0; d < q->n_damping; d++) {
-        for (int p = 0; p < q->periods.n; p++) {
-            printer_text(t, record ? "record" : "statistic");
-            printer_text(t, record ? set->name[series] : statistic[series - q->n_record]);
-            printer_number(t, q->damping[d]);
-            printer_number(t, q->periods.value[p]);
-            for (int k = 0; k < SPECTRUM_COUNT; k++) {
-                printer_number(t, response(q, set, series, d, p, (enum spectrum_quantity)k));
-            }
-            printer_line(t);
-        }
-    }
-}
-
-// At those of the periods that it has.
-static void print_target(struct printer *t, const struct spectrum_request *q,
-                         const struct spectrum_set *set) {
-    for (int p = 0; p < q->periods.n; p++) {
-        const double goal = goal_at(q, set, p);
-        if (!isnan(goal)) {
-            printer_text(t, "target");
-            printer_text(t, set->target_name);
-            printer_number(t, q->damping[0]);
-            printer_number(t, q->periods.value[p]);
-            printer_number(t, goal);
-            printer_line(t);
-        }
-    }
 }
 
 static int print_data(const struct spectrum_request *q, const struct spectrum_set *set) {
@@ -205,10 +168,37 @@ static int print_data(const struct spectrum_request *q, const struct spectrum_se
     PRINTER_ADD(&t, response_columns);
     printer_head(&t);
     for (int s = 0; s < n_series; s++) {
-        print_series(&t, q, set, s);
+        static const char *const statistic[SPECTRA_STATISTICS] = {[SPECTRA_MEAN] = "mean",
+                                                                  [SPECTRA_P16] = "16%",
+                                                                  [SPECTRA_P50] = "50%",
+                                                                  [SPECTRA_P84] = "84%"};
+        const bool record = s < q->n_record;
+        for (int d = 0; d < q->n_damping; d++) {
+            for (int p = 0; p < q->periods.n; p++) {
+                printer_text(&t, record ? "record" : "statistic");
+                printer_text(&t, record ? set->name[s] : statistic[s - q->n_record]);
+                printer_number(&t, q->damping[d]);
+                printer_number(&t, q->periods.value[p]);
+                for (int k = 0; k < SPECTRUM_COUNT; k++) {
+                    printer_number(&t, response(q, set, s, d, p, (enum spectrum_quantity)k));
+                }
+                printer_line(&t);
+            }
+        }
     }
     if (q->target) {
-        print_target(&t, q, set);
+        // At those of the periods that it has.
+        for (int p = 0; p < q->periods.n; p++) {
+            const double goal = goal_at(q, set, p);
+            if (!isnan(goal)) {
+                printer_text(&t, "target");
+                printer_text(&t, set->target_name);
+                printer_number(&t, q->damping[0]);
+                printer_number(&t, q->periods.value[p]);
+                printer_number(&t, goal);
+                printer_line(&t);
+            }
+        }
     }
     return printer_close(&t);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/study_progress.h"
+#include "command/progress.h"
 
 #include <stdio.h>
 #include <unistd.h>
@@ -13,18 +13,6 @@ void study_display_start(struct study_display *d, enum display display) {
     *d = (struct study_display){
         .display = display, .terminal = isatty(STDERR_FILENO) != 0, .start = wall_seconds()};
     d->last = d->start;
-}
-
-// A time as an engineer says it: 42 s, 5 min 10 s, 3 h 20 min.
-static void print_time(double seconds) {
-    const long s = (long)(seconds + 0.5);
-    if (s < 60) {
-        fprintf(stderr, "%ld s", s);
-    } else if (s < 3600) {
-        fprintf(stderr, "%ld min %ld s", s / 60, s % 60);
-    } else {
-        fprintf(stderr, "%ld h %ld min", s / 3600, s / 60 % 60);
-    }
 }
 
 void study_display_show(struct study_display *d, const struct study_progress *p) {
@@ -41,7 +29,15 @@ void study_display_show(struct study_display *d, const struct study_progress *p)
         struct text_exact t;
         fprintf(stderr, ", %s runs/s, ", text_rounded(&t, rate, 3));
         const double left = (double)(p->n_run - p->n_done) / rate;  // for runs of one length
-        print_time(p->seconds_left > 0.0 ? p->seconds_left : left);
+        // A time as an engineer says it: 42 s, 5 min 10 s, 3 h 20 min.
+        const long s = (long)((p->seconds_left > 0.0 ? p->seconds_left : left) + 0.5);
+        if (s < 60) {
+            fprintf(stderr, "%ld s", s);
+        } else if (s < 3600) {
+            fprintf(stderr, "%ld min %ld s", s / 60, s % 60);
+        } else {
+            fprintf(stderr, "%ld h %ld min", s / 3600, s / 60 % 60);
+        }
         fprintf(stderr, " left");
     }
     fprintf(stderr, d->terminal ? " \033[K" : "\n");

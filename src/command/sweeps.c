@@ -64,17 +64,13 @@ void sweeps_print(const struct sweep *s, const struct unit_system *u, FILE *to) 
     }
 }
 
-static void print_all(const struct deck *d) {
-    printf("study of %ld run%s\n", d->n_run, d->n_run == 1 ? "" : "s");
-    for (const struct sweep *s = d->sweeps; s; s = s->next) {
-        sweeps_print(s, &d->units, stdout);
-    }
-}
-
 void sweeps_print_first(const struct deck *d, const char *before, const char *after) {
     if (d->sweeps) {
         printf("%s", before);
-        print_all(d);
+        printf("study of %ld run%s\n", d->n_run, d->n_run == 1 ? "" : "s");
+        for (const struct sweep *s = d->sweeps; s; s = s->next) {
+            sweeps_print(s, &d->units, stdout);
+        }
         printf("the model of the first run:\n%s", after);
     }
 }

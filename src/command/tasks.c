@@ -50,28 +50,6 @@ static void print_run(const struct tasks_options *o, const struct study_shard *s
     fputc('\n', stdout);
 }
 
-static int print_lines(const struct tasks_options *o, struct arena *a, const char *path, long n) {
-    fputs(o->lines == TASKS_MERGE ? "jostle merge -o" : "", stdout);
-    if (o->lines == TASKS_MERGE) {
-        print_word(path);
-        fputs(path[0] == '-' ? " --" : "", stdout);
-    }
-    for (long k = 1; k <= n; k++) {
-        const struct study_shard s = {k, n};
-        const char *part = output_part_name(a, path, &s);
-        if (!part) {
-            return command_no_memory();
-        }
-        if (o->lines == TASKS_MERGE) {
-            print_word(part);
-        } else {
-            print_run(o, &s, part);
-        }
-    }
-    fputs(o->lines == TASKS_MERGE ? "\n" : "", stdout);
-    return EXIT_DONE;
-}
-
 // The first word that a command of one line cannot hold; NULL: there is none.
 static const char *unprintable_word(const struct tasks_options *o, const char *path) {
     const char *wrong = text_not_plain(path) ? path : NULL;
@@ -86,7 +64,7 @@ static int print_tasks(void *options, const struct model *m) {
     const struct tasks_options *o = options;
     struct error e;
     assert(o->load.path);
-    if (load_check_study(m, &e) != STATUS_OK) {
+    if (deck_command_check_study(m, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     const char *path = output_choose(m, o->output, &(struct study_shard){0, 0});
@@ -107,7 +85,25 @@ static int print_tasks(void *options, const struct model *m) {
     }
     const long n_run = m->deck->n_run;
     const long n = o->n_part ? o->n_part : n_run < PARTS ? n_run : PARTS;
-    return print_lines(o, m->deck->arena, path, n);
+    fputs(o->lines == TASKS_MERGE ? "jostle merge -o" : "", stdout);
+    if (o->lines == TASKS_MERGE) {
+        print_word(path);
+        fputs(path[0] == '-' ? " --" : "", stdout);
+    }
+    for (long k = 1; k <= n; k++) {
+        const struct study_shard s = {k, n};
+        const char *part = output_part_name(m->deck->arena, path, &s);
+        if (!part) {
+            return command_no_memory();
+        }
+        if (o->lines == TASKS_MERGE) {
+            print_word(part);
+        } else {
+            print_run(o, &s, part);
+        }
+    }
+    fputs(o->lines == TASKS_MERGE ? "\n" : "", stdout);
+    return EXIT_DONE;
 }
 
 static int tasks_command(int argc, char **argv) {

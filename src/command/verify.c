@@ -4,8 +4,8 @@
 #include <limits.h>
 #include <string.h>
 
+#include "command/deck_command.h"
 #include "command/interrupt.h"
-#include "command/load.h"
 #include "core/arena.h"
 #include "core/safe.h"
 #include "jostle/study_rerun.h"
@@ -56,7 +56,7 @@ static int load_and_rerun(struct study_file *f, struct verify_options *o, struct
     if (!o->load.define.word) {
         return command_no_memory();
     }
-    int status = load_model(&o->load, &m);
+    int status = deck_command_load(&o->load, &m);
     if (status != EXIT_DONE) {
         return status;
     }
@@ -99,17 +99,6 @@ static int rerun(struct verify_options *o) {
     return status;
 }
 
-static int verify(struct verify_options *o) {
-    struct result_sums sums;
-    struct error e;
-    if (result_verify(o->path, &sums, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    safe_line(stdout, "%s: the data are as they were written", o->path);
-    printf("data     SHA-256 %s\nresults  SHA-256 %s\n", sums.data.digits, sums.results.digits);
-    return o->rerun.n_draw > 0 || o->rerun.n_run > 0 ? rerun(o) : EXIT_DONE;
-}
-
 static const struct option_row rows[] = {
     {"rerun", 0, "K", OPTION_WHOLE, 0, AT(n_draw), 1, STUDY_RUNS_MAX, .what = "a number of runs",
      .doc = "computes K runs of a study again, drawn at random, and compares their values bit by "
@@ -142,7 +131,14 @@ static int use(void *options, struct arena *a, const struct words *operand) {
     o->rerun.n_draw = o->n_draw;
     o->rerun.run = run;
     o->rerun.n_run = o->run.n;
-    return verify(o);
+    struct result_sums sums;
+    struct error e;
+    if (result_verify(o->path, &sums, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    safe_line(stdout, "%s: the data are as they were written", o->path);
+    printf("data     SHA-256 %s\nresults  SHA-256 %s\n", sums.data.digits, sums.results.digits);
+    return o->rerun.n_draw > 0 || o->rerun.n_run > 0 ? rerun(o) : EXIT_DONE;
 }
 
 static int verify_command(int argc, char **argv) {

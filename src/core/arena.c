@@ -3,6 +3,7 @@
 // not fit opens a new block.
 #include "core/arena.h"
 
+#include <assert.h>
 #include <stdalign.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -41,6 +42,7 @@ void arena_free(struct arena *a) {
 }
 
 bool arena_failed(const struct arena *a) {
+    assert(a);
     return a->failed;
 }
 
@@ -68,6 +70,7 @@ static void *fail(struct arena *a) {
 }
 
 void *arena_alloc(struct arena *a, size_t n, size_t size) {
+    assert(a && size > 0);
     const size_t unit = alignof(max_align_t);
     if (size != 0 && n > (SIZE_MAX / 2 - unit) / size) {
         return fail(a);
@@ -86,6 +89,7 @@ void *arena_alloc(struct arena *a, size_t n, size_t size) {
 }
 
 char *arena_text(struct arena *a, const char *text, size_t n) {
+    assert(a && (text || n == 0));
     char *copy = arena_alloc(a, n + 1, 1);
     if (copy) {
         memcpy(copy, text, n);
@@ -94,6 +98,7 @@ char *arena_text(struct arena *a, const char *text, size_t n) {
 }
 
 char *arena_format(struct arena *a, const char *format, ...) {
+    assert(a && format);
     va_list list;
     va_start(list, format);
     int n = vsnprintf(NULL, 0, format, list);

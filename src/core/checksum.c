@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/checksum.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <nettle/base16.h>
 #include <string.h>
@@ -13,10 +14,12 @@ void checksum_start(struct checksum_sum *s) {
 }
 
 void checksum_add(struct checksum_sum *s, const void *data, size_t n) {
+    assert(s && (data || n == 0));
     sha256_update(&s->sha, n, data);
 }
 
 void checksum_add_text(struct checksum_sum *s, const char *text) {
+    assert(text);
     checksum_add(s, text, strlen(text) + 1);
 }
 
@@ -48,6 +51,7 @@ uint64_t checksum_short(const void *data, size_t n) {
 }
 
 int checksum_file(const char *path, struct checksum *out, struct error *e) {
+    assert(path && out);
     enum { BLOCK = 16384 };
     char block[BLOCK];
     struct checksum_sum sum;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Collects messages that point at places in text files, and prints them as compilers do.
+#include <assert.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -12,6 +13,7 @@
 enum { SHOWN_MAX = 160, LEAD = 60, DOTS = 3, MESSAGE_MAX = 1024 };
 
 void diagnostics_init(struct diagnostics *d, struct arena *arena) {
+    assert(d && arena);
     *d = (struct diagnostics){.arena = arena};
 }
 
@@ -84,6 +86,7 @@ static int keep(struct diagnostics *d, const struct diagnostic *entry, const cha
 
 void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, const char *format,
                      ...) {
+    assert(entry && format);
     if (entry->severity == SEVERITY_ERROR) {
         d->n_error++;
     } else {
@@ -102,18 +105,6 @@ void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, cons
     }
 }
 
-static void print_caret(const struct diagnostic *item, FILE *to, bool colour) {
-    int columns = text_columns(item->source_line, strlen(item->source_line));
-    int first = item->source_first > 1 ? item->source_first : 1;
-    int offset = item->column - first;
-    fprintf(to, "    %s\n    %*s%s^", item->source_line, offset > 0 ? offset : 0, "",
-            colour ? "\033[32m" : "");
-    for (int i = 1; i < item->width && offset + i < columns; i++) {
-        fputc('~', to);
-    }
-    fprintf(to, "%s\n", colour ? "\033[0m" : "");
-}
-
 static void print_item(const struct diagnostic *item, FILE *to, bool colour) {
     bool error = item->severity == SEVERITY_ERROR;
     const char *tint = error ? "\033[31m" : "\033[35m";
@@ -125,7 +116,15 @@ static void print_item(const struct diagnostic *item, FILE *to, bool colour) {
     fprintf(to, "%s%s:%s %s\n", colour ? tint : "", error ? "error" : "warning",
             colour ? "\033[0m" : "", item->message);
     if (item->line > 0 && item->source_line) {
-        print_caret(item, to, colour);
+        int columns = text_columns(item->source_line, strlen(item->source_line));
+        int first = item->source_first > 1 ? item->source_first : 1;
+        int offset = item->column - first;
+        fprintf(to, "    %s\n    %*s%s^", item->source_line, offset > 0 ? offset : 0, "",
+                colour ? "\033[32m" : "");
+        for (int i = 1; i < item->width && offset + i < columns; i++) {
+            fputc('~', to);
+        }
+        fprintf(to, "%s\n", colour ? "\033[0m" : "");
     }
 }
 
@@ -147,6 +146,7 @@ int diagnostics_cause(const struct diagnostics *d, struct error *e) {
 }
 
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {
+    assert(d && to);
     for (int i = 0; i < d->n_item; i++) {
         print_item(&d->item[i], to, colour);
     }
@@ -162,6 +162,7 @@ void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {
 // Writes the one message of an error value.
 
 int error_set(struct error *e, int status, const char *format, ...) {
+    assert(status != STATUS_OK && format);
     e->status = status;
     va_list list;
     va_start(list, format);

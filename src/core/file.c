@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -18,6 +19,7 @@ static int open_file(const char *path, int flags) {
 }
 
 int file_open(const char *path, int *file, struct error *e) {
+    assert(path && file);
     *file = open_file(path, O_RDONLY);
     if (*file >= 0) {
         return STATUS_OK;
@@ -29,6 +31,7 @@ int file_open(const char *path, int *file, struct error *e) {
 }
 
 ssize_t file_read(int file, void *to, size_t n, off_t at) {
+    assert(file >= 0 && (to || n == 0) && at >= 0);
     size_t got = 0;
     while (got < n) {
         const ssize_t more = pread(file, (char *)to + got, n - got, at + (off_t)got);
@@ -44,6 +47,7 @@ ssize_t file_read(int file, void *to, size_t n, off_t at) {
 }
 
 int file_write(int file, const void *from, size_t n, off_t at) {
+    assert(file >= 0 && (from || n == 0) && at >= 0);
     size_t put = 0;
     while (put < n) {
         const ssize_t more = pwrite(file, (const char *)from + put, n - put, at + (off_t)put);
@@ -56,6 +60,7 @@ int file_write(int file, const void *from, size_t n, off_t at) {
 }
 
 int file_cut(int file, off_t size) {
+    assert(file >= 0 && size >= 0);
     int status;
     do {
         status = ftruncate(file, size);
@@ -121,17 +126,8 @@ static int taken(const char *wanted, const char *path, struct error *e) {
                      strcmp(wanted, path) == 0 ? "it" : path);
 }
 
-// After `path` could not be opened.
-static int cannot_claim(const char *wanted, int flags, struct error *e) {
-    if (errno == ENOENT && !(flags & O_CREAT)) {
-        return STATUS_OK;
-    }
-    return errno == EEXIST || errno == ELOOP
-               ? STATUS_RETRY
-               : error_set(e, STATUS_SYSTEM, "cannot write %s: %s", wanted, strerror(errno));
-}
-
 int file_claim(const char *wanted, const char *path, int flags, int *file, struct error *e) {
+    assert(wanted && path && file);
     const char *obstacle = file_obstacle(AT_FDCWD, path);
     *file = -1;
     if (obstacle) {
@@ -139,7 +135,13 @@ int file_claim(const char *wanted, const char *path, int flags, int *file, struc
     }
     const int opened = open_file(path, O_RDWR | O_NOFOLLOW | O_NOCTTY | flags);
     if (opened < 0) {
-        return cannot_claim(wanted, flags, e);
+        // After `path` could not be opened.
+        if (errno == ENOENT && !(flags & O_CREAT)) {
+            return STATUS_OK;
+        }
+        return errno == EEXIST || errno == ELOOP
+                   ? STATUS_RETRY
+                   : error_set(e, STATUS_SYSTEM, "cannot write %s: %s", wanted, strerror(errno));
     }
     const bool locked = file_lock(opened);
     if (locked && file_is_named(opened, path)) {
@@ -152,6 +154,7 @@ int file_claim(const char *wanted, const char *path, int flags, int *file, struc
 
 int file_retry(const char *wanted, const char *path, file_attempt *attempt, void *context,
                struct error *e) {
+    assert(wanted && path && attempt);
     enum { ATTEMPTS = 20 };
     for (int i = 0; i < ATTEMPTS; i++) {
         const int status = attempt(context, e);

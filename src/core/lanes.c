@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lanes.h"
 
+#include <assert.h>
 #include <stdint.h>
 
 #include "core/arena.h"
 
 void *lanes_lines(struct arena *a, size_t n, size_t size) {
+    assert(size > 0);
     char *x = arena_alloc(a, n + (LANES_LINE + size - 1) / size, size);
     size_t beyond = (uintptr_t)x % LANES_LINE;
     return x ? x + (LANES_LINE - beyond) % LANES_LINE : NULL;
 }
 
 double *lanes_array(struct arena *a, int n) {
+    assert(n >= 0);
     size_t room = (size_t)lanes_whole(n + 1) + 2 * (size_t)LANES_WIDTH;
     double *x = lanes_lines(a, room, sizeof *x);
     return x ? x + LANES_WIDTH : NULL;
 }
 
 void *lanes_wide_array(struct arena *a, int n, size_t size) {
+    assert(n >= 0 && size % sizeof(wide) == 0);
     char *x = arena_alloc(a, (size_t)n + 3, size);
     if (!x) {
         return NULL;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/root.h"
 
+#include <assert.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
@@ -9,6 +10,7 @@ enum { ITERATIONS_MAX = 200 };
 
 double root_find(double (*function)(double x, void *context), void *context, double low,
                  double high, double tolerance) {
+    assert(function && tolerance > 0.0);
     gsl_function f = {.function = function, .params = context};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     if (!solver) {

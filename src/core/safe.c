@@ -7,6 +7,7 @@
 // goes on with the next one, also in a comment.
 #include "core/safe.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <string.h>
@@ -59,6 +60,7 @@ static void put_control(FILE *to, enum safe where, unsigned code) {
 }
 
 void safe_put(FILE *to, enum safe where, const char *text) {
+    assert(to && text);
     const char *mark = mark_of(where, text);
     size_t left = strlen(text);
     const bool joins = where == SAFE_COMMENT && left > 0 && text[left - 1] == '\\';
@@ -93,6 +95,7 @@ void safe_line(FILE *to, const char *format, ...) {
 }
 
 void safe_cell(FILE *to, const char *name, int width) {
+    assert(name);
     const int n = text_columns(name, strlen(name));
     const char *tail = name;
     for (int skip = n > width ? n - width + 2 : 0; skip > 0; skip--) {

@@ -2,6 +2,7 @@
 // Characters of UTF-8, and file names.
 #include "core/text.h"
 
+#include <assert.h>
 #include <string.h>
 
 const char *text_stem(const char *path, size_t *n) {
@@ -59,6 +60,7 @@ const char *text_not_plain(const char *text) {
 }
 
 int text_columns(const char *text, size_t n) {
+    assert(text || n == 0);
     int columns = 0;
     for (size_t i = 0; i < n; columns++) {
         size_t size = text_character(text + i, n - i);
@@ -91,6 +93,7 @@ size_t text_cut(const char *text, size_t n) {
 }
 
 void text_clean(char *to, size_t size, const char *text, size_t n) {
+    assert(size > 0 && (text || n == 0));
     size_t used = 0;
     for (size_t i = 0; i < n;) {
         size_t bytes = text_character(text + i, n - i);
@@ -112,6 +115,7 @@ void text_clean(char *to, size_t size, const char *text, size_t n) {
 }
 
 bool text_compose(char *to, size_t size, const char *format, va_list list) {
+    assert(to && size > 0 && format);
     const int n = vsnprintf(to, size, format, list);
     const bool cut = n >= 0 && (size_t)n >= size;
     if (n < 0) {
@@ -135,6 +139,7 @@ const char *text_short(struct text_short *s, const char *text) {
 }
 
 const char *text_more(struct text_more *t, int n) {
+    assert(n > 0);
     t->text[0] = '\0';
     if (n > 1) {
         snprintf(t->text, sizeof t->text, " (and %d more)", n - 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads whole files.
+#include <assert.h>
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -47,6 +48,7 @@ static int read_open(struct arena *a, int file, const char *path, size_t limit, 
 
 int text_file(struct arena *a, const char *path, size_t limit, char **text, size_t *size,
               struct error *e) {
+    assert(path && text && size);
     int file;
     int status = file_open(path, &file, e);
     if (status == STATUS_OK) {

@@ -2,6 +2,7 @@
 // The known word that an unknown word may mean.
 #include "core/text.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -75,6 +76,7 @@ static const char *only_relative(const char *word, const char *const *known, int
 }
 
 const char *text_nearest(const char *word, const char *const *known, int n) {
+    assert(word && n >= 0 && (known || n == 0));
     size_t length = strlen(word);
     if (length >= WORD_MAX || length == 0) {
         return NULL;
@@ -99,6 +101,7 @@ const char *text_nearest(const char *word, const char *const *known, int n) {
 }
 
 const char *text_list(char *to, size_t size, const char *const *known, int n) {
+    assert(size > 0 && n >= 0 && (known || n == 0));
     size_t used = 0;
     to[0] = '\0';
     for (int i = 0; i < n; i++) {

@@ -2,6 +2,7 @@
 // Numbers from text, and back.
 #include "core/text.h"
 
+#include <assert.h>
 #include <float.h>
 #include <langinfo.h>
 #include <locale.h>
@@ -90,6 +91,7 @@ static double number_value(const char *text, char **stop) {
 }
 
 enum text_number text_number(const char *text, const char **end, double *value) {
+    assert(text && end && value);
     *end = text;
     *value = NAN;
     struct decimal decimal = {0, 0};
@@ -130,6 +132,7 @@ const char *text_exact(struct text_exact *t, double value) {
 }
 
 const char *text_rounded(struct text_exact *t, double value, int digits) {
+    assert(digits > 0);
     const double size = fabs(value), largest = 1e15;
     if (!(size >= pow(10.0, digits) - 0.5 && size < largest)) {
         snprintf(t->text, sizeof t->text, "%.*g", digits, value);

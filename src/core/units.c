@@ -6,6 +6,7 @@
 // B).
 #include "jostle/units.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -188,21 +189,9 @@ static double power_parse(const char **at) {
     return sign * digits / scale;
 }
 
-static void multiply(struct dimension *dimension, double *si, const struct simple *unit,
-                     double gravity, double power) {
-    double size = unit->size > 0 ? unit->size : gravity;
-    if (power >= 0) {
-        *si *= pow(size, power);
-    } else {
-        *si /= pow(size, -power);
-    }
-    dimension->force += power * unit->dimension.force;
-    dimension->length += power * unit->dimension.length;
-    dimension->time += power * unit->dimension.time;
-}
-
 bool unit_parse(const char *text, double gravity, const char **end, struct dimension *dimension,
                 double *si) {
+    assert(text && end && dimension && si);
     *end = text;
     *dimension = dimension_none;
     *si = 1;
@@ -212,7 +201,16 @@ bool unit_parse(const char *text, double gravity, const char **end, struct dimen
         if (!unit || (unit->alone && *end != text)) {
             break;
         }
-        multiply(dimension, si, unit, gravity, sign * (unit->alone ? 1 : power_parse(&at)));
+        double power = sign * (unit->alone ? 1 : power_parse(&at));
+        double size = unit->size > 0 ? unit->size : gravity;
+        if (power >= 0) {
+            *si *= pow(size, power);
+        } else {
+            *si /= pow(size, -power);
+        }
+        dimension->force += power * unit->dimension.force;
+        dimension->length += power * unit->dimension.length;
+        dimension->time += power * unit->dimension.time;
         *end = at;
         if (unit->alone || (*at != '*' && *at != '/')) {
             break;
@@ -228,6 +226,7 @@ double unit_size(const struct unit_system *s, struct dimension dimension) {
 }
 
 double unit_convert(double value, double from, double to) {
+    assert(from > 0.0 && to > 0.0);
     return from >= to ? value * (from / to) : value / (to / from);
 }
 
@@ -252,6 +251,7 @@ static const char *mass_name(double kilogram) {
 }
 
 void unit_text(const struct unit_system *s, struct dimension dimension, char *text, size_t size) {
+    assert(text && size > 0);
     const char *mass = mass_name(unit_size(s, dimension_mass));
     if (dimension_equal(dimension, dimension_mass) && mass) {
         snprintf(text, size, "%s", mass);

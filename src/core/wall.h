@@ -2,7 +2,13 @@
 #ifndef JOSTLE_WALL_H
 #define JOSTLE_WALL_H
 
+#include <time.h>
+
 // Time [s] of a monotonic clock, which is never set. Only differences have a meaning.
-double wall_seconds(void);
+static inline double wall_seconds(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 #endif

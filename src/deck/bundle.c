@@ -134,25 +134,20 @@ static struct bundle *find_bundle(struct deck *d, const struct bundle_request *q
     return b && b->valid ? b : NULL;
 }
 
-// Counts the occurrences of `text` in `s`; *at is the number of the last one, from 0.
-static int count_text(const struct sweep *s, const char *text, int *at) {
-    int n = 0;
-    for (int i = 0; s->text && i < s->n; i++) {
-        if (strcmp(s->text[i], text) == 0) {
-            *at = i;
-            n++;
-        }
-    }
-    return n;
-}
-
 bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct sweep *own) {
     struct define *define = deck_define_find(d, own->name);
     int at = 0;
     if (!define || !q->name.text || deck_define_find(d, q->name.text)) {
         return false;
     }
-    const int n = count_text(own, define->value.text, &at);
+    // Counts the occurrences of `text` in `s`; *at is the number of the last one, from 0.
+    int n = 0;
+    for (int i = 0; own->text && i < own->n; i++) {
+        if (strcmp(own->text[i], define->value.text) == 0) {
+            at = i;
+            n++;
+        }
+    }
     if (n > 1) {
         deck_error(d, &define->value, "this occurs %d times in '%s'; -D %s=NUMBER chooses one", n,
                    own->name, q->name.text);

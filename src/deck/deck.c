@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a deck and returns its statements one by one, those of included files too.
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -113,6 +114,7 @@ int deck_open_text(const char *path, const char *text, const char *const *define
 }
 
 void deck_bind(struct deck *d, const struct deck *first, const int *choice) {
+    assert(first && choice);
     d->reader->first_reading = first;
     d->reader->bound = first->sweeps;
     d->reader->choice = choice;
@@ -168,17 +170,6 @@ double deck_gravity(struct deck *d) {
     return d->units.gravity;
 }
 
-static void add_statement(struct checksum_sum *sum, const struct statement *s) {
-    if (strcmp(s->word[0].text, "title") == 0) {
-        return;
-    }
-    checksum_add_number(sum, (uint64_t)s->n_word);
-    for (int i = 0; i < s->n_word; i++) {
-        checksum_add_number(sum, s->word[i].quoted);
-        checksum_add_text(sum, s->word[i].text);
-    }
-}
-
 // The checksum of an open deck, which is then freed. If some lines cannot be split into statements,
 // the whole text counts.
 static int checksum_statements(struct deck *d, struct checksum *out, struct error *e) {
@@ -186,7 +177,13 @@ static int checksum_statements(struct deck *d, struct checksum *out, struct erro
     struct statement s;
     checksum_start(&sum);
     while (scan_statement(d, &d->reader->frame[0], &s)) {
-        add_statement(&sum, &s);
+        if (strcmp(s.word[0].text, "title") != 0) {
+            checksum_add_number(&sum, (uint64_t)s.n_word);
+            for (int i = 0; i < s.n_word; i++) {
+                checksum_add_number(&sum, s.word[i].quoted);
+                checksum_add_text(&sum, s.word[i].text);
+            }
+        }
     }
     if (d->torn) {
         checksum_add_text(&sum, d->text);

@@ -3,6 +3,7 @@
 // replaces the value of the param and must have its kind and dimension.
 #include "deck/definition.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/text.h"
@@ -24,6 +25,7 @@ const struct sweep *sweep_bound(const struct deck *d, const char *name, int *cho
 }
 
 void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
+    assert(choice >= 0 && choice < s->n);
     p->kind = s->number ? PARAMETER_NUMBER : PARAMETER_TEXT;
     p->swept = true;
     if (s->number) {
@@ -99,27 +101,6 @@ bool parameter_is_free(struct deck *d, const struct word *name, enum definition 
     return !at;
 }
 
-// Sets the value of a new parameter to the value of a -D or, for a param, of a sweep of the first
-// reading. A sweep that does not fit is ignored here and reported at its statement. True if a -D
-// gives the value.
-static bool replace_value(struct deck *d, enum definition by, struct parameter *p) {
-    struct define *define = deck_define_find(d, p->name);
-    int choice;
-    const struct sweep *s = by == BY_PARAM ? sweep_bound(d, p->name, &choice) : NULL;
-    if (define) {
-        if (!define->taken) {
-            define->taken = true;
-            override(d, define, p);
-        }
-        p->swept = false;
-    } else if (s) {
-        struct parameter chosen = *p;
-        sweep_choose(s, choice, &chosen);
-        *p = fits(p, &chosen) ? chosen : *p;
-    }
-    return define;
-}
-
 static void take_value(struct parameter *to, const struct parameter *from) {
     to->kind = from->kind;
     to->number = from->number;
@@ -162,7 +143,24 @@ bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
         defined = add_definition(d, name, by, kept, value);
     } else {
         value->name = name->text;
-        defined = replace_value(d, by, value);
+        // Sets the value of a new parameter to the value of a -D or, for a param, of a sweep of the
+        // first reading. A sweep that does not fit is ignored here and reported at its statement.
+        // True if a -D gives the value.
+        struct define *define = deck_define_find(d, value->name);
+        int choice;
+        const struct sweep *s = by == BY_PARAM ? sweep_bound(d, value->name, &choice) : NULL;
+        if (define) {
+            if (!define->taken) {
+                define->taken = true;
+                override(d, define, value);
+            }
+            value->swept = false;
+        } else if (s) {
+            struct parameter chosen = *value;
+            sweep_choose(s, choice, &chosen);
+            *value = fits(value, &chosen) ? chosen : *value;
+        }
+        defined = define;
         kept = parameter_add(d, value);
     }
     if (kept) {

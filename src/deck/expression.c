@@ -92,20 +92,16 @@ static bool choice(struct parser *p, int sign, const char *name, const char *nam
     return true;
 }
 
-static bool unknown_function(struct parser *p, const char *name, const char *end) {
-    const char *known[32] = {"min", "max"};
-    int n = 2;
-    for (int i = 0; i < n_quantity_function && n < 32; i++) {
-        known[n++] = quantity_functions[i].name;
-    }
-    struct word part = deck_report_part(p->deck, p->word, name, end);
-    deck_unknown(p->deck, &part, part.text, "function", known, n);
-    return false;
-}
-
 static bool call(struct parser *p, const char *name, const char *name_end, struct quantity *out) {
     if (!quantity_is_reserved(name, (size_t)(name_end - name)) || name_is(name, name_end, "pi")) {
-        return unknown_function(p, name, name_end);
+        const char *known[32] = {"min", "max"};
+        int n = 2;
+        for (int i = 0; i < n_quantity_function && n < 32; i++) {
+            known[n++] = quantity_functions[i].name;
+        }
+        struct word part = deck_report_part(p->deck, p->word, name, name_end);
+        deck_unknown(p->deck, &part, part.text, "function", known, n);
+        return false;
     }
     const char *open = p->at++;
     skip_spaces(p);

@@ -20,6 +20,7 @@ static int count_behind(const struct statement *s, int at) {
 }
 
 const struct word *deck_option(const struct statement *s, const char *key, int *n_word) {
+    assert(key && n_word);
     *n_word = 0;
     for (int i = s->n_plain; i < s->n_word; i++) {
         if (deck_is_option(&s->word[i]) && strcmp(s->word[i].text + 1, key) == 0) {
@@ -183,6 +184,7 @@ static bool check_one_of(struct deck *d, const struct statement *s, const struct
 }
 
 bool deck_options(struct deck *d, const struct statement *s, struct row_set *set, int n_set) {
+    assert(n_set >= 0 && (set || n_set == 0));
     double power[SETS_MAX];
     assert(n_set <= SETS_MAX);
     bool ok = true;

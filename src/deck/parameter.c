@@ -2,6 +2,7 @@
 // The table of parameters, and the -D NAME=VALUE of the command line.
 #include "deck/parameter.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -23,6 +24,7 @@ static struct parameter **bucket_of(const struct reader *r, const char *name, si
 }
 
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n) {
+    assert(name);
     const struct reader *r = d->reader;
     struct parameter *p = r->n_bucket > 0 ? *bucket_of(r, name, n) : NULL;
     while (p && !(strlen(p->name) == n && strncmp(p->name, name, n) == 0)) {
@@ -118,6 +120,7 @@ bool parameter_check_name(struct deck *d, const struct word *w) {
 }
 
 struct define *deck_define_find(const struct deck *d, const char *name) {
+    assert(name);
     for (int i = 0; i < d->reader->n_define; i++) {
         if (strcmp(d->reader->define[i].name, name) == 0) {
             return &d->reader->define[i];
@@ -164,6 +167,7 @@ static bool split(struct deck *d, const char *text, struct define *define) {
 }
 
 bool deck_define_open(struct deck *d, const char *const *define, int n_define) {
+    assert(n_define >= 0 && (define || n_define == 0));
     d->reader->define = arena_alloc(d->arena, (size_t)n_define, sizeof *d->reader->define);
     if (!d->reader->define) {
         return false;

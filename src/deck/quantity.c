@@ -3,6 +3,7 @@
 // Values are in the deck's units.
 #include "deck/quantity.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -180,17 +181,6 @@ int quantity_function(const struct unit_system *u, const char *name, size_t n, s
     return check_finite(a, e);
 }
 
-// Notes that the unit g is used, because the statement gravity must be above all uses of g.
-static void note_gravity(struct deck *d, const char *unit, double size) {
-    const char *end;
-    struct dimension dimension;
-    double other;
-    if (!d->reader->gravity_used &&
-        unit_parse(unit, 2 * d->units.gravity, &end, &dimension, &other) && other != size) {
-        d->reader->gravity_used = true;
-    }
-}
-
 static bool starts_unit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%';
 }
@@ -235,7 +225,14 @@ static bool literal_unit(struct deck *d, const struct word *w, const char **at,
     if (!unit_parse(unit, d->units.gravity, at, &out->dimension, &size)) {
         return !starts_unit(*unit) || unknown_unit(d, w, unit);
     }
-    note_gravity(d, unit, size);
+    // Notes that the unit g is used, because the statement gravity must be above all uses of g.
+    const char *end;
+    struct dimension dimension;
+    double other;
+    if (!d->reader->gravity_used &&
+        unit_parse(unit, 2 * d->units.gravity, &end, &dimension, &other) && other != size) {
+        d->reader->gravity_used = true;
+    }
     if (**at == '^') {
         return deck_report_false(
             d, w, *at, *at + 1,
@@ -251,6 +248,7 @@ static bool literal_unit(struct deck *d, const struct word *w, const char **at,
 }
 
 bool quantity_read(struct deck *d, const struct word *w, const char **at, struct quantity *out) {
+    assert(at && *at && out);
     const char *start = *at;
     *out = (struct quantity){0};
     enum text_number found = text_number(start, at, &out->value);

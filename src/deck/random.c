@@ -19,6 +19,7 @@
 // the values of the others.
 #include "deck/random.h"
 
+#include <assert.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
@@ -127,22 +128,8 @@ static double probability(const gsl_rng *twister) {
     return ((double)gsl_rng_get(twister) + 0.5) / 4294967296.0;
 }
 
-// Writes the probabilities u_i into `value`.
-static void draw_probabilities(const struct random_values *r, gsl_rng *twister, int *order,
-                               double *value) {
-    for (int i = 0; i < r->n; i++) {
-        order[i] = i;
-    }
-    if (r->plan == RANDOM_LATIN) {
-        gsl_ran_shuffle(twister, order, (size_t)r->n, sizeof *order);
-    }
-    for (int i = 0; i < r->n; i++) {
-        const double u = probability(twister);
-        value[i] = r->plan == RANDOM_LATIN ? (order[i] + u) / r->n : u;
-    }
-}
-
 int random_draw(const struct random_values *r, int *order, double *value, struct error *e) {
+    assert(r->n > 0 && order && value);
     const struct distribution *d = r->distribution;
     struct part part = {LOWER_TAIL, 0.0, 1.0};
     if (d->score) {
@@ -158,7 +145,17 @@ int random_draw(const struct random_values *r, int *order, double *value, struct
         return error_no_memory(e);
     }
     gsl_rng_set(twister, seed_of(r));
-    draw_probabilities(r, twister, order, value);
+    // Writes the probabilities u_i into `value`.
+    for (int i = 0; i < r->n; i++) {
+        order[i] = i;
+    }
+    if (r->plan == RANDOM_LATIN) {
+        gsl_ran_shuffle(twister, order, (size_t)r->n, sizeof *order);
+    }
+    for (int i = 0; i < r->n; i++) {
+        const double u = probability(twister);
+        value[i] = r->plan == RANDOM_LATIN ? (order[i] + u) / r->n : u;
+    }
     gsl_rng_free(twister);
     for (int i = 0; i < r->n; i++) {
         const double x = d->value(r->a, r->b, d->score ? score_at(&part, value[i]) : value[i]);

@@ -84,21 +84,6 @@ static bool append_dollar(struct deck *d, const struct word *w, struct buffer *b
     return append(d, w, b, "$", 1);
 }
 
-static const char *keep(struct deck *d, const struct word *w, const struct buffer *b) {
-    d->reader->n_replaced += b->used;
-    if (d->reader->n_replaced > TEXT_TOTAL_MAX) {
-        deck_error(d, w,
-                   "all texts together are longer than %d bytes with their parameters replaced",
-                   TEXT_TOTAL_MAX);
-        return NULL;
-    }
-    const char *text = arena_text(d->arena, b->text, b->used);
-    if (!text) {
-        diagnostics_no_memory(&d->diagnostics);
-    }
-    return text;
-}
-
 const char *deck_text_of_file(struct deck *d, const struct word *w) {
     if (!strchr(w->text, '$')) {
         return w->text;
@@ -113,7 +98,18 @@ const char *deck_text_of_file(struct deck *d, const struct word *w) {
         }
         at += plain;
     }
-    return keep(d, w, &b);
+    d->reader->n_replaced += b.used;
+    if (d->reader->n_replaced > TEXT_TOTAL_MAX) {
+        deck_error(d, w,
+                   "all texts together are longer than %d bytes with their parameters replaced",
+                   TEXT_TOTAL_MAX);
+        return NULL;
+    }
+    const char *text = arena_text(d->arena, b.text, b.used);
+    if (!text) {
+        diagnostics_no_memory(&d->diagnostics);
+    }
+    return text;
 }
 
 const char *deck_text(struct deck *d, const struct word *w) {

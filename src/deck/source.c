@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a deck, and the errors and warnings at their words.
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,6 +10,7 @@
 #include "deck/reader.h"
 
 void *deck_array(struct deck *d, size_t n, size_t size) {
+    assert(size > 0);
     void *array = arena_alloc(d->arena, n, size);
     if (!array) {
         diagnostics_no_memory(&d->diagnostics);
@@ -23,6 +25,7 @@ static size_t text_start(const struct source *s) {
 }
 
 struct source *source_add(struct deck *d, const char *name, const char *text, size_t size) {
+    assert(name && text);
     struct source *s = arena_alloc(d->arena, 1, sizeof *s);
     char *cell = arena_text(d->arena, text, size);
     if (!s || !cell) {

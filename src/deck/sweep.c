@@ -103,17 +103,6 @@ static const struct sweep *dimension_of(const struct deck *first, const struct s
     return NULL;
 }
 
-// Copies the sweep that the first reading found in these lines.
-static void take_known(const struct deck *d, const struct statement *s, struct sweep *own,
-                       struct bundle_request *q) {
-    const struct sweep *of = dimension_of(d->reader->first_reading, s->known);
-    *own = *s->known;
-    own->next = own->along = NULL;
-    q->name = s->word[1];
-    q->name.text = of ? of->name : NULL;
-    q->count = &s->word[1];
-}
-
 // The value of `sweep` in this run, as a parameter.
 static struct parameter chosen(const struct deck *d, const struct sweep *sweep) {
     int choice = 0;
@@ -131,7 +120,13 @@ static struct parameter chosen(const struct deck *d, const struct sweep *sweep) 
 static bool read(struct deck *d, const struct statement *s, struct sweep *own,
                  struct bundle_request *q) {
     if (s->known) {
-        take_known(d, s, own, q);
+        // Copies the sweep that the first reading found in these lines.
+        const struct sweep *of = dimension_of(d->reader->first_reading, s->known);
+        *own = *s->known;
+        own->next = own->along = NULL;
+        q->name = s->word[1];
+        q->name.text = of ? of->name : NULL;
+        q->count = &s->word[1];
         return true;
     }
     d->reader->swept = false;

@@ -39,15 +39,6 @@ struct request {
     struct parameter first;  // the argument a; the values have its unit
 };
 
-static const struct distribution *find_distribution(struct deck *d, const struct word *w) {
-    const char *known[8];
-    for (int i = 0; i < n_random_distribution; i++) {
-        known[i] = random_distributions[i]->name;
-    }
-    const int i = deck_keyword(d, w, "distribution", known, n_random_distribution);
-    return i >= 0 ? random_distributions[i] : NULL;
-}
-
 // Reads the argument b of a distribution in which b has no dimension.
 static bool read_pure(struct deck *d, const struct word *w, const char *name, struct parameter *p) {
     struct quantity_text t;
@@ -84,7 +75,12 @@ static bool read_shape(struct deck *d, struct request *q) {
     const struct statement *s = q->statement;
     struct random_values *r = &q->values;
     struct parameter b;
-    r->distribution = find_distribution(d, &s->word[3]);
+    const char *known[8];
+    for (int i = 0; i < n_random_distribution; i++) {
+        known[i] = random_distributions[i]->name;
+    }
+    const int i = deck_keyword(d, &s->word[3], "distribution", known, n_random_distribution);
+    r->distribution = i >= 0 ? random_distributions[i] : NULL;
     if (!r->distribution) {
         return false;
     }

@@ -3,6 +3,7 @@
 //
 // range gives FROM + i (TO - FROM) / (N - 1), or with -log FROM (TO / FROM)^(i / (N - 1)), i = 0 ..
 // N - 1; the last is TO itself.
+#include <assert.h>
 #include <glob.h>
 #include <math.h>
 #include <stdlib.h>
@@ -60,6 +61,7 @@ static struct parameter *read_values(struct deck *d, const struct word *word, in
 }
 
 bool sweep_take(struct deck *d, struct sweep *s, const struct parameter *p, int n) {
+    assert(n >= 0 && (p || n == 0));
     s->n = n;
     if (p[0].kind == PARAMETER_TEXT) {
         const char **text = deck_array(d, (size_t)n, sizeof *text);
@@ -316,29 +318,6 @@ static bool may_be_file(struct deck *d, const struct sweep *s, const char *text)
            access(path[1], F_OK) == 0;
 }
 
-// Changes a -D that gives the label of a file, as tables show it, into the path of the file. False
-// after having reported that the -D is neither a label nor a file.
-static bool take_label(struct deck *d, const struct sweep *s) {
-    struct define *define = deck_define_find(d, s->name);
-    for (int i = 0; define && i < s->n; i++) {
-        if (strcmp(define->value.text, s->label[i]) == 0) {
-            define->value.text = s->text[i];
-            define->beside = s->origin;
-            return true;
-        }
-    }
-    if (!define || define->beside || may_be_file(d, s, define->value.text)) {
-        return true;
-    }
-    deck_unknown(d, &define->value, define->value.text, s->name, s->label, s->n);
-    define->taken = true;
-    struct parameter *p = parameter_find(d, s->name, strlen(s->name));
-    if (p) {
-        p->kind = PARAMETER_WRONG;
-    }
-    return false;
-}
-
 enum extension { WITHOUT_EXTENSION, WITH_EXTENSION };
 
 // The text of `s` whose file name, with or without extension, is `name`; NULL: there is none, or
@@ -390,5 +369,23 @@ bool sweep_files(struct deck *d, const struct word *w, const char *pattern, stru
     } else if (!search(d, w, pattern, out)) {
         return false;
     }
-    return take_label(d, out);
+    // Changes a -D that gives the label of a file, as tables show it, into the path of the file.
+    struct define *define = deck_define_find(d, out->name);
+    for (int i = 0; define && i < out->n; i++) {
+        if (strcmp(define->value.text, out->label[i]) == 0) {
+            define->value.text = out->text[i];
+            define->beside = out->origin;
+            return true;
+        }
+    }
+    if (!define || define->beside || may_be_file(d, out, define->value.text)) {
+        return true;
+    }
+    deck_unknown(d, &define->value, define->value.text, out->name, out->label, out->n);
+    define->taken = true;
+    struct parameter *p = parameter_find(d, out->name, strlen(out->name));
+    if (p) {
+        p->kind = PARAMETER_WRONG;
+    }
+    return false;
 }

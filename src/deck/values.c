@@ -105,26 +105,6 @@ static bool check_dimension(struct deck *d, const struct row *row, struct dimens
     return false;
 }
 
-static bool check_range(struct deck *d, const struct row *row, struct dimension dimension,
-                        const struct word *w, double value) {
-    const double largest = 2147483647;  // whole numbers must fit an int
-    if (row->kind == ROW_INTEGER && (value != floor(value) || fabs(value) > largest)) {
-        deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key, value,
-                   largest);
-        return false;
-    }
-    double size = unit_size(&d->units, dimension);
-    if (range_holds(row->range, unit_convert(value, size, 1))) {
-        return true;
-    }
-    char unit[64];
-    unit_text(&d->units, dimension, unit, sizeof unit);
-    bool pure = dimension_equal(dimension, dimension_none);
-    deck_error(d, w, "%s is %.10g%s%s; it must be %s", row->key, value, pure ? "" : " ",
-               pure ? "" : unit, row->range->text);
-    return false;
-}
-
 // False after having reported a word that does not start like a number, such as a parameter's name.
 static bool check_number_like(struct deck *d, const struct row *row, const struct word *w,
                               const char *from) {
@@ -158,7 +138,25 @@ static bool read_number(struct deck *d, const struct row *row, struct dimension 
     }
     *value = q.value;
     *bare = !q.known;
-    return check_dimension(d, row, dimension, w, &q) && check_range(d, row, dimension, w, q.value);
+    if (!check_dimension(d, row, dimension, w, &q)) {
+        return false;
+    }
+    const double largest = 2147483647;  // whole numbers must fit an int
+    if (row->kind == ROW_INTEGER && (q.value != floor(q.value) || fabs(q.value) > largest)) {
+        deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key, q.value,
+                   largest);
+        return false;
+    }
+    double size = unit_size(&d->units, dimension);
+    if (range_holds(row->range, unit_convert(q.value, size, 1))) {
+        return true;
+    }
+    char unit[64];
+    unit_text(&d->units, dimension, unit, sizeof unit);
+    bool pure = dimension_equal(dimension, dimension_none);
+    deck_error(d, w, "%s is %.10g%s%s; it must be %s", row->key, q.value, pure ? "" : " ",
+               pure ? "" : unit, row->range->text);
+    return false;
 }
 
 static bool read_numbers(struct deck *d, const struct row *row, double power,

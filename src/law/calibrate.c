@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "law/calibrate.h"
+#include "law/restitution.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "core/root.h"
@@ -36,6 +37,7 @@ static double excess(double zeta, void *context) {
 }
 
 double calibrate_by_impact(const struct contact_law *law, double e, double guess) {
+    assert(law && e > 0.0 && e <= 1.0);
     if (e == 1.0) {
         return 0.0;
     }

@@ -119,26 +119,6 @@ static double normalised_error(const struct fit *f) {
            gsl_blas_dnrm2(&measured.vector);
 }
 
-static void summarise(const struct fit *f, struct fit_result *out) {
-    const double degrees = (double)f->model.q->n - f->n_unknown;
-    const double sigma = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(f->work)) / sqrt(degrees);
-    const struct fit_point p = point_of(f, gsl_multifit_nlinear_position(f->work));
-    double error[N_UNKNOWN_MAX] = {0};
-    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(f->work), 0.0, f->covariance);
-    for (int u = 0; u < f->n_unknown; u++) {
-        error[u] = sigma * sqrt(gsl_matrix_get(f->covariance, (size_t)u, (size_t)u));
-    }
-    *out = (struct fit_result){
-        .k = {p.k, p.k * error[K]},
-        .zeta = {NAN, NAN},
-        .start = {p.start, f->duration * error[START]},
-        .normalised_error = normalised_error(f),
-    };
-    if (f->n_unknown > ZETA) {
-        out->zeta = (struct fit_parameter){p.zeta, p.zeta * error[ZETA]};
-    }
-}
-
 // One search from f->start.
 static int search(struct fit *f, struct fit_result *out, struct error *e) {
     double first[N_UNKNOWN_MAX] = {ORIGIN, ORIGIN, ORIGIN};
@@ -161,7 +141,23 @@ static int search(struct fit *f, struct fit_result *out, struct error *e) {
                          f->model.q->law->name, 100.0 * normalised_error(f),
                          gsl_multifit_nlinear_niter(f->work));
     }
-    summarise(f, out);
+    const double degrees = (double)f->model.q->n - f->n_unknown;
+    const double sigma = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(f->work)) / sqrt(degrees);
+    const struct fit_point p = point_of(f, gsl_multifit_nlinear_position(f->work));
+    double error[N_UNKNOWN_MAX] = {0};
+    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(f->work), 0.0, f->covariance);
+    for (int u = 0; u < f->n_unknown; u++) {
+        error[u] = sigma * sqrt(gsl_matrix_get(f->covariance, (size_t)u, (size_t)u));
+    }
+    *out = (struct fit_result){
+        .k = {p.k, p.k * error[K]},
+        .zeta = {NAN, NAN},
+        .start = {p.start, f->duration * error[START]},
+        .normalised_error = normalised_error(f),
+    };
+    if (f->n_unknown > ZETA) {
+        out->zeta = (struct fit_parameter){p.zeta, p.zeta * error[ZETA]};
+    }
     return STATUS_OK;
 }
 
@@ -252,24 +248,6 @@ static int search_all(struct fit *f, struct fit_result *out, struct error *e) {
     return search(f, out, e);
 }
 
-static int allocate(struct fit *f, struct error *e) {
-    const size_t p = (size_t)f->n_unknown;
-    gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
-    f->work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, f->model.q->n, p);
-    f->covariance = gsl_matrix_alloc(p, p);
-    return f->work && f->covariance ? STATUS_OK : error_no_memory(e);
-}
-
-static void release(struct fit *f) {
-    if (f->work) {
-        gsl_multifit_nlinear_free(f->work);
-    }
-    if (f->covariance) {
-        gsl_matrix_free(f->covariance);
-    }
-    fit_model_free(&f->model);
-}
-
 int fit_run(const struct fit_request *request, struct fit_result *out, struct error *e) {
     struct fit f = {.work = NULL};
     int status = fit_model_init(request, &f.model, e);
@@ -279,7 +257,11 @@ int fit_run(const struct fit_request *request, struct fit_result *out, struct er
         status = fit_check_impulse(&f.model, &agreed, e);
     }
     if (status == STATUS_OK) {
-        status = allocate(&f, e);
+        const size_t p = (size_t)f.n_unknown;
+        gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
+        f.work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, f.model.q->n, p);
+        f.covariance = gsl_matrix_alloc(p, p);
+        status = f.work && f.covariance ? STATUS_OK : error_no_memory(e);
     }
     if (status == STATUS_OK) {
         status = fit_start(&f.model, &f.start, &f.duration, e);
@@ -289,6 +271,12 @@ int fit_run(const struct fit_request *request, struct fit_result *out, struct er
         out->restitution = agreed.restitution;
         out->cut = agreed.cut;
     }
-    release(&f);
+    if (f.work) {
+        gsl_multifit_nlinear_free(f.work);
+    }
+    if (f.covariance) {
+        gsl_matrix_free(f.covariance);
+    }
+    fit_model_free(&f.model);
     return status;
 }

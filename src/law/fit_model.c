@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "law/fit_model.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,23 +99,6 @@ bool fit_model_note_jumps(struct fit_model *m) {
     return m->jumps_closing || m->jumps_opening;
 }
 
-// The samples up to `first` continue the force at closure, those from `end` on that at opening, as
-// far as they are held. The others have none.
-static void hold(struct fit_model *m, const struct fit_samples *held) {
-    for (size_t i = 0; i < m->q->n; i++) {
-        const bool before = i < m->contact.first;
-        const bool in = i >= held->first && i < held->end;
-        if (in && !before && i < m->contact.end) {
-            continue;
-        }
-        const struct isolated_point *edge = before ? &m->closure : &m->opening;
-        const double rate = in && isfinite(edge->rate) ? edge->rate : 0.0;
-        m->force[i] = in ? edge->force + rate * (m->time[i] - edge->time) : 0.0;
-        m->rate[i] = rate;
-    }
-    m->contact = *held;
-}
-
 // Takes the samples on both sides of a jump, of which `inner` is the one in contact, as measured.
 static void leave_out(struct fit_model *m, size_t inner, size_t outer) {
     const size_t n = m->q->n;
@@ -125,15 +109,6 @@ static void leave_out(struct fit_model *m, size_t inner, size_t outer) {
     }
 }
 
-static void leave_out_jumps(struct fit_model *m) {
-    if (m->contact.first > 0 && m->jumps_closing) {
-        leave_out(m, m->contact.first, m->contact.first - 1);
-    }
-    if (m->contact.end > m->contact.first && m->jumps_opening) {
-        leave_out(m, m->contact.end - 1, m->contact.end);
-    }
-}
-
 static void clear(struct fit_model *m) {
     memset(m->force, 0, m->q->n * sizeof *m->force);
     memset(m->rate, 0, m->q->n * sizeof *m->rate);
@@ -141,6 +116,7 @@ static void clear(struct fit_model *m) {
 
 void fit_model_predict(struct fit_model *m, const struct fit_point *p,
                        const struct fit_samples *held) {
+    assert(m && p);
     size_t first = 0;
     for (size_t i = 0; i < m->q->n; i++) {
         m->time[i] = m->q->time[i] - p->start;
@@ -160,12 +136,31 @@ void fit_model_predict(struct fit_model *m, const struct fit_point *p,
         return;
     }
     if (held) {
-        hold(m, held);
+        // The samples up to `first` continue the force at closure, those from `end` on that at
+        // opening, as far as they are held. The others have none.
+        for (size_t i = 0; i < m->q->n; i++) {
+            const bool before = i < m->contact.first;
+            const bool in = i >= held->first && i < held->end;
+            if (in && !before && i < m->contact.end) {
+                continue;
+            }
+            const struct isolated_point *edge = before ? &m->closure : &m->opening;
+            const double rate = in && isfinite(edge->rate) ? edge->rate : 0.0;
+            m->force[i] = in ? edge->force + rate * (m->time[i] - edge->time) : 0.0;
+            m->rate[i] = rate;
+        }
+        m->contact = *held;
     }
-    leave_out_jumps(m);
+    if (m->contact.first > 0 && m->jumps_closing) {
+        leave_out(m, m->contact.first, m->contact.first - 1);
+    }
+    if (m->contact.end > m->contact.first && m->jumps_opening) {
+        leave_out(m, m->contact.end - 1, m->contact.end);
+    }
 }
 
 double fit_model_squares(struct fit_model *m, const struct fit_point *p) {
+    assert(m && p);
     double sum = 0.0;
     fit_model_predict(m, p, NULL);
     for (size_t i = 0; i < m->q->n; i++) {
@@ -193,9 +188,15 @@ struct pulse {
     double edges;  // by which the impulse may be off at both ends
 };
 
-static struct pulse find_pulse(const struct fit_request *q, double peak) {
+// The force at an end of the record that the pulse reaches, over the peak.
+static double cut_at(const struct fit_request *q, size_t end, size_t edge, double peak) {
+    return edge == end && q->force[edge] > CUT * peak ? q->force[edge] / peak : 0.0;
+}
+
+int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct error *e) {
+    const struct fit_request *q = m->q;
     size_t top = 0;
-    while (q->force[top] < peak) {
+    while (q->force[top] < m->peak) {
         top++;
     }
     struct pulse p = {top, top, 0.0, 0.0};
@@ -213,17 +214,6 @@ static struct pulse find_pulse(const struct fit_request *q, double peak) {
     const double behind = p.last + 1 < q->n ? q->time[p.last + 1] - q->time[p.last] : 0.0;
     p.edges = (q->force[p.first] * before + q->force[p.last] * behind) / 2.0;
     p.impulse += p.edges;
-    return p;
-}
-
-// The force at an end of the record that the pulse reaches, over the peak.
-static double cut_at(const struct fit_request *q, size_t end, size_t edge, double peak) {
-    return edge == end && q->force[edge] > CUT * peak ? q->force[edge] / peak : 0.0;
-}
-
-int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct error *e) {
-    const struct fit_request *q = m->q;
-    const struct pulse p = find_pulse(q, m->peak);
     const double momentum = q->mass * q->velocity;
     const double error = MEASURING_ERROR + p.edges / momentum;
     out->restitution = p.impulse / momentum - 1.0;

@@ -37,27 +37,6 @@ static void add_point(void *context, const struct isolated_point *p) {
     moments_add(context, p->time, p->force);
 }
 
-// Of the samples around the peak, down to PULSE of it.
-static struct moments find_pulse(const struct fit_model *m) {
-    const struct fit_request *q = m->q;
-    size_t first = 0;
-    while (q->force[first] < m->peak) {
-        first++;
-    }
-    size_t last = first;
-    while (first > 0 && q->force[first] > PULSE * m->peak) {
-        first--;
-    }
-    while (last + 1 < q->n && q->force[last] > PULSE * m->peak) {
-        last++;
-    }
-    struct moments pulse = {.n = 0};
-    for (size_t i = first; i <= last; i++) {
-        moments_add(&pulse, q->time[i], q->force[i]);
-    }
-    return pulse;
-}
-
 struct search {
     struct fit_model *model;
     struct fit_point at;
@@ -147,7 +126,23 @@ static void scan(struct fit_model *m, struct fit_point *p, double width) {
 }
 
 int fit_start(struct fit_model *m, struct fit_point *p, double *duration, struct error *e) {
-    const struct moments pulse = find_pulse(m);
+    // Of the samples around the peak, down to PULSE of it.
+    const struct fit_request *q = m->q;
+    size_t first = 0;
+    while (q->force[first] < m->peak) {
+        first++;
+    }
+    size_t last = first;
+    while (first > 0 && q->force[first] > PULSE * m->peak) {
+        first--;
+    }
+    while (last + 1 < q->n && q->force[last] > PULSE * m->peak) {
+        last++;
+    }
+    struct moments pulse = {.n = 0};
+    for (size_t i = first; i <= last; i++) {
+        moments_add(&pulse, q->time[i], q->force[i]);
+    }
     struct search s = {.model = m};
     struct moments impact = {.n = 0};
     const struct isolated_observer observer = {.point = add_point, .context = &impact};

@@ -12,6 +12,7 @@
 // Impulse and energy follow from the velocities: m (v0 + v1) and m (v0^2 - v1^2) / 2.
 #include "law/isolated.h"
 
+#include <assert.h>
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
@@ -263,18 +264,6 @@ static bool allocate(struct flight *f) {
     return f->step && f->control && f->evolve;
 }
 
-static void release(struct flight *f) {
-    if (f->evolve) {
-        gsl_odeiv2_evolve_free(f->evolve);
-    }
-    if (f->control) {
-        gsl_odeiv2_control_free(f->control);
-    }
-    if (f->step) {
-        gsl_odeiv2_step_free(f->step);
-    }
-}
-
 // An impact without a force is over at once.
 static void rigid(const struct contact_law *law, const double *constant, double mass,
                   double velocity, const struct isolated_observer *observer,
@@ -308,13 +297,22 @@ static int follow(struct flight *f, struct isolated_impact *out, struct error *e
     if (status == STATUS_OK) {
         summarise(f, out);
     }
-    release(f);
+    if (f->evolve) {
+        gsl_odeiv2_evolve_free(f->evolve);
+    }
+    if (f->control) {
+        gsl_odeiv2_control_free(f->control);
+    }
+    if (f->step) {
+        gsl_odeiv2_step_free(f->step);
+    }
     return status;
 }
 
 int isolated_run(const struct contact_law *law, const double *constant, double mass,
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e) {
+    assert(law && constant && mass > 0.0 && velocity > 0.0);
     if (law->rebound) {
         rigid(law, constant, mass, velocity, observer, out);
         return STATUS_OK;
@@ -330,6 +328,7 @@ int isolated_run(const struct contact_law *law, const double *constant, double m
 
 int isolated_duration(const struct contact_law *law, const double *constant, double mass,
                       double velocity, double *out, struct error *e) {
+    assert(law && constant && mass > 0.0 && velocity > 0.0);
     struct isolated_impact impact = {.duration = 0.0};
     struct flight f = {
         .law = law, .constant = constant, .mass = mass, .velocity = velocity, .accuracy = &rough};

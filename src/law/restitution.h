@@ -4,6 +4,7 @@
 #ifndef JOSTLE_RESTITUTION_H
 #define JOSTLE_RESTITUTION_H
 
+#include "jostle/contact_law.h"
 #include "jostle/row.h"
 
 // 1e-6 <= e <= 1. Published relations have 1 / e, which gives excessive forces for small e. Below
@@ -57,5 +58,13 @@ double restitution_no_tension(double e);
 
 // The ratio given by the user, or the one from e: exactly one of the two is not NAN.
 double restitution_ratio(double e, double zeta, double (*relation)(double e));
+
+// The damping ratio with which a law delivers a given coefficient of restitution.
+
+// The value of row `zeta` with which an isolated impact has the restitution e. The impact has k, m
+// and v0 equal to 1; other rows have their fallback. For the `exact` of a law whose restitution
+// depends only on zeta and falls with it. The search starts at `guess` > 0. NAN: no such value was
+// found, or no memory.
+double calibrate_by_impact(const struct contact_law *law, double e, double guess);
 
 #endif

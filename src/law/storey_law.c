@@ -2,9 +2,10 @@
 // The table of storey laws.
 #include "jostle/storey_law.h"
 
+#include <assert.h>
 #include <string.h>
 
-#include "law/storey_list.h"
+#include "law/lists.h"
 #include "law/yield.h"
 
 const struct range yield_hardening_range = {
@@ -19,6 +20,7 @@ const struct storey_law *const storey_laws[] = {
 const int n_storey_law = sizeof storey_laws / sizeof storey_laws[0];
 
 const struct storey_law *storey_law_find(const char *name) {
+    assert(name);
     for (int i = 0; i < n_storey_law; i++) {
         if (strcmp(storey_laws[i]->name, name) == 0) {
             return storey_laws[i];

@@ -10,6 +10,7 @@
 static const char wall[] = "wall";
 
 void *builder_append(struct builder *b, struct list *list, size_t size) {
+    assert(list->n <= list->capacity && size > 0);
     if (list->n == list->capacity) {
         int capacity = list->capacity ? 2 * list->capacity : 8;
         void *item = arena_alloc(b->arena, (size_t)capacity, size);
@@ -26,6 +27,7 @@ void *builder_append(struct builder *b, struct list *list, size_t size) {
 }
 
 double *builder_spread(struct builder *b, const struct argument *a, int n, const char *owner) {
+    assert(a->n > 0 && n > 0);
     if (a->n != 1 && n == 1) {
         deck_error(b->deck, &a->key, "%d values where one is needed", a->n);
         return NULL;
@@ -44,6 +46,7 @@ double *builder_spread(struct builder *b, const struct argument *a, int n, const
 
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage) {
+    assert(least <= most);
     if (s->n_plain - 1 < least) {
         deck_error(b->deck, &s->word[0], "too few words; usage: %s %s", s->word[0].text, usage);
         return false;
@@ -78,10 +81,12 @@ int builder_variant(struct builder *b, const struct word *w, const char *what,
 }
 
 struct building_draft *builder_draft(struct builder *b, int i) {
+    assert(i >= 0 && i < b->buildings.n);
     return (struct building_draft *)b->buildings.item + i;
 }
 
 int builder_find_building(const struct builder *b, const char *name, size_t length) {
+    assert(name);
     return name_index_find(&b->building_index, name, length);
 }
 
@@ -92,6 +97,7 @@ struct building_draft *builder_add_building(struct builder *b, const char *name)
 }
 
 void builder_add_part(struct builder *b, struct building_draft *d, const struct part *part) {
+    assert(part->kind);
     int number = 1;
     for (int i = 0; i < d->parts.n; i++) {
         number += ((const struct part *)d->parts.item)[i].kind == part->kind;
@@ -104,7 +110,8 @@ void builder_add_part(struct builder *b, struct building_draft *d, const struct 
     }
 }
 
-// In a torn deck the building may be in what could not be read, so nothing more is reported.
+// The index of the building; -1: not found. If lines of the deck could not be read (torn), they may
+// define the building, so there is no report.
 static int find_or_report(struct builder *b, const struct word *w, const char *name, size_t length,
                           enum wall_use walls) {
     int i = builder_find_building(b, name, length);
@@ -139,7 +146,7 @@ static void report_selection(struct builder *b, const struct word *w) {
     }
 }
 
-// One floor number of a selection, at least `lowest`; -1 after a report.
+// Reads one floor number of a selection, at least `lowest`; -1 after a report.
 static int parse_floor(struct builder *b, const struct word *w, const char **text,
                        const struct building_draft *d, int lowest) {
     int floor = 0;
@@ -179,7 +186,7 @@ static bool take_floors(struct builder *b, const struct word *w, int first, int 
     return true;
 }
 
-// `1:5`, `3` or `1,3,5:7` in the order written; false after a report.
+// Reads `1:5`, `3` or `1,3,5:7` in the order written; false after a report.
 static bool parse_floors(struct builder *b, const struct word *w, const char *text, int *floor,
                          struct selection *out) {
     const struct building_draft *d = builder_draft(b, out->building);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model while its deck is being read: growing lists of drafts, finished by model_build once the
-// deck has ended. Statements (src/model/statement/) fill it.
+// The builder holds a model while its deck is read: growing lists of drafts, which the statements
+// (src/model/statement/) fill. At the end of the deck, model_build makes the model from the drafts.
 #ifndef JOSTLE_BUILDER_H
 #define JOSTLE_BUILDER_H
 
@@ -8,7 +8,7 @@
 #include "jostle/model.h"
 #include "model/name_index.h"
 
-enum { OUTPUT_EVERY_MAX = 1000000000 };  // steps from row to row
+enum { OUTPUT_EVERY_MAX = 1000000000 };  // largest number of steps from row to row
 
 // A growing array in an arena.
 struct list {
@@ -23,7 +23,7 @@ enum damping_kind {
     DAMPING_DASHPOT,       // value[i] of storey i
 };
 
-// One statement; those of a building add up.
+// One statement of damping. All statements of a building add up.
 struct damping_draft {
     enum damping_kind kind;
     struct word word;  // for messages
@@ -35,34 +35,34 @@ struct damping_draft {
 struct building_draft {
     const char *name;
     struct word word;
-    int n_floor;                        // 0: wrong in the deck, which is reported
+    int n_floor;                        // 0: wrong in the deck, and reported
     double *mass, *stiffness, *height;  // (n_floor); stiffness of shear storeys; height NULL: none
-    bool any_stiffness;                 // some shear storey has been given one, right or wrong
+    bool any_stiffness;                 // a shear storey has a stiffness, right or wrong
     bool any_part;                      // a statement gives a part, right or wrong
     struct list parts;                  // of struct part, beside the shear storeys
     struct list damping;                // of struct damping_draft
     struct storey *storey;              // (n_floor)
-    struct word *storey_word;  // (n_floor) where its law was given; text NULL: elastic by default
-    double *displacement, *velocity;  // (n_floor)
-    struct word *initial;             // (n_floor) where they were given; text NULL: at rest
+    struct word *storey_word;           // (n_floor) the word that gives the law; text NULL: elastic
+    double *displacement, *velocity;    // (n_floor)
+    struct word *initial;               // (n_floor) the word that gives them; text NULL: at rest
 };
 
-// A record still to be scaled to a pseudo-spectral acceleration, once the buildings' periods are
-// known.
+// The scaling of a record to a pseudo-spectral acceleration, which needs the periods of the
+// buildings.
 struct spectral_scaling {
-    double acceleration;  // [L/T^2]; 0: none is asked for
-    double period;        // [T]; 0: the first one of `building`
+    double acceleration;  // [L/T^2]; 0: the record is not scaled to one
+    double period;        // [T]; 0: the first period of `building`
     double damping;       // ratio
     int building;
-    struct word word;  // that asks for it
+    struct word word;  // that requests it
 };
 
 struct ground_draft {
     struct signal signal;
     struct spectral_scaling scaling;
-    bool bare;            // scaled to a -pga or -sa that has no unit
-    bool judged;          // the reader has warned of its size, which no -pga or -sa replaces
-    int n_building;       // 0: all
+    bool bare;       // scaled to a -pga or -sa without a unit
+    bool judged;     // the reader of records has warned about its size, and it has no -pga or -sa
+    int n_building;  // 0: all
     const int *building;  // (n_building)
     struct word word;
 };
@@ -78,7 +78,7 @@ struct link_draft {
     struct word word;
     bool named;    // by the user
     bool floors;   // named by the user, on both sides
-    bool overlap;  // an initial penetration is wanted
+    bool overlap;  // an initial penetration is allowed
 };
 
 struct builder {
@@ -89,7 +89,7 @@ struct builder {
     struct name_index building_index;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given
-    enum integrator method;                                  // that the integrator names
+    enum integrator method;                                  // of the integrator statement
     bool adaptive;                                           // kind of step
     double beta, gamma, tolerance, dt, run_time;
     struct step_control control;  // shortest 0: not given
@@ -101,51 +101,49 @@ struct builder {
     bool any_building, any_history;  // the deck has such a statement, right or wrong
 };
 
-// What finds no memory gives NULL or false and is not reported: the arena knows, and builder_finish
-// asks it.
+// Functions without memory return NULL or false and do not report it: builder_finish checks the
+// arena.
 
 // Room for one more zeroed item of `size` bytes at the end of the list. Items may move.
 void *builder_append(struct builder *b, struct list *list, size_t size);
 
-// Expands the list given for `row` to `n` values: one for all, or n. Reports other lengths. `owner`
-// names what there are n of ("floors of building A").
+// Expands the list of an option to `n` values. The list has one value for all, or n. Reports other
+// lengths. `owner` names the n items ("floors of building A").
 double *builder_spread(struct builder *b, const struct argument *a, int n, const char *owner);
 
-// True if `least` to `most` plain words follow the command; else reports what is missing or too
-// much, and shows `usage`.
+// True if `least` to `most` plain words follow the command. Otherwise reports that words are
+// missing or not expected, with `usage`.
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage);
 
-// Which of the variants of its statement `w` names; -1 after having reported that it is none, as an
-// unknown `what`.
+// The index of the variant of the statement that `w` names. -1 after a report of an unknown `what`.
 int builder_variant(struct builder *b, const struct word *w, const char *what,
                     const struct statement_kind *kind);
 
-// The building of this name, which need not end with 0; -1: there is none.
+// The index of the building with this name, which need not end with 0; -1: not found.
 int builder_find_building(const struct builder *b, const char *name, size_t length);
 
-// The building named by the whole word; -1 after having reported that there is none.
+// The index of the building that the whole word names; -1 after a report that there is none.
 int builder_building(struct builder *b, const struct word *w);
 struct building_draft *builder_draft(struct builder *b, int i);
 
-// Room for a building of this new name.
+// Adds a building with this new name; NULL: no memory.
 struct building_draft *builder_add_building(struct builder *b, const char *name);
 
-// Adds a part to the building, and gives it a name: that of its kind, with a number from the second
-// one on.
+// Adds a part to the building. Its name is that of its kind, with a number from the second part on.
 void builder_add_part(struct builder *b, struct building_draft *d, const struct part *part);
 
 // A selection of floors, `BUILDING[:FLOORS]` or `wall`.
 struct selection {
     int building;      // WALL, or index
     bool all;          // no floors were given
-    bool named;        // by the numbers of the floors
-    int lowest;        // floor that may be named
-    int n_floor;       // selected
+    bool named;        // floors were given by their numbers
+    int lowest;        // lowest floor that is allowed: 1, or 0
+    int n_floor;       // number of selected floors
     const int *floor;  // (n_floor) from 1, in the order written
 };
 
-// Parses `w`; reports and returns false if it is wrong. GROUND_ALLOWED: a wall, or floor 0.
+// Parses `w`; false after a report. GROUND_ALLOWED: `w` may be a wall, or select floor 0.
 enum wall_use { WALL_REFUSED, WALL_ALLOWED, GROUND_ALLOWED };
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out);
@@ -153,7 +151,14 @@ bool builder_select(struct builder *b, const struct word *w, enum wall_use walls
 // Marks a statement that may be given once; reports and returns false if `mark` is taken.
 bool builder_once(struct builder *b, struct word *mark, const struct statement *s);
 
-// Turns the drafts into a const model; src/model/finish.c.
+// Makes the const model from the drafts (src/model/finish.c).
 int builder_finish(struct builder *b, struct model *m, struct error *e);
+
+// The descriptors of statements. A statement is one file in src/model/statement/ with a const
+// descriptor (jostle/model.h), and one line in statement_list.inc. Parsing, `jostle deck` and the
+// deck reference come from the descriptor.
+#define STATEMENT(descriptor) extern const struct statement_kind descriptor;
+#include "model/statement_list.inc"
+#undef STATEMENT
 
 #endif

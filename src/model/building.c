@@ -2,6 +2,7 @@
 // The damping forces of a building, and the forces of its parts.
 #include "jostle/model.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "core/lanes.h"
@@ -21,6 +22,7 @@ void building_damping_force(const struct building *g, const double *v, double *f
 }
 
 double building_damping_ratio(const struct building *g, int mode) {
+    assert(mode >= 1 && mode <= g->n_floor && g->n_floor <= FLOORS_MAX);
     int n = g->n_floor;
     const double *phi = g->shape + (size_t)(mode - 1) * (size_t)n;
     double force[FLOORS_MAX];
@@ -49,6 +51,7 @@ void parts_respond(const struct building *g, const double *history, const double
 }
 
 double parts_stored(const struct building *g, const double *history, const double *drift) {
+    assert(drift);
     double sum = 0.0;
     for (int i = 0; i < g->n_part; i++) {
         const struct part *p = &g->part[i];

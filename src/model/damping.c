@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rayleigh: C = a0 M + a1 K, K the initial stiffness, with ratios zeta_i = a0 / (2 w_i) + a1 w_i /
-// 2 at two modes; a building of one storey is stiffness-proportional, a1 = 2 zeta / w. Modal: C = M
-// Phi diag(2 zeta w) Phi^T M, a full matrix (Chopra, Dynamics of Structures, section 11.4).
-// Statements add up: coefficients, dashpots of a storey and ratios of a mode are summed first, in
-// the order of the deck, and C is made once from the sums. So it is that of one statement with
-// them.
+// The damping matrix C of a building (Chopra, Dynamics of Structures, section 11.4).
+//
+// Rayleigh damping: C = a0 M + a1 K, where K is the initial stiffness. The damping ratios of two
+// modes give a0 and a1: zeta_i = a0 / (2 w_i) + a1 w_i / 2. A building of one storey has
+// stiffness-proportional damping, a1 = 2 zeta / w.
+// Modal damping: C = M Phi diag(2 zeta w) Phi^T M, a full matrix.
+//
+// Statements add up. The coefficients, the dashpots of each storey and the ratios of each mode are
+// summed first, in the order of the deck. Then C is computed once from the sums. So C is the same
+// as from one statement with these sums.
+#include <assert.h>
+
 #include "model/finish.h"
 
 #include "model/parts.h"
@@ -26,7 +32,7 @@ bool damping_is_modal(const struct building_draft *d) {
     return modal;
 }
 
-// a0 and a1 from ratios at two modes; false after a report.
+// Computes a0 and a1 from the ratios of two modes; false after a report.
 static bool rayleigh(struct builder *b, const struct building_draft *d,
                      const struct damping_draft *q, const double *omega, double *a0, double *a1) {
     double wi = omega[q->mode[0] - 1];
@@ -55,7 +61,7 @@ static bool rayleigh(struct builder *b, const struct building_draft *d,
     return true;
 }
 
-// Adds a0 M + a1 K(dashpot), where `dashpot` (n) takes the places of the storey stiffnesses.
+// Adds a0 M + a1 K to the bands, where `dashpot` (n) replaces the storey stiffnesses in K.
 static void add_tridiagonal(const struct building_draft *d, double a0, double a1,
                             const double *dashpot, double *diagonal, double *off) {
     for (int i = 0; i < d->n_floor; i++) {
@@ -65,7 +71,7 @@ static void add_tridiagonal(const struct building_draft *d, double a0, double a1
     }
 }
 
-// False after a report.
+// Only a ratio of 0 is allowed for a rigid-body mode; false after a report.
 static bool check_rigid_modes(struct builder *b, const struct building_draft *d,
                               const struct damping_draft *q, const double *omega) {
     for (int m = 0; m < d->n_floor; m++) {
@@ -85,7 +91,7 @@ static void add_values(const struct damping_draft *q, double *sum) {
     }
 }
 
-// False after a report.
+// Adds a statement of Rayleigh damping; false after a report.
 static bool add_rayleigh(struct builder *b, const struct building_draft *d,
                          const struct damping_draft *q, const double *omega, struct sums *s) {
     double a0 = q->value[0], a1 = q->value[1];
@@ -148,7 +154,7 @@ static void add_modal(const struct building_draft *d, const double *ratio, const
     }
 }
 
-// Adds a1 K of the parts of the building.
+// Adds a1 K, where K is the stiffness of the parts of the building.
 static void add_parts(const struct building *g, double a1, double *full) {
     const int n = g->n_floor;
     for (int i = 0; i < n; i++) {
@@ -183,6 +189,7 @@ static void mirror(int n_floor, double *full) {
 
 void damping_matrix(struct builder *b, const struct building_draft *d, const double *omega,
                     const double *shape, struct building *building) {
+    assert(d->n_floor == building->n_floor && (shape || !damping_is_modal(d)));
     size_t n = (size_t)d->n_floor;
     const bool modal = damping_is_modal(d), fills = modal || building->n_part > 0;
     double *diagonal = arena_alloc(b->arena, n, sizeof *diagonal);

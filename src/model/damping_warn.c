@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A storey with the initial stiffness k, the yield shear V_y and the Rayleigh coefficients alpha
-// and beta has a dashpot beta k beside its spring. A soft storey that
-// yields below others that do not isolates them: where it drifts at the rate r, the mass M above it
-// is carried along, and alpha M r brakes that. Both together are the share
+// The force of the dashpots of Rayleigh damping in storeys that yield. A storey has the initial
+// stiffness k, the yield shear V_y and the drift rate r. Rayleigh damping with the coefficients
+// alpha and beta gives the storey a dashpot beta k beside its spring. If the storey is an isolator
+// (soft, and all storeys above it stay elastic), the mass M above it moves at the rate r, too, and
+// its dashpots to the ground have the force alpha M r. Both forces together are the share
 //
 //     s = (beta k + alpha M) r / V_y
 //
-// of the yield shear. These dashpots do not yield. In a cycle of harmonic drift between -u and u it
-// takes pi s V_y u, and an elastoplastic spring of the yield drift u_y takes 4 V_y (u - u_y): at s
-// = 10 % the dashpot adds 8 % or more to the energy of hysteresis, so drifts are a few per cent too
-// small. J. F. Hall (2006), Problems encountered from the use (or misuse) of Rayleigh damping,
-// Earthquake Eng. Struct. Dyn. 35, 525-545.
+// of the yield shear. Dashpots do not yield. In a cycle of harmonic drift between -u and u, the
+// dashpots dissipate pi s V_y u. An elastoplastic spring with the yield drift u_y dissipates
+// 4 V_y (u - u_y). So at s = 10 % the dashpots add at least 8 % to the hysteretic energy, and the
+// computed drifts are a few per cent too small. J. F. Hall (2006), Problems encountered from the
+// use (or misuse) of Rayleigh damping, Earthquake Eng. Struct. Dyn. 35, 525-545.
 #include "model/guidance.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -20,13 +22,14 @@
 
 static const double SHARE_MAX = 0.1;
 
-// The force of the dashpots over the yield shear: of those by the mass, and of all.
+// The force of the dashpots divided by the yield shear: of the dashpots alpha M, and of all.
 struct share {
-    int storey;  // from 1; 0: none yields
+    int storey;  // from 1; 0: no storey yields
     double mass, all;
 };
 
-// Is storey i softer than half the next one, and do all above it stay elastic?
+// True if storey i is an isolator: less than half as stiff as the storey above, and all storeys
+// above stay elastic.
 static bool isolates(const struct model *m, const struct building *g, int i) {
     bool elastic = i + 1 < g->n_floor && g->stiffness[i] < 0.5 * g->stiffness[i + 1];
     for (int j = i + 1; elastic && j < g->n_floor; j++) {
@@ -37,8 +40,9 @@ static bool isolates(const struct model *m, const struct building *g, int i) {
 
 double damping_warning(const struct model *m, const struct building *g, const double *rate,
                        const char *known, char text[DAMPING_TEXT_SIZE]) {
+    assert(rate && known && text);
     const struct unit_system *u = &m->deck->units;
-    // The largest share.
+    // The storey with the largest share.
     struct share share = {0};
     double above = 0.0;
     for (int i = g->n_floor - 1; i >= 0; i--) {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Buildings of the model: modes, damping, parts and storeys; and all floors as one chain.
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/lanes.h"
-#include "law/storey_list.h"
+#include "law/lists.h"
 #include "model/finish.h"
 #include "model/modes.h"
 #include "model/parts.h"
 
-// A building met before with the same masses and stiffnesses, whose modes can be used again.
+// An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
 static const struct building *twin(const struct building *first, int n, const struct building *of) {
     size_t bytes = (size_t)of->n_floor * sizeof *of->mass;
     for (int i = 0; i < n; i++) {
@@ -21,7 +23,7 @@ static const struct building *twin(const struct building *first, int n, const st
     return NULL;
 }
 
-// Frequencies, shapes and damping matrix of building i.
+// Computes the frequencies, the mode shapes and the damping matrix of building i.
 static int finish_modes(struct builder *b, struct building *all, int i, struct error *e) {
     struct building *g = &all[i];
     const struct building *same = twin(all, i, g);
@@ -49,7 +51,7 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
     return STATUS_OK;
 }
 
-// The initial tangents of all parts, from which a building has come without turning.
+// Computes the initial stiffness and damping of all parts, and of the storeys with them.
 static void sum_parts(struct builder *b, struct building *g, const struct part *part, int n_part) {
     const size_t n = (size_t)g->n_floor;
     size_t n_history = 0;
@@ -89,16 +91,6 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     }
 }
 
-// Are all storeys that are not elastic of straight lines, none of which the law can name?
-static bool is_predictable(const struct building *g, const struct storey *storey) {
-    bool is = !g->elastic && g->n_part == 0;
-    for (int i = 0; i < g->n_floor; i++) {
-        const struct storey_law *law = storey[g->first + i].law;
-        is = is && (law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch));
-    }
-    return is;
-}
-
 static void finish_storeys(struct builder *b, struct model *m, struct building *g,
                            const struct building_draft *d, struct storey *storey) {
     g->elastic = true;
@@ -124,7 +116,14 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= linear;
         g->smooth |= !linear;
     }
-    g->predictable = is_predictable(g, storey);
+    // The tangent predicts the shear if each storey is elastic or has a law of straight lines that
+    // does not identify its line (`branch`).
+    bool is = !g->elastic && g->n_part == 0;
+    for (int i = 0; i < g->n_floor; i++) {
+        const struct storey_law *law = storey[g->first + i].law;
+        is = is && (law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch));
+    }
+    g->predictable = is;
     m->elastic &= g->elastic;
 }
 
@@ -137,6 +136,7 @@ static int count_floors(struct builder *b) {
 }
 
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
+    assert(b->buildings.n > 0);
     size_t n = (size_t)(m->n_dof = count_floors(b));
     m->n_building = b->buildings.n;
     m->elastic = true;
@@ -170,6 +170,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         memcpy(velocity + g->first, d->velocity, bytes);
         first += d->n_floor;
     }
+    assert(building[m->n_building - 1].first + building[m->n_building - 1].n_floor == m->n_dof);
     finish_grounds(b, m, building);
     m->building = building;
     m->storey = storey;
@@ -213,5 +214,12 @@ void finish_chain(struct builder *b, struct model *m) {
         }
         m->chain.full_damping |= g->damping_full != NULL;
         m->chain.parts |= g->n_part > 0;
+    }
+    // Loops over whole vectors read the element before the first floor and those behind the last.
+    for (int i = 0; i < N_ARRAY; i++) {
+        assert(x[i][-1] == 0.0);
+        for (int j = m->n_dof; j < m->chain.n; j++) {
+            assert(x[i][j] == 0.0);
+        }
     }
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Ground motions of the model: records scaled to spectra, and the sum of signals below each
+// building.
+#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <string.h>
 
@@ -7,7 +10,7 @@
 #include "model/finish.h"
 #include "model/signals.h"
 
-// The period that a record is scaled by; 0 after a report.
+// The period at which the spectrum of the record is scaled; 0 after a report.
 static double scaling_period(struct builder *b, const struct building *building,
                              const struct spectral_scaling *s) {
     if (s->period > 0.0) {
@@ -24,7 +27,7 @@ static double scaling_period(struct builder *b, const struct building *building,
     return period;
 }
 
-// The record times one factor, so that its spectrum passes the point asked for.
+// Multiplies the record by a factor, so that its spectrum has the requested value at the period.
 static void scale_record(struct builder *b, const struct building *building,
                          struct ground_draft *g) {
     const struct spectral_scaling *s = &g->scaling;
@@ -94,7 +97,7 @@ void finish_grounds(struct builder *b, struct model *m, struct building *buildin
     }
     for (int i = 0; i < m->n_building; i++) {
         bool *mark = set + (size_t)m->n_ground * n_draft;
-        // The drafts that act under building i, as a set of marks.
+        // mark[k]: draft k acts below building i.
         int n = 0;
         for (int k = 0; k < b->grounds.n; k++) {
             mark[k] = acts_under(&draft[k], i);
@@ -109,5 +112,6 @@ void finish_grounds(struct builder *b, struct model *m, struct building *buildin
             add_ground(b, &ground[m->n_ground++], mark, n);
         }
     }
+    assert(m->n_ground <= m->n_building);
     m->ground = ground;
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts, bilateral links and loads of the model.
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +9,8 @@
 #include "model/finish.h"
 #include "model/link_end.h"
 
-// Does -vmin in the place of v0 decide how the law lets go of bodies that part from rest?
+// True if the law uses -vmin as v0 for a contact that is closed at rest, and the force at the
+// separation depends on it.
 static bool parts_by_vmin(const struct link *l, double delta) {
     const int row = contact_law_row(l->law, "vmin");
     if (row < 0) {
@@ -46,7 +49,7 @@ static void check_overlap(struct builder *b, const struct model *m, const struct
     }
 }
 
-// Contacts before bilateral links, then by name, then in the order of the deck.
+// Sorts contacts before bilateral links, then by name, then in the order of the deck.
 static int compare_names(const void *a, const void *b) {
     const struct link_draft *const *x = a;
     const struct link_draft *const *y = b;
@@ -61,8 +64,8 @@ static bool same_name(const struct link_draft *a, const struct link_draft *b) {
     return a->link.bilateral == b->link.bilateral && strcmp(a->link.name, b->link.name) == 0;
 }
 
-// A second contact with a name that the user gave is an error; one between the same floors that was
-// named after them becomes NAME#2 and so on.
+// Two contacts with one name: an error if the user gave the name. A contact that was named after
+// its floors gets the name NAME#2, NAME#3 and so on.
 static void rename_twin(struct builder *b, const struct link_draft *first, struct link_draft *twin,
                         int number) {
     if (first->named || twin->named) {
@@ -74,7 +77,7 @@ static void rename_twin(struct builder *b, const struct link_draft *first, struc
     twin->link.name = name ? name : twin->link.name;
 }
 
-// Do both push with the same force?
+// True if both contacts have the same force at the same penetration.
 static bool same_contact(const struct link *a, const struct link *b) {
     const int n = contact_law_n_value(a->law, a->value);
     return !a->bilateral && a->law == b->law && a->gap == b->gap && a->mass == b->mass &&
@@ -82,7 +85,8 @@ static bool same_contact(const struct link *a, const struct link *b) {
            memcmp(a->value, b->value, (size_t)n * sizeof *a->value) == 0;
 }
 
-// Contacts that repeat one of their floors: the first of them in the deck, and how many there are.
+// Contacts that repeat another contact between the same floors: the first in the deck, and their
+// number.
 struct repeated {
     const struct link_draft *draft;
     int n;
@@ -134,6 +138,9 @@ static void finish_ends(const struct model *m, struct link *l) {
             ground[i] = g->ground;
         }
     }
+    assert(l->dof[0] < m->n_dof && l->dof[1] < m->n_dof);
+    assert(l->within || l->building[0] == WALL || l->building[1] == WALL ||
+           l->building[0] < l->building[1]);
     l->moving_ground = ground[0] != WALL && ground[1] != WALL && ground[0] != ground[1];
 }
 
@@ -156,6 +163,7 @@ void finish_links(struct builder *b, struct model *m) {
             m->n_contact = m->n_link;
         }
     }
+    assert(!link || (m->n_link == b->links.n && m->n_contact <= m->n_link));
     m->link = link;
 }
 
@@ -164,6 +172,7 @@ void finish_loads(struct builder *b, struct model *m) {
     struct load *load = arena_alloc(b->arena, (size_t)b->loads.n, sizeof *load);
     for (int i = 0; load && i < b->loads.n; i++) {
         load[i].dof = m->building[draft[i].building].first + draft[i].floor - 1;
+        assert(load[i].dof >= 0 && load[i].dof < m->n_dof);
         load[i].signal = draft[i].signal;
     }
     m->n_load = load ? b->loads.n : 0;

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Magnitudes that no building, gap or ground motion has come from units that were mixed up. The
-// limits lie well beyond what there is:
+// Warnings about magnitudes that no building, gap or ground motion has. They come from mixed-up
+// units. The limits are far beyond the values of real structures:
 //
-// Periods: 11.3 s of the highest tower (Baker, Korista & Novak 2007, The Structural Design of Tall
-// and Special Buildings 16, 361-375); stiff masonry has some 0.05 s a storey, a stiff containment
-// of 0.2 s in 20 lumps 0.01 s. Heights: 828 m of the same tower; storeys on shaking tables are some
-// centimetres high. Gaps and initial displacements: twice the largest drift that ASCE 7-22
-// allows, 2.5 % (table 12.12-1), of 100 m. Initial velocities: such displacements at a period
-// of 1.5 s. Ground: the largest horizontal acceleration recorded is 2.75 g (K-NET MYG004, Tohoku
-// 2011); below 0.0005 g nobody feels it (ShakeMap, by Worden et al. 2012, Bull. Seism. Soc. Am.
-// 102, 204-221). A -pga or -sa without a unit is often meant in g: below 0.05 g, which EN
-// 1998-1:2004, 3.2.1 (5), calls very low seismicity, a unit is asked for.
+//   - Period: the highest tower has 11.3 s (Baker, Korista & Novak 2007, The Structural Design of
+//     Tall and Special Buildings 16, 361-375). Stiff masonry has about 0.05 s per storey. A stiff
+//     containment of 0.2 s, modelled by 20 lumped masses, has 0.01 s per storey.
+//   - Height: the same tower is 828 m high. Storeys of models on shaking tables are a few
+//     centimetres high.
+//   - Gap and initial displacement: twice the largest drift that ASCE 7-22 allows, 2.5 %
+//     (table 12.12-1), of a height of 100 m.
+//   - Initial velocity: that of such a displacement at a period of 1.5 s.
+//   - Ground acceleration: the largest recorded horizontal value is 2.75 g (K-NET MYG004, Tohoku
+//     2011). People do not feel less than 0.0005 g (ShakeMap, Worden et al. 2012, Bull. Seism. Soc.
+//     Am. 102, 204-221). Users often mean g by a -pga or -sa without a unit. So the limit of such
+//     values is 0.05 g, below which EN 1998-1:2004, 3.2.1 (5), speaks of very low seismicity.
+#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_statistics_double.h>
 
@@ -80,11 +84,11 @@ static const struct magnitude bare_peak = {
     .max = 3.0,
 };
 
-// Values beyond the limits of one kind: the first of them, and how many there are.
+// Values beyond the limits of one kind: the first one, and their number.
 struct finding {
-    struct magnitude kind;  // of the first
+    struct magnitude kind;  // kind of the first value
     const struct word *word;
-    const char *name;  // whose it is
+    const char *name;  // of the owner of the value
     double value;
     int n;
 };
@@ -110,6 +114,7 @@ static void report(struct builder *b, const struct finding *f) {
 }
 
 bool finish_stands(const struct building *g) {
+    assert(g->n_floor > 0);
     return gsl_stats_min(g->stiffness, 1, (size_t)g->n_floor) > 0.0;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Newmark integrator with 2 beta < gamma is stable only up to a step of
+// Duration, time steps and rows of output. A Newmark integrator with 2 beta < gamma is stable only
+// for steps of at most
 //     omega dt <= 1 / sqrt(gamma / 2 - beta)
-// for the undamped mode omega: Hughes (2000), The Finite Element Method, eq. 9.2.13.
+// for an undamped mode omega: Hughes (2000), The Finite Element Method, eq. 9.2.13.
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 
@@ -10,15 +12,16 @@
 #include "model/link_end.h"
 #include "model/stability.h"
 
-// More steps than this are taken for a mistake: they would run for hours.
+// Largest number of steps. A run with more steps would last for hours, so it is an error.
 static const double STEPS_MAX = 2e10;
 static const double DEFAULT_INTERVAL = 0.01;  // [s]
-static const double ROUNDING = 1e-9;          // of the step, in counting steps
+static const double ROUNDING = 1e-9;          // rounding error of a number of steps, in steps
 
-// Without a shortest step the numbers end before this share of the duration does.
+// The shortest adaptive step if the deck gives none, as a share of the duration. Shorter steps are
+// near the rounding error of the time.
 static const double SHORTEST_SHARE = 1e-13;
 
-// Rows of an adaptive analysis, where the deck does not say: at least this many.
+// Least number of rows of an adaptive analysis without -interval.
 static const double ADAPTIVE_ROWS = 100.0;
 
 static void count_steps(struct builder *b, struct model *m) {
@@ -52,8 +55,8 @@ static void count_rows(struct builder *b, struct model *m) {
     m->output.every = (int)fmin(fmax(every, 1.0), OUTPUT_EVERY_MAX);
 }
 
-// The largest sum of the stiffnesses, or of the linear dashpots, of the bilateral links of one
-// floor of building i over their effective masses.
+// For each floor of building i, the stiffnesses (or the linear dashpots) of its bilateral links,
+// each divided by its effective mass, are summed. Returns the largest sum.
 static double most_at_a_floor(const struct model *m, int i, enum bilateral_row which) {
     double sum[FLOORS_MAX] = {0.0};
     double largest = 0.0;
@@ -71,13 +74,15 @@ static double most_at_a_floor(const struct model *m, int i, enum bilateral_row w
     return largest;
 }
 
-// See stability.c for the bound; contacts are left out, as steps are rejected for them.
+// stability.c derives the bound. It has no contacts, because the solver rejects steps that are too
+// long for a contact.
 double model_fastest(const struct model *m, int i) {
+    assert(i >= 0 && i < m->n_building);
     const struct building *g = &m->building[i];
     return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + most_at_a_floor(m, i, BILATERAL_STIFFNESS));
 }
 
-// The largest omega dt that is stable.
+// The largest stable omega dt.
 static double stable(const struct model *m) {
     double excess = m->gamma / 2.0 - m->beta;
     return excess > 0.0 ? 1.0 / sqrt(excess) : INFINITY;
@@ -100,7 +105,7 @@ static void check_stability(struct builder *b, struct model *m) {
     }
 }
 
-// A deck that would need too many steps is refused.
+// Reports a building that needs too many steps of Dormand & Prince's method.
 static void limit_explicit_steps(struct builder *b, struct model *m) {
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
@@ -120,13 +125,13 @@ static void limit_explicit_steps(struct builder *b, struct model *m) {
     }
 }
 
-// Dormand & Prince's method resolves a damper where its velocity is near zero, and there its slope
-// in v, c a |v|^(a - 1), has no bound for exponents a < 1. With the default tolerance and dampers
-// of 0.1 to 10 MN at 1 m/s between floors of 200 and 300 t it gets through with 0.5, and not with
-// 0.25.
+// Least exponent of a damper for Dormand & Prince's method. The force c |v|^a of a damper has the
+// slope c a |v|^(a - 1), which has no bound at v = 0 for exponents a < 1, and there the method
+// needs very short steps. Tested with the default tolerance and dampers of 0.1 to 10 MN at 1 m/s
+// between floors of 200 and 300 t: runs with a = 0.5 end, runs with a = 0.25 do not.
 static const double LEAST_EXPONENT = 0.5;
 
-// The method of adaptive steps where the deck names none.
+// The method of adaptive steps if the deck has no integrator statement.
 static enum integrator choose_adaptive(struct builder *b, const struct model *m) {
     for (int k = m->n_contact; k < m->n_link; k++) {
         const double *c = m->link[k].constant;
@@ -141,15 +146,11 @@ static enum integrator choose_adaptive(struct builder *b, const struct model *m)
     return INTEGRATOR_DORMAND_PRINCE;
 }
 
-static void check_histories(struct builder *b) {
+void finish_time(struct builder *b, struct model *m) {
     if (b->of_runs.text && !b->deck->sweeps) {
         deck_error(b->deck, &b->of_runs,
                    "-histories is for studies by sweep; one analysis always writes its histories");
     }
-}
-
-void finish_time(struct builder *b, struct model *m) {
-    check_histories(b);
     m->beta = b->beta;
     m->gamma = b->gamma;
     m->tolerance = b->tolerance;
@@ -169,7 +170,7 @@ void finish_time(struct builder *b, struct model *m) {
         deck_warning(b->deck, &b->newton, "dormand-prince does not iterate; newton has no effect");
     }
     if (m->adaptive) {
-        // The rows of an adaptive analysis are its n_step.
+        // In an adaptive analysis dt is the time from row to row, and n_step the number of rows.
         m->output = b->out;
         if (m->output.every > 0) {
             deck_error(b->deck, &b->output, "-every counts fixed steps; give -interval DT");
@@ -182,7 +183,7 @@ void finish_time(struct builder *b, struct model *m) {
         if (m->integrator == INTEGRATOR_DORMAND_PRINCE) {
             limit_explicit_steps(b, m);
         } else {
-            // Adaptive steps of Newmark's method are no longer than what is stable.
+            // The longest adaptive step of Newmark's method is the longest stable one.
             for (int i = 0; i < m->n_building; i++) {
                 double omega = model_fastest(m, i);
                 m->control.longest = fmin(m->control.longest, stable(m) / omega);

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Warnings about input that is allowed but is probably a mistake.
 #include <gsl/gsl_math.h>
 
 #include "core/text.h"
 #include "model/finish.h"
 
 static const double ROUNDING = 1e-9;
-static const double STEPS_PER_CYCLE = 10.0;  // fewer do not follow a vibration
-static const double SAME_LEVEL = 0.01;       // relative difference of two floors' heights
+static const double STEPS_PER_CYCLE = 10.0;  // fewer steps do not resolve a vibration
+static const double SAME_LEVEL = 0.01;       // relative difference of the levels of two floors
 
 static bool same_statement(const struct word *a, const struct word *b) {
     return a->place.line == b->place.line && a->place.source == b->place.source;
 }
 
-// True if the signal acts in the analysis; warns if it does not, or if the step skips it.
+// True if the signal acts during the analysis. Warns if it does not, or if the step is too long
+// for it.
 static bool check_signal(struct builder *b, const struct model *m, const struct signal *s,
                          const struct word *w) {
     const char *unit = b->deck->units.time_name;
@@ -55,7 +57,7 @@ static bool share_a_building(const struct model *m, const struct ground_draft *a
     return found;
 }
 
-// The sample of a record with the largest absolute value.
+// The index of the sample with the largest absolute value.
 static size_t peak_sample(const struct signal *s) {
     size_t i = 0;
     while (fabs(s->value[i]) < s->peak) {
@@ -64,7 +66,7 @@ static size_t peak_sample(const struct signal *s) {
     return i;
 }
 
-// Has one record the values of the other, but for a factor, at the same times?
+// True if one record is the other one, multiplied by a factor, at the same times.
 static bool same_record(const struct signal *a, const struct signal *b) {
     if (!a->value || !b->value || a->peak * b->peak == 0.0 || a->n != b->n || a->dt != b->dt ||
         a->start != b->start) {
@@ -102,7 +104,7 @@ static bool is_shaken(const struct builder *b, int building) {
     return found;
 }
 
-// A building that no ground motion acts under was rather forgotten in -buildings.
+// Warns about a building without a ground motion: the user probably forgot it in -buildings.
 static void check_unshaken(struct builder *b, const struct model *m) {
     const struct ground_draft *g = b->grounds.item;
     int first = -1, n = 0;
@@ -154,7 +156,7 @@ static bool is_linked(const struct builder *b, int building) {
     return found;
 }
 
-// A building without damping beside others that have some was rather forgotten.
+// Warns about a building without damping if other buildings have damping.
 static void check_dampings(struct builder *b, const struct model *m) {
     const struct building_draft *first = NULL;
     int n_damped = 0, n = 0;
@@ -188,7 +190,8 @@ static double ground_displacement(const struct ground *g, double t) {
     return sum;
 }
 
-// Grounds that move differently part for good where their accelerations do not integrate to rest.
+// Warns about grounds that move differently and do not come to rest: their distance at the end of
+// the records is an error of the records.
 static void check_drift(struct builder *b, const struct model *m) {
     const struct link_draft *draft = b->links.item;
     for (int i = 0; i < b->links.n; i++) {
@@ -218,7 +221,7 @@ static double level(const struct building *g, int floor) {
     return height;
 }
 
-// Do the heights say that the ends of the contact stand at different levels?
+// True if the storey heights put the ends of the contact at different levels.
 static bool at_two_levels(const struct model *m, const struct link *l, double at[2]) {
     for (int i = 0; i < 2; i++) {
         at[i] = l->building[i] == WALL ? 0.0
@@ -228,7 +231,7 @@ static bool at_two_levels(const struct model *m, const struct link *l, double at
     return at[0] > 0.0 && at[1] > 0.0 && fabs(at[0] - at[1]) > SAME_LEVEL * fmax(at[0], at[1]);
 }
 
-// `n` contacts from `d` on are made by one statement.
+// Warns about different levels in a statement, which made the `n` contacts from `d` on.
 static void check_levels(struct builder *b, const struct model *m, const struct link_draft *d,
                          int n) {
     const struct link_draft *first = NULL;
@@ -270,12 +273,12 @@ static void check_between(struct builder *b, const struct model *m, const struct
 }
 
 void finish_warnings(struct builder *b, const struct model *m) {
-    // True if a signal sets the buildings in motion.
+    // excited: a signal sets the buildings in motion.
     bool excited = false;
     for (int i = 0; i < b->grounds.n; i++) {
         const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
         excited |= check_signal(b, m, &g->signal, &g->word);
-        // An analysis that is shorter than a record may leave out what shakes most.
+        // An analysis that is shorter than the record may end before the strongest shaking.
         const struct signal *s = &g->signal;
         const char *unit = b->deck->units.time_name;
         const double peak = s->value ? s->start + (double)peak_sample(s) * s->dt : 0.0;
@@ -300,7 +303,7 @@ void finish_warnings(struct builder *b, const struct model *m) {
     check_drift(b, m);
     check_unshaken(b, m);
     check_dampings(b, m);
-    // One warning of a kind for each statement.
+    // At most one warning of each kind for a statement.
     const struct link_draft *draft = b->links.item;
     for (int i = 0, n; i < b->links.n; i += n) {
         n = 1;

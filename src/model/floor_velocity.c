@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Modes and excitations are put together by the root of the sum of their squares, as in response
-// spectrum analysis (Chopra, Dynamics of Structures, section 13.7). A mode phi of generalised mass
-// M = phi^T M phi answers with
-//     ground motion    phi^T M 1 / M times the velocity spectrum of what of the record acts in
-//                      the analysis, which is exact,
-//     load on floor i  phi_i / M times the velocity spectrum of the load,
-//     initial state    hypot(q', omega q), q = phi^T M u / M, its free vibration undamped,
-// and moves floor i by phi_i times that, and the storey below it by phi_i - phi_(i-1) times that. A
-// rigid-body mode has the largest integral of the record for its spectrum. Storeys that yield make
-// slower floors.
+// The velocities of modes and excitations are combined by the square root of the sum of squares, as
+// in response spectrum analysis (Chopra, Dynamics of Structures, section 13.7). A mode phi with the
+// generalised mass m = phi^T M phi has the largest modal velocity
+//     ground motion    phi^T M 1 / m times the velocity spectrum of the part of the record that
+//                      acts during the analysis (exact),
+//     load on floor i  phi_i / m times the velocity spectrum of the load,
+//     initial state    hypot(q', omega q) with q = phi^T M u / m, that of the undamped free
+//                      vibration.
+// Floor i has phi_i times this velocity, and the storey below it has the drift rate phi_i -
+// phi_(i-1) times this velocity. For a rigid-body mode the largest integral of the record replaces
+// the spectrum. Floors of storeys that yield are slower.
 #include "model/guidance.h"
 
+#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 
@@ -18,22 +20,22 @@
 #include "jostle/intensity.h"
 #include "jostle/spectrum.h"
 
-enum { MODES_MAX = 3 };                            // higher ones add little to the velocity
-enum { SAMPLES_PER_CYCLE = 40, CYCLES_MAX = 50 };  // of a sine; it is steady by then
-static const double RATIO_MAX = 0.99;              // the spectrum is of oscillators that vibrate
+enum { MODES_MAX = 3 };                            // higher modes add little to the velocity
+enum { SAMPLES_PER_CYCLE = 40, CYCLES_MAX = 50 };  // of a sine; then its response is steady
+static const double RATIO_MAX = 0.99;              // largest damping ratio of a spectrum
 
-// One mode of a building, and what the largest modal velocities add up to.
+// One mode of a building, and the sum of squares of its modal velocities.
 struct mode {
     const struct model *model;
     const struct building *building;
     const double *phi;
-    double omega, ratio;  // ratio of damping
+    double omega, ratio;  // circular frequency, damping ratio
     double mass;          // generalised
     double square;        // sum of squares so far [L^2/T^2]
     struct arena *scratch;
 };
 
-// The part of a sine that acts in the analysis, as samples.
+// Samples the part of a sine that acts during the analysis.
 static int sample_sine(const struct mode *k, const struct signal *s, struct signal *out,
                        struct error *e) {
     double cycle = 2.0 * M_PI / s->omega;
@@ -50,7 +52,7 @@ static int sample_sine(const struct mode *k, const struct signal *s, struct sign
     return signal_init_samples(out, k->scratch, value, n, dt, 1.0, 0.0, e);
 }
 
-// The samples that act in the analysis.
+// The samples of a record that act during the analysis.
 static struct signal cut_samples(const struct mode *k, const struct signal *s) {
     struct signal out = *s;
     const double n = ceil((k->model->duration - s->start) / s->dt) + 1.0;
@@ -65,7 +67,7 @@ static double spectral_velocity(const struct mode *k, const struct signal *s) {
     return spectrum_velocity(s, k->omega, k->ratio);
 }
 
-// Takes account of an excitation, of which the mode sees `share`.
+// Adds the square of the modal velocity from an excitation times `share`.
 static int excite(struct mode *k, const struct signal *s, double share, struct error *e) {
     double velocity;
     struct signal samples;
@@ -87,7 +89,8 @@ static int excite(struct mode *k, const struct signal *s, double share, struct e
     return STATUS_OK;
 }
 
-// Generalised mass, share of the ground motion, and initial state.
+// Computes the generalised mass, adds the initial state, and returns the share of the ground
+// motion.
 static double begin(struct mode *k) {
     const struct building *g = k->building;
     double excited = 0.0, displacement = 0.0, velocity = 0.0;
@@ -142,6 +145,7 @@ static int add_mode(const struct model *m, const struct building *g, int number,
 
 int floor_velocity(const struct model *m, int i, double *velocity, double *drift_rate,
                    struct error *e) {
+    assert(i >= 0 && i < m->n_building && velocity && drift_rate);
     const struct building *g = &m->building[i];
     struct arena *scratch = arena_create();
     int status = scratch ? STATUS_OK : error_no_memory(e);

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two floors meet at most about as fast as the root of the sum of the squares of what each does
-// alone (floor_velocity); where neither moves by itself, as the fastest pair of the model. The
-// duration is that of an isolated impact of the two masses at that velocity; laws that stiffen are
-// over the sooner the faster it is, so slower impacts last longer. Storeys make little
-// difference as long as contacts are stiffer.
+// Estimates of the contacts of a model and of the step that they need, before an analysis.
 //
-// The stiffness of a contact is that of the linear one that lasts as long, t = pi sqrt(m*/k): k =
-// m* (pi / t)^2. Of two spheres (Hertz) that is 0.73 times the stiffness of the same peak force.
-//
-// Average acceleration is wrong by (omega h)^2 / 12 in the period of an oscillator, and a contact
-// is about half a period: 50 steps in it are wrong by pi^2 / 12 / 50^2 = 3e-4, and 20 in a period
-// by 0.8 %. Laws of a lower order (docs/accuracy.md) are wrong by more.
+// Velocity: the largest closing velocity of two floors is about the square root of the sum of
+// squares of their velocities (floor_velocity). If neither floor moves, it is the closing velocity
+// of the fastest pair of the model.
+// Duration: that of an isolated impact of the two masses at this velocity. The contacts of laws
+// that stiffen last longer at smaller velocities. Storeys have little effect on the duration,
+// because contacts are stiffer. Stiffness: that of a linear contact of the same duration t = pi
+// sqrt(m*/k), which is k = m* (pi / t)^2. For two spheres (Hertz) it is 0.73 times the stiffness
+// with the same peak force. Step: the method of average acceleration has an error of (omega h)^2 /
+// 12 in the period of an oscillator. A contact is about half a period. So 50 steps in a contact
+// have an error of pi^2 / 12 / 50^2 = 3e-4, and 20 steps in a period an error of 0.8 %. Laws of a
+// lower order (docs/accuracy.md) have larger errors.
 #include "model/guidance.h"
 
+#include <assert.h>
 #include <float.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -23,7 +25,7 @@
 #include "law/isolated.h"
 #include "model/link_end.h"
 
-// Velocities of the floors that the contacts join, and of nobody else; `rate` is scratch.
+// Computes the velocities of the floors of all buildings with contacts. `rate` is scratch.
 static int find_velocities(const struct model *m, int n_contact, double *velocity, double *rate,
                            struct error *e) {
     for (int i = 0; i < m->n_building; i++) {
@@ -43,7 +45,7 @@ static double closing_velocity(const struct link *l, const double *velocity) {
     return hypot(link_at(l, 0, velocity), link_at(l, 1, velocity));
 }
 
-// Effective mass of the floors, whatever -meff says of the law.
+// The effective mass of the floors; -meff does not change it.
 static double effective_mass(const struct model *m, const struct link *l) {
     return 1.0 / link_mobility(l, m->mass);
 }
@@ -59,7 +61,7 @@ static bool same_impact(const struct model *m, int a, int b, const struct guidan
 }
 
 static double count_storeys(const struct model *m, const struct link *l, double duration) {
-    // Stiffness of the stiffest storey below or above the floors that the link joins.
+    // The stiffness of the stiffest storey directly below or above the ends of the link.
     double storey = 0.0;
     for (int i = 0; i < 2; i++) {
         const struct building *g = l->building[i] == WALL ? NULL : &m->building[l->building[i]];
@@ -163,16 +165,15 @@ int guidance_find(const struct model *m, struct guidance *out, struct error *e) 
     return STATUS_OK;
 }
 
-// The contact of a small steel ball lasts 9 us (docs/verification.md), and no bumper gives way by a
-// metre where floors meet at velocities that earthquakes give them. How far a contact does is
-// estimated as that of a linear one, v t / pi.
-
-enum { STEPS_FEW = 10 };                  // longer steps are rejected, see docs/theory.md
+// Limits of the warnings. The contact of a small steel ball lasts 9 us (docs/verification.md). At
+// the velocities of floors in earthquakes no bumper has a penetration of a metre. The penetration
+// is estimated as that of a linear contact, v t / pi.
+enum { STEPS_FEW = 10 };                  // the solver rejects longer steps, see docs/theory.md
 static const double DURATION_MIN = 1e-6;  // [s]
 static const double VELOCITY_MAX = 20.0;  // [m/s]
 static const double DEPTH_MAX = 1.0;      // [m]
 
-// Contacts that a warning is about: the first of them, and how many there are.
+// The contacts of one warning: the first one, and their number.
 struct finding {
     int n, first;
 };
@@ -181,7 +182,7 @@ static void find(struct finding *f, int k) {
     f->first = f->n++ == 0 ? k : f->first;
 }
 
-// [L]
+// Estimated penetration [L].
 static double depth(const struct guidance_contact *c) {
     return c->velocity * c->duration / M_PI;
 }
@@ -204,8 +205,9 @@ static bool is_soft(const struct model *m, const struct guidance_contact *c) {
            depth(c) * metre > DEPTH_MAX;
 }
 
-// In five pairs of buildings drifts changed by up to 5 % from ten storeys to rigid contacts, from
-// one storey by up to 23 %.
+// Least stiffness of a contact, in stiffnesses of the stiffest storey beside it. In five pairs of
+// buildings the drifts with ten storey stiffnesses differed by up to 5 % from those with rigid
+// contacts, and with one storey stiffness by up to 23 %.
 static const double STOREYS_MIN = 10.0;
 
 static bool same_statement(const struct link *a, const struct link *b) {
@@ -216,6 +218,7 @@ static bool same_statement(const struct link *a, const struct link *b) {
 void guidance_warn_storeys(const struct model *m, int n_contact,
                            const struct guidance_contact *contact, guidance_where *where,
                            void *context) {
+    assert(n_contact >= 0 && n_contact <= m->n_contact);
     for (int first = 0, last; first < n_contact; first = last + 1) {
         const struct link *l = &m->link[first];
         int softest = first;

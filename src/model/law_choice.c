@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the options of a contact law, and computes its constants.
 #include "model/law_choice.h"
 
+#include <assert.h>
 #include <string.h>
 
-#include "model/stiffness_estimate.h"
 #include "motion/curve_file.h"
 
 const struct row law_choice_rows[LAW_CHOICE_ROWS] = {
@@ -26,7 +27,7 @@ const struct contact_law *law_choice_find(struct deck *d, const struct word *nam
     return law;
 }
 
-// Puts the damping that delivers -e exactly in place of -e, where it depends on nothing else.
+// Replaces -e by the damping that delivers it exactly, if this damping depends on e only.
 static bool calibrate_now(struct deck *d, struct law_choice *c) {
     struct argument *restitution = &c->given[contact_law_row(c->law, "e")];
     double *zeta = deck_array(d, 1, sizeof *zeta);
@@ -46,7 +47,7 @@ static bool calibrate_now(struct deck *d, struct law_choice *c) {
     return true;
 }
 
-// Where the damping depends on the mass, law_choice_prepare finds it.
+// Handles -calibrate. If the damping depends on the mass, too, law_choice_prepare computes it.
 static bool calibrate(struct deck *d, const struct word *flag, struct law_choice *c) {
     bool exact = c->law->traits & CONTACT_EXACT;
     if (!exact && !c->law->exact && !c->law->calibrate) {
@@ -61,7 +62,7 @@ static bool calibrate(struct deck *d, const struct word *flag, struct law_choice
     return !c->law->exact || calibrate_now(d, c);
 }
 
-// The row that holds the stiffness of a law; -1: it has none.
+// The row of the stiffness of a law; -1: the law has none.
 static int stiffness_row(const struct contact_law *law) {
     int row = contact_law_row(law, "k");
     return row >= 0 ? row : contact_law_row(law, "kh");
@@ -93,7 +94,7 @@ double law_choice_power(const struct law_choice *c) {
     return 0.0;
 }
 
-// Puts the estimated stiffness in place of -k.
+// Sets -k to the estimated stiffness; false after a report.
 static bool estimate_stiffness(struct deck *d, const struct word *word, struct law_choice *c,
                                const struct stiffness_estimate *estimate,
                                const struct argument *given) {
@@ -122,7 +123,7 @@ static bool estimate_stiffness(struct deck *d, const struct word *word, struct l
     return true;
 }
 
-// Units of penetration and force, in either order, that go with the file of a curve.
+// Reads -units: the units of penetration and force in the file of a curve, in either order.
 static bool read_units(struct deck *d, const struct argument *a, struct curve_request *request) {
     struct deck_quote quote;
     for (int i = 0; i < a->n; i++) {
@@ -205,6 +206,7 @@ bool law_choice_read(struct deck *d, const struct statement *s, const struct con
 
 bool law_choice_prepare(struct deck *d, const struct law_choice *c, double mass,
                         const double **value, const double **constant) {
+    assert(c->law && mass > 0.0 && value && constant);
     const struct contact_law *law = c->law;
     // The values of the rows followed by the curve.
     int n_row = c->law->n_row;

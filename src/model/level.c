@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A level between two floors moves as a straight line between them: at the share x of the storey
-// height its row is x at the floor above and 1 - x at the floor below; in the lowest storey the
-// ground, which does not move against itself, takes the place of the floor below. The columns
-// between the floors are as stiff as the storeys; one that bends on its own is not modelled.
+// Ends of links at levels between two floors. The displacement of a level is linear between the two
+// floors: at the share x of the storey height, its row has the weight x at the floor above and
+// 1 - x at the floor below. In the lowest storey the ground replaces the floor below, and has no
+// displacement relative to itself. The stiffness of the level is that of the storeys. The bending
+// of a single column is not in the model.
 //
-// A link within one building has the difference of the rows of its ends.
+// The row of a link within one building is the difference of the rows of its ends.
 #include "model/pairs.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/text.h"
 #include "model/link_end.h"
 
-// A level this near to a floor, relative to the height of the roof, is that floor.
+// A level nearer to a floor than this share of the height of the roof is that floor.
 static const double SAME_LEVEL = 1e-9;
 
-// Entries of a row before equal ones are joined: two for each end.
+// Largest number of entries of a row: two for each end.
 enum { ENTRIES_MAX = 4 };
 
 static const struct row level_row = {
@@ -32,7 +34,7 @@ enum end_kind level_kind(struct builder *b, struct word *w) {
     return level ? END_LEVEL : END_FLOORS;
 }
 
-// The part of `w` behind the @ as a word of its own.
+// The text after the @ of `w`, as a word.
 static struct word level_word(const struct word *w, const char *at) {
     struct word part = *w;
     part.text = at + 1;
@@ -42,7 +44,7 @@ static struct word level_word(const struct word *w, const char *at) {
     return part;
 }
 
-// Puts the level z into the storey that it is in.
+// Finds the storey with the level z: the floor above it, and the level.
 static bool place_level(struct builder *b, const struct word *w, double z, struct selection *out,
                         double *level) {
     const struct building_draft *d = builder_draft(b, out->building);
@@ -79,6 +81,7 @@ static bool place_level(struct builder *b, const struct word *w, double z, struc
 }
 
 bool level_read(struct builder *b, const struct word *w, struct selection *out, double *level) {
+    assert(strchr(w->text, '@'));
     const char *at = strchr(w->text, '@');
     const size_t length = (size_t)(at - w->text);
     const char *text = arena_text(b->arena, w->text, length);
@@ -106,7 +109,7 @@ bool level_read(struct builder *b, const struct word *w, struct selection *out, 
     return place_level(b, &place, value.number[0], out, level);
 }
 
-// The index of floor 1 of a building among all degrees of freedom.
+// The index of floor 1 of a building among all degrees of freedom, while the deck is read.
 static int first_of(struct builder *b, int building) {
     int first = 0;
     for (int i = 0; i < building; i++) {
@@ -115,7 +118,7 @@ static int first_of(struct builder *b, int building) {
     return first;
 }
 
-// The share of the storey height at which the level of an end is.
+// The position of the level of an end in its storey, as a share of the storey height.
 static double share_of(struct builder *b, const struct link *l, int side) {
     const double *height = builder_draft(b, l->building[side])->height;
     const int floor = l->floor[side];
@@ -126,7 +129,8 @@ static double share_of(struct builder *b, const struct link *l, int side) {
     return (l->level[side] - below) / height[floor - 1];
 }
 
-// Adds sign times the row of one end, joining equal entries.
+// Adds sign times the row of one end to the n entries. Entries of one floor are added up. Returns
+// the number of entries.
 static int add_end(struct builder *b, const struct link *l, int side, double sign,
                    struct link_entry *entry, int n) {
     const int building = l->building[side];
@@ -159,6 +163,7 @@ static bool is_nothing(const struct link_entry *entry, int n) {
 
 static void set_row(struct builder *b, struct link *l, int side, const struct link_entry *entry,
                     int n) {
+    assert(n > 0 && n <= ENTRIES_MAX);
     struct link_entry *own = arena_alloc(b->arena, (size_t)n, sizeof *own);
     if (own) {
         memcpy(own, entry, (size_t)n * sizeof *own);
@@ -191,6 +196,7 @@ bool level_rows(struct builder *b, struct link *l, const struct word *w) {
 }
 
 double level_effective_mass(struct builder *b, const struct link *l) {
+    assert(l->building[0] != WALL || l->building[1] != WALL);
     double inverse = 0.0;
     for (int i = 0; i < 2; i++) {
         const struct building_draft *d =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ends of links as sparse rows b over the degrees of freedom: values at an end, and what forces
-// on it do. An end that is one floor has the weight 1 there, a wall has no entries.
+// The ends of links as sparse rows b over the degrees of freedom: values at an end, and effects of
+// a force on it. The row of a floor has one entry of weight 1. The row of a wall has no entries.
 #ifndef JOSTLE_LINK_END_H
 #define JOSTLE_LINK_END_H
 
@@ -8,12 +8,12 @@
 
 #include "jostle/model.h"
 
-// Is each end of the link one floor or a wall?
+// True if each end of the link is one floor or a wall.
 static inline bool link_is_plain(const struct link *l) {
     return l->row[0].n == 0 && l->row[1].n == 0;
 }
 
-// Entries of an end, and one of them.
+// The number of entries of an end. link_entry returns entry i.
 static inline int link_entries(const struct link *l, int side) {
     return l->row[side].n > 0 ? l->row[side].n : l->dof[side] != WALL;
 }
@@ -22,7 +22,7 @@ static inline struct link_entry link_entry(const struct link *l, int side, int i
     return l->row[side].n > 0 ? l->row[side].entry[i] : (struct link_entry){l->dof[side], 1.0};
 }
 
-// How much the difference of both ends changes with degree of freedom i.
+// The weight of degree of freedom i in the difference of both ends.
 static inline double link_weight(const struct link *l, int i) {
     double weight = 0.0;
     for (int side = 0; side < 2; side++) {
@@ -34,8 +34,8 @@ static inline double link_weight(const struct link *l, int i) {
     return weight;
 }
 
-// b x for x (n_dof), of a row and of an end. Rows are not in line: loops over links of floors stay
-// small.
+// b x of a row, and of an end, for x (n_dof). The sum over a row is not in line, so that loops over
+// links between floors stay small.
 double link_end_row(const struct link_row *row, const double *x);
 
 static inline double link_at(const struct link *l, int side, const double *x) {
@@ -45,8 +45,7 @@ static inline double link_at(const struct link *l, int side, const double *x) {
     return l->dof[side] == WALL ? 0.0 : x[l->dof[side]];
 }
 
-// The sum of the sizes of its terms.
-
+// The sum of the absolute values of the terms of link_at.
 static inline double link_size_at(const struct link *l, int side, const double *x) {
     double sum = 0.0;
     for (int i = 0, n = link_entries(l, side); i < n; i++) {
@@ -56,7 +55,8 @@ static inline double link_size_at(const struct link *l, int side, const double *
     return sum;
 }
 
-// The difference of x between the left end and the right one, and the sizes of both.
+// The difference of x between the left end and the right end. link_size: the sum of link_size_at of
+// both ends.
 static inline double link_across(const struct link *l, const double *x) {
     return 0.0 + link_at(l, 0, x) - link_at(l, 1, x);
 }
@@ -65,7 +65,7 @@ static inline double link_size(const struct link *l, const double *x) {
     return link_size_at(l, 0, x) + link_size_at(l, 1, x);
 }
 
-// Adds b' f to x (n_dof).
+// Adds b' f of one end to x (n_dof).
 static inline void link_push_at(const struct link *l, int side, double f, double *x) {
     for (int i = 0, n = link_entries(l, side); i < n; i++) {
         const struct link_entry e = link_entry(l, side, i);
@@ -73,13 +73,13 @@ static inline void link_push_at(const struct link *l, int side, double f, double
     }
 }
 
-// The same of a force f of the link, positive in compression, on both ends.
+// Adds b' f of both ends to x (n_dof), for a force f of the link, positive in compression.
 static inline void link_push(const struct link *l, double f, double *x) {
     link_push_at(l, 0, -f, x);
     link_push_at(l, 1, f, x);
 }
 
-// b M^-1 b' of both ends, the inverse of the effective mass.
+// The sum of b M^-1 b' of both ends, which is the inverse of the effective mass.
 static inline double link_mobility(const struct link *l, const double *mass) {
     double sum = 0.0;
     for (int side = 0; side < 2; side++) {

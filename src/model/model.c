@@ -2,12 +2,13 @@
 // Reads a deck statement by statement into a builder, and finishes the model.
 #include "jostle/model.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 #define STATEMENT(descriptor) &descriptor,
 const struct statement_kind *const statement_kinds[] = {
@@ -16,7 +17,7 @@ const struct statement_kind *const statement_kinds[] = {
 #undef STATEMENT
 const int n_statement_kind = sizeof statement_kinds / sizeof statement_kinds[0];
 
-static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
+static const double STEP_ROUNDING = 1e-9;  // rounding error of a number of steps, in steps
 
 static void build_statement(struct builder *b, const struct statement *s) {
     for (int i = 0; i < n_statement_kind; i++) {
@@ -54,6 +55,7 @@ int model_build(struct deck *deck, struct model **out, struct error *e) {
 
 int model_build_shared(struct deck *deck, struct record_cache *records, struct model **out,
                        struct error *e) {
+    assert(deck && out);
     const struct builder empty = {
         .deck = deck,
         .arena = deck->arena,
@@ -96,10 +98,12 @@ void model_free(struct model *m) {
 }
 
 double model_time(const struct model *m, long n) {
+    assert(n >= 0);
     return n >= m->n_step ? m->duration : (double)n * m->dt;
 }
 
 LANES void model_times(const struct model *m, long first, int n, double *time) {
+    assert(first >= 0 && n >= 0 && (time || n == 0));
     for (int i = 0; i < n; i++) {
         time[i] = (double)(first + i) * m->dt;
     }
@@ -112,13 +116,15 @@ double model_order(const struct model *m) {
     return m->integrator == INTEGRATOR_DORMAND_PRINCE ? 5.0 : m->gamma > 0.5 ? 1.0 : 2.0;
 }
 
-// The tolerance is on the local error: of Newmark's method one order above the global one, and of
-// the fourth order formula beside Dormand & Prince's.
+// The factor of the tolerance that halves the steps. The tolerance bounds the local error. The
+// local error of Newmark's method is one order above its global error. That of Dormand & Prince's
+// method is the error of its formula of fourth order.
 static double tolerance_per_halving(const struct model *m) {
     return exp2(m->integrator == INTEGRATOR_DORMAND_PRINCE ? 5.0 : model_order(m) + 1.0);
 }
 
 struct model model_refined(const struct model *m, int level) {
+    assert(level >= 0);
     struct model finer = *m;
     if (m->adaptive) {
         finer.control.tolerance = m->control.tolerance / pow(tolerance_per_halving(m), level);

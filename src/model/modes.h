@@ -5,9 +5,9 @@
 
 #include "jostle/error.h"
 
-// Solves K phi = omega^2 M phi for a building of n shear storeys of these stiffnesses and parts of
-// the stiffness `parts` on drifts (n, n); NULL: it has no parts. omega (n) [1/T] ascending; shape
-// (n, n): row m is mode m+1, normalised to phi^T M phi = 1. Allocates scratch only. Errors:
+// Solves K phi = omega^2 M phi for a building of n shear storeys with these stiffnesses, and of
+// parts with the stiffness `parts` on drifts (n, n); NULL: no parts. omega (n) [1/T] ascending;
+// shape (n, n): row m is mode m+1, normalised to phi^T M phi = 1. Allocates scratch only. Errors:
 // STATUS_SYSTEM (no memory), STATUS_FAILED (the eigenvalues did not converge).
 int modes_solve(int n, const double *mass, const double *stiffness, const double *parts,
                 double *omega, double *shape, struct error *e);

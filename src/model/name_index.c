@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/name_index.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -8,7 +9,7 @@
 
 enum { SLOTS_FIRST = 16 };
 
-// Where the name is, or would be.
+// The slot of the name, or the free slot for it.
 static size_t slot_of(const struct name_index *x, const char *name, size_t length) {
     size_t i = (size_t)hash_add(hash_start, name, length) & (x->n_slot - 1);
     while (x->name[i] && (strncmp(x->name[i], name, length) != 0 || x->name[i][length] != '\0')) {
@@ -18,6 +19,7 @@ static size_t slot_of(const struct name_index *x, const char *name, size_t lengt
 }
 
 int name_index_find(const struct name_index *x, const char *name, size_t length) {
+    assert(name && (x->n_slot & (x->n_slot - 1)) == 0);
     const size_t i = x->n > 0 ? slot_of(x, name, length) : 0;
     return x->n > 0 && x->name[i] ? x->item[i] : -1;
 }
@@ -47,6 +49,7 @@ static bool grow(struct name_index *x, struct arena *a) {
 }
 
 bool name_index_add(struct name_index *x, struct arena *a, const char *name, int item) {
+    assert(name && a && 2 * x->n <= x->n_slot);
     if (2 * (x->n + 1) > x->n_slot && !grow(x, a)) {
         return false;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/pairs.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -34,7 +35,8 @@ static int highest(const struct selection *s) {
     return floor;
 }
 
-// A side without floors takes those of the other side, or all levels that both have.
+// A side without a selection gets the floors of the other side. If both have none, all floors that
+// both buildings have are paired.
 static bool match_floors(struct builder *b, struct selection side[2], const struct word *word) {
     for (int i = 0; i < 2; i++) {
         struct selection *open = &side[i];
@@ -59,7 +61,7 @@ static bool match_floors(struct builder *b, struct selection side[2], const stru
     return true;
 }
 
-// A side without floors has none that a level of the other side, or the building itself, faces.
+// A side needs a selection if the other side is a level or in the same building.
 static bool check_named(struct builder *b, const struct pairs *p, const struct selection side[2]) {
     const bool level = !isnan(p->level[0]) || !isnan(p->level[1]);
     for (int i = 0; i < 2; i++) {
@@ -81,8 +83,10 @@ static bool read_side(struct builder *b, struct word *w, enum wall_use walls,
                              : kind == END_FLOORS && builder_select(b, w, walls, side);
 }
 
-static bool read_sides(struct builder *b, const struct statement *s, enum wall_use walls,
-                       struct selection side[2], struct pairs *out) {
+bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
+                struct pairs *out) {
+    struct selection side[2];
+    *out = (struct pairs){.word = &s->word[1]};
     bool good = true;
     for (int i = 0; i < 2; i++) {
         struct word w = s->word[1 + i];
@@ -93,7 +97,7 @@ static bool read_sides(struct builder *b, const struct statement *s, enum wall_u
           match_floors(b, side, out->word))) {
         return false;
     }
-    // Floor 0 is the ground of a link within the building; elsewhere there is `wall`.
+    // Floor 0, the ground, is allowed in a link within one building only; other links have `wall`.
     for (int i = 0; i < 2; i++) {
         for (int k = 0; k < side[i].n_floor && !out->within; k++) {
             if (side[i].floor[k] == 0) {
@@ -103,16 +107,6 @@ static bool read_sides(struct builder *b, const struct statement *s, enum wall_u
                 return false;
             }
         }
-    }
-    return true;
-}
-
-bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
-                struct pairs *out) {
-    struct selection side[2];
-    *out = (struct pairs){.word = &s->word[1]};
-    if (!read_sides(b, s, walls, side, out)) {
-        return false;
     }
     bool walled = side[0].building == WALL || side[1].building == WALL;
     if (!walled && side[0].n_floor != side[1].n_floor) {
@@ -156,6 +150,7 @@ static const char *link_name(struct builder *b, const struct pairs *p, const str
 
 struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k, const char *name,
                                 const struct word *name_word) {
+    assert(k >= 0 && k < p->n);
     struct link link = {.restitution = NAN, .within = p->within};
     for (int i = 0; i < 2; i++) {
         link.building[i] = p->building[i];

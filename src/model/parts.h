@@ -5,16 +5,16 @@
 
 #include "jostle/model.h"
 
-// Adds what all parts of building `g` give at these drifts and drift rates (n_floor). `history` is
-// the storey history of a state, `after` that of the next one or NULL: see struct part_kind. Rates
-// are not read where the building is elastic.
+// Adds the shears and tangents of all parts of building `g` at these drifts and drift rates
+// (n_floor). `history` is the storey history of a state. `after` is the storey history of the next
+// state, or NULL (struct part_kind). The function does not read the rates of an elastic building.
 void parts_respond(const struct building *g, const double *history, const double *drift,
                    const double *rate, const struct part_sums *to, double *after);
 
 // Recoverable energy of the parts of building `g` [F L].
 double parts_stored(const struct building *g, const double *history, const double *drift);
 
-// Entry (i, j) of a matrix on drifts (n, n) as one on floor displacements.
+// Entry (i, j) of the matrix on floor displacements, from a matrix on drifts (n, n).
 static inline double parts_on_floors(const double *on_drifts, int n, int i, int j) {
     const double *x = on_drifts + (size_t)i * (size_t)n + (size_t)j;
     const bool above = i + 1 < n, beside = j + 1 < n;

@@ -12,7 +12,7 @@ const struct range signals_damping_range = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
 
 struct signal signals_sine(struct builder *b, const struct argument *a, double start) {
-    // A bare number beyond a full turn is rather in degrees.
+    // A number without a unit beyond a full turn is probably in degrees.
     const struct argument *phase = &a[SINE_PHASE];
     const double value = phase->number[0];
     const char *text = phase->given ? phase->word[0].text : "$";

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signals that `ground` and `load` read from a deck.
+// Signals of the statements `ground` and `load`.
 #ifndef JOSTLE_SIGNALS_H
 #define JOSTLE_SIGNALS_H
 
 #include "model/builder.h"
 
-// Frequencies of sines [Hz]: far beyond what any building feels, and 2 pi of them times any time
-// can be told from its neighbour.
+// Allowed frequencies of sines [Hz]. The largest is far above the frequencies of buildings, and
+// small enough that the phase of the sine has no large rounding error.
 extern const struct range signals_frequency_range;
 
-// Options of a sine, to be put first into a table of rows, which has the row of the amplitude, with
-// its dimension, of its own.
+// Options of a sine. They are the first rows of a table of rows. The table adds the row of the
+// amplitude, whose dimension differs.
 enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_ROWS };
 #define SINE_SHAPE_ROWS                                                                            \
     [SINE_FREQUENCY] =                                                                             \
@@ -25,14 +25,14 @@ enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_RO
                      NAN,                                                                          \
                      "number of cycles; endless if not given"}
 
-// A sine made from those options, starting at `start`; without cycles it never ends.
-// Warns of a phase in degrees.
+// Makes a sine from these options, from the time `start` on. Without -cycles it never ends. Warns
+// about a phase in degrees.
 struct signal signals_sine(struct builder *b, const struct argument *a, double start);
 
-// Remembers when a signal ends, for the default duration.
+// Notes the end of a signal for the default duration.
 void signals_longest(struct builder *b, const struct signal *s);
 
-// Periods of oscillators that a record may be scaled by [s], and their damping ratios.
+// Allowed periods [s] and damping ratios of the oscillator of -sa.
 extern const struct range signals_period_range, signals_damping_range;
 
 #endif

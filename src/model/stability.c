@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step h of Dormand & Prince's method multiplies a motion exp(z t / h) by
+// The longest stable step of Dormand & Prince's method. A step h multiplies a motion exp(z t / h)
+// by
 //     R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24 + z^5/120 + z^6/600,
-// and is stable where |R| <= 1: Hairer & Wanner (1996), Solving Ordinary Differential Equations II,
+// and is stable if |R| <= 1: Hairer & Wanner (1996), Solving Ordinary Differential Equations II,
 // section IV.2. Without damping z = i y, and
 //     |R|^2 = 1 - y^6 (1/1800 - y^2/1600 + y^4/14400 - y^6/360000) <= 1 up to y = 0.997;
-// with 1 % of the critical damping |z| may be 1.87, with 5 % 2.40, and for a decay, z < 0, 3.307.
+// With 1 % of the critical damping the limit of |z| is 1.87, with 5 % it is 2.40. For a decay
+// without oscillation, z < 0, it is 3.307.
 //
 // A motion phi exp(lambda t) of the whole system, phi complex, satisfies
 //     m lambda^2 + c lambda + k = 0,   m = phi* M phi,  c = phi* C phi,  k = phi* K phi,
-// all real and none negative. So either |lambda| = sqrt(k / m), or lambda is real and |lambda| <=
-// c / m. Bounds of k / m and c / m are bounds of the rates of all motions:
+// which are real and not negative. So either |lambda| = sqrt(k / m), or lambda is real and |lambda|
+// <= c / m. So bounds of k / m and c / m are bounds of the rates of all motions:
 //   - Link e between floors i and j adds k_e |phi_i - phi_j|^2 to k, and with its effective mass
 //     m_e, 1 / m_e = 1 / m_i + 1 / m_j, that is by the inequality of Cauchy and Schwarz no more
 //     than (k_e / m_e) (m_i |phi_i|^2 + m_j |phi_j|^2). So k / m is at most the largest over all
@@ -17,21 +19,22 @@
 //     largest sum of k_e / m_e over the links of one floor.
 //   - In the same way c / m is at most the largest of g + D, where g is the largest row sum of
 //     M^-1 |C| (Gershgorin), and D the largest sum of c_e / m_e.
-// What the storeys add to k is damped as in the building alone, what links add may not be at all:
-// the step is short enough for the limit of the building alone, at the larger frequency, and for
-// that of the links alone without damping.
+// The part of k from storeys is damped as in the building alone. The part from links may be
+// undamped. So the step must meet two limits: that of the building alone, at the larger frequency,
+// and that of the links alone, without damping.
 #include "model/stability.h"
 
+#include <assert.h>
 #include <complex.h>
 #include <math.h>
 
 #include "core/root.h"
 #include "model/parts.h"
 
-// |z| of an undamped oscillation, and of a decay.
+// Limits of |z|: of an undamped oscillation, and of a decay.
 static const double UNDAMPED = 0.99, DECAYING = 3.3;
 static const double LARGEST = 3.5;  // above all limits
-static const double DECAYS = 0.9;   // of the limit: there motions do not last, but decay
+static const double DECAYS = 0.9;   // share of the limit that is used, so that motions decay
 enum { HALVINGS = 14 };
 
 static bool is_stable(double complex z) {
@@ -42,7 +45,7 @@ static bool is_stable(double complex z) {
     return cabs(r) <= 1.0;
 }
 
-// On each ray there is one end of stability below LARGEST.
+// Each ray leaves the region of stability once below LARGEST.
 double stability_limit(double ratio) {
     double complex ray =
         ratio < 1.0 ? -ratio + I * sqrt(1.0 - ratio * ratio) : -ratio - sqrt(ratio * ratio - 1.0);
@@ -53,7 +56,7 @@ double stability_limit(double ratio) {
     return end.low;
 }
 
-// Entry (i, j) of a full damping matrix, with the dashpots of parts.
+// Entry (i, j) of a full damping matrix, including the dashpots of parts.
 static double full_entry(const struct building *g, int i, int j) {
     const int n = g->n_floor;
     return g->damping_full[i * n + j] +
@@ -89,6 +92,7 @@ struct stability stability_of(const struct building *g) {
 }
 
 double stability_step(const struct stability *s, double spring, double dashpot) {
+    assert(s);
     double step = s->alone * sqrt(s->square / (s->square + spring));
     step = s->square > 0.0 ? step : INFINITY;
     step = spring > 0.0 ? fmin(step, UNDAMPED / sqrt(spring)) : step;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stiffness of a contact from the bodies that meet:
+// The stiffness of a contact from the bodies that meet:
 //
 //     hertz  k = (4/3) sqrt(R) E*,  1/R = 1/R1 + 1/R2,  1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
 //            of two spheres, or a sphere and a flat face (R2 infinite); F = k d^(3/2).
-//            Johnson (1985), Contact Mechanics, eq. 4.22. One paper prints sqrt(R E*).
+//            Johnson (1985), Contact Mechanics, eq. 4.22. A formula with sqrt(R E*) is in print,
+//            and is wrong.
 //     slab   k = E A / L, the axial stiffness of the slab that is struck; F = k d.
-#include "model/stiffness_estimate.h"
+#include "model/law_choice.h"
 
 #include <string.h>
 
@@ -38,7 +39,7 @@ const struct row stiffness_slab_rows[STIFFNESS_SLAB_ROWS] = {
                 "length of the slab in the direction of impact"},
 };
 
-// The value of a row, or of the row `other` where it is not given.
+// The value of the option `row`, or of the option `other` if `row` is not given.
 static double value_or(const struct argument *given, int row, int other) {
     return given[given[row].given ? row : other].number[0];
 }

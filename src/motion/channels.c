@@ -2,6 +2,7 @@
 // Files of several channels: the choice of a channel, and channels that are columns of rows.
 #include "motion/channels.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -10,6 +11,7 @@
 int channels_choose(const struct record_request *request, const struct record_text *t,
                     const struct channels *c, int *chosen, struct record_content *out,
                     struct error *e) {
+    assert(c->n > 0 && c->n <= CHANNELS_MAX);
     const int wanted = request->channel == 0 && c->n == 1 ? 1 : request->channel;
     if (wanted > 0 && wanted <= c->n) {
         *chosen = wanted - 1;
@@ -124,6 +126,7 @@ static int check_count(const struct record_text *t, const struct channel_rows *r
 
 int channels_read(struct arena *a, const struct record_text *t, const struct channel_rows *rows,
                   struct record_content *out, struct error *e) {
+    assert(rows->column >= 0 && rows->column < rows->n_column);
     struct lines l = rows->from;
     int last_line = l.number;
     for (out->n = 0; next_row(&l); out->n++) {

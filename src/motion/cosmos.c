@@ -46,17 +46,6 @@ static bool cosmos_matches(const struct record_text *t) {
     return lines_next(&l) && is_title(l.line);
 }
 
-// `90 deg` of `   1: 90 deg (Rcrdr Chan  1) Location: ...`.
-static struct piece channel_name(struct piece text) {
-    const char *bracket = memchr(text.text, '(', text.n);
-    text.n = bracket ? (size_t)(bracket - text.text) : text.n;
-    for (const char *colon; (colon = memchr(text.text, ':', text.n));) {
-        text.n -= (size_t)(colon + 1 - text.text);
-        text.text = colon + 1;
-    }
-    return lines_trim(text);
-}
-
 static void note_text(struct channel *c, const struct lines *l) {
     struct piece rest;
     if (is_title(l->line)) {
@@ -65,7 +54,14 @@ static void note_text(struct channel *c, const struct lines *l) {
         c->reals = *l;
     } else if ((rest = lines_behind(l->line, "STA CHAN")).n > 0 ||
                (rest = lines_behind(l->line, "STA CHA")).n > 0) {
-        c->name = channel_name(rest);
+        // `90 deg` of `   1: 90 deg (Rcrdr Chan  1) Location: ...`.
+        const char *bracket = memchr(rest.text, '(', rest.n);
+        rest.n = bracket ? (size_t)(bracket - rest.text) : rest.n;
+        for (const char *colon; (colon = memchr(rest.text, ':', rest.n));) {
+            rest.n -= (size_t)(colon + 1 - rest.text);
+            rest.text = colon + 1;
+        }
+        c->name = lines_trim(rest);
     } else if (lines_word(l->line, "PROCESSED") && lines_value(l->line, "MAX", &rest)) {
         c->peak = (struct header_entry){"Max", rest, l->number};
         rest.n = (size_t)(l->line.text + l->line.n - rest.text);
@@ -162,14 +158,6 @@ static int read_unit(const struct record_request *request, const struct record_t
     return STATUS_OK;
 }
 
-static int read_peak(const struct record_request *request, const struct record_text *t,
-                     const struct channel *c, struct record_content *out, struct error *e) {
-    struct record_content peak = {0};
-    header_read_unit(request, &c->peak, c->peak_unit, &peak);
-    return header_read_peak_of_unit(&(struct header){.text = t}, &c->peak, c->peak.value, peak.unit,
-                                    out, e);
-}
-
 static int check_unknown(const struct record_text *t, const struct channel *c, double unknown,
                          const struct record_content *out, struct error *e) {
     for (size_t i = 0; i < out->n; i++) {
@@ -206,7 +194,10 @@ static int cosmos_read(struct arena *a, const struct record_request *request,
         status = read_count(t, &c, &n, out, e);
     }
     if (status == STATUS_OK) {
-        status = read_peak(request, t, &c, out, e);
+        struct record_content peak = {0};
+        header_read_unit(request, &c.peak, c.peak_unit, &peak);
+        status = header_read_peak_of_unit(&(struct header){.text = t}, &c.peak, c.peak.value,
+                                          peak.unit, out, e);
     }
     if (status == STATUS_OK && !fixed_format_find(c.values.line, &format)) {
         status =

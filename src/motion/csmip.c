@@ -58,23 +58,6 @@ static bool csmip_matches(const struct record_text *t) {
     return false;
 }
 
-// Takes the name and the peak from a line of text.
-static void note_text(struct channel *c, const struct lines *l) {
-    const char *name = lines_word(l->line, "CHAN");
-    if (name && memchr(name, ':', (size_t)(l->line.text + l->line.n - name))) {
-        c->name = (struct piece){name, (size_t)(l->line.text + l->line.n - name)};
-    }
-    struct piece component = lines_behind(l->line, "COMP");
-    if (c->name.n == 0) {
-        lines_field(&component, "", &c->name);
-    }
-    struct piece peak;
-    if (lines_value(l->line, "PEAK ACCELERATION", &peak) ||
-        (!lines_word(l->line, "UNCOR MAX") && lines_value(l->line, "MAX", &peak))) {
-        c->peak = (struct header_entry){"peak", peak, l->number};
-    }
-}
-
 // Steps to the next line before accelerations; false: there is no further channel.
 static bool next_channel(struct lines *l, struct channel *c) {
     *c = (struct channel){0};
@@ -83,7 +66,20 @@ static bool next_channel(struct lines *l, struct channel *c) {
             c->title = *l;
             return true;
         }
-        note_text(c, l);
+        // Takes the name and the peak from a line of text.
+        const char *name = lines_word(l->line, "CHAN");
+        if (name && memchr(name, ':', (size_t)(l->line.text + l->line.n - name))) {
+            c->name = (struct piece){name, (size_t)(l->line.text + l->line.n - name)};
+        }
+        struct piece component = lines_behind(l->line, "COMP");
+        if (c->name.n == 0) {
+            lines_field(&component, "", &c->name);
+        }
+        struct piece peak;
+        if (lines_value(l->line, "PEAK ACCELERATION", &peak) ||
+            (!lines_word(l->line, "UNCOR MAX") && lines_value(l->line, "MAX", &peak))) {
+            c->peak = (struct header_entry){"peak", peak, l->number};
+        }
     }
     return false;
 }

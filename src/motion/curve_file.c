@@ -35,42 +35,20 @@ static struct line_place place(const struct curve_row *r, enum curve_column colu
     return lines_place_field(r->text, r->line, r->field[column]);
 }
 
-static int check_first(const struct curve_row *r, struct error *e) {
-    for (enum curve_column c = 0; c < CURVE_COLUMNS; c++) {
-        if (r->value[c] != 0.0) {
-            return error_set(e, STATUS_INPUT, "%s: first %s is %.6g; a curve must begin at 0",
-                             place(r, c).text, column_name[c], r->value[c]);
-        }
-    }
-    return STATUS_OK;
-}
-
 // Unloading force divided by loading force; NAN if the loading force is 0.
 static double share(const double *point) {
     return point[CURVE_LOADING] > 0.0 ? point[CURVE_UNLOADING] / point[CURVE_LOADING] : NAN;
 }
 
-static int check_unloading(const struct curve_row *r, struct error *e) {
-    double loading = r->value[CURVE_LOADING];
-    double unloading = r->value[CURVE_UNLOADING];
-    if (unloading < 0.0 || unloading > loading) {
-        return error_set(e, STATUS_INPUT,
-                         "%s: unloading force is %.6g; it must be >= 0 and <= the loading force, "
-                         "which is %.6g",
-                         place(r, CURVE_UNLOADING).text, unloading, loading);
-    }
-    if (share(r->value) < share(r->before) * (1.0 - ROUNDING)) {
-        return error_set(e, STATUS_INPUT,
-                         "%s: unloading force is %.6g of the loading force, but %.6g in the row "
-                         "above; this share must not fall, or cycles would create energy",
-                         place(r, CURVE_UNLOADING).text, share(r->value), share(r->before));
-    }
-    return STATUS_OK;
-}
-
 static int check_row(const struct curve_row *r, struct error *e) {
     if (!r->before) {
-        return check_first(r, e);
+        for (enum curve_column c = 0; c < CURVE_COLUMNS; c++) {
+            if (r->value[c] != 0.0) {
+                return error_set(e, STATUS_INPUT, "%s: first %s is %.6g; a curve must begin at 0",
+                                 place(r, c).text, column_name[c], r->value[c]);
+            }
+        }
+        return STATUS_OK;
     }
     if (r->value[CURVE_PENETRATION] <= r->before[CURVE_PENETRATION]) {
         return error_set(e, STATUS_INPUT,
@@ -83,20 +61,19 @@ static int check_row(const struct curve_row *r, struct error *e) {
             e, STATUS_INPUT, "%s: loading force %.6g after %.6g; loading forces must not fall",
             place(r, CURVE_LOADING).text, r->value[CURVE_LOADING], r->before[CURVE_LOADING]);
     }
-    return check_unloading(r, e);
-}
-
-static int check_last(const struct curve_row *r, struct error *e) {
-    if (r->value[CURVE_LOADING] == 0.0) {
-        return error_set(e, STATUS_INPUT, "%s: last loading force is 0; it must be > 0",
-                         place(r, CURVE_LOADING).text);
+    double loading = r->value[CURVE_LOADING];
+    double unloading = r->value[CURVE_UNLOADING];
+    if (unloading < 0.0 || unloading > loading) {
+        return error_set(
+            e, STATUS_INPUT,
+            "%s: unloading force is %.6g; it must be >= 0 and <= the loading force, which is %.6g",
+            place(r, CURVE_UNLOADING).text, unloading, loading);
     }
-    if (share(r->value) < 1.0 - ROUNDING) {
+    if (share(r->value) < share(r->before) * (1.0 - ROUNDING)) {
         return error_set(e, STATUS_INPUT,
-                         "%s: last unloading force is %.6g; the branches must meet at the last "
-                         "point, where the loading force is %.6g",
-                         place(r, CURVE_UNLOADING).text, r->value[CURVE_UNLOADING],
-                         r->value[CURVE_LOADING]);
+                         "%s: unloading force is %.6g of the loading force, but %.6g in the row "
+                         "above; this share must not fall, or cycles would create energy",
+                         place(r, CURVE_UNLOADING).text, share(r->value), share(r->before));
     }
     return STATUS_OK;
 }
@@ -137,7 +114,18 @@ static int read_rows(const struct record_text *t, const struct table *table, dou
             return status;
         }
     }
-    return check_last(&r, e);
+    if (r.value[CURVE_LOADING] == 0.0) {
+        return error_set(e, STATUS_INPUT, "%s: last loading force is 0; it must be > 0",
+                         place(&r, CURVE_LOADING).text);
+    }
+    if (share(r.value) < 1.0 - ROUNDING) {
+        return error_set(e, STATUS_INPUT,
+                         "%s: last unloading force is %.6g; the branches must meet at the last "
+                         "point, where the loading force is %.6g",
+                         place(&r, CURVE_UNLOADING).text, r.value[CURVE_UNLOADING],
+                         r.value[CURVE_LOADING]);
+    }
+    return STATUS_OK;
 }
 
 static int check_table(const struct record_text *t, const struct table *table, struct error *e) {
@@ -189,18 +177,6 @@ static int read_caption(const struct record_text *t, const struct table *table, 
     return status;
 }
 
-// Converts the curve from the units of the file (0: not given) to those of the deck.
-static void convert(double *point, size_t n, double length, double force,
-                    const struct unit_system *units) {
-    for (size_t i = 0; i < n * CURVE_COLUMNS; i++) {
-        bool is_length = i % CURVE_COLUMNS == CURVE_PENETRATION;
-        double from = is_length ? length : force;
-        if (from > 0.0) {
-            point[i] = unit_convert(point[i], from, is_length ? units->length : units->force);
-        }
-    }
-}
-
 // Checks that the slopes of the converted curve are finite.
 static int check_slopes(const struct record_text *t, const double *point, size_t n,
                         struct error *e) {
@@ -243,7 +219,15 @@ int curve_read_text(struct arena *a, const struct curve_request *request,
     }
     status = read_rows(&text, &table, point, e);
     if (!status) {
-        convert(point, table.n_row, length, force, request->units);
+        // Converts the curve from the units of the file (0: not given) to those of the deck.
+        for (size_t i = 0; i < table.n_row * CURVE_COLUMNS; i++) {
+            bool is_length = i % CURVE_COLUMNS == CURVE_PENETRATION;
+            double from = is_length ? length : force;
+            if (from > 0.0) {
+                point[i] = unit_convert(point[i], from,
+                                        is_length ? request->units->length : request->units->force);
+            }
+        }
         status = check_slopes(&text, point, table.n_row, e);
     }
     if (!status) {

@@ -2,6 +2,7 @@
 // Values in fields of a fixed width.
 #include "motion/fixed.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -59,6 +60,7 @@ bool fixed_format_find(struct piece line, struct fixed_format *out) {
 }
 
 struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i) {
+    assert(format->n > 0 && format->width > 0);
     const size_t from = i * format->width;
     const size_t left = from < line.n ? line.n - from : 0;
     struct piece rest = {line.text + (left ? from : line.n),
@@ -97,17 +99,10 @@ static int read_time(const struct record_text *t, const struct lines *l,
     return status == STATUS_OK ? values_check_time(t, l->number, i, time, out, e) : status;
 }
 
-static int read_value(const struct record_text *t, const struct lines *l,
-                      const struct fixed_format *format, size_t i, double *value, struct error *e) {
-    const size_t used = (i % format->n + 1) * fields_each(format);
-    const struct number_field f = {t, l->number, "value", i + 1,
-                                   fixed_field(l->whole, format, used - 1)};
-    return lines_read_number(&f, value, e);
-}
-
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e) {
+    assert(format->n > 0 && format->width > 0);
     const int title = format->stated ? format->stated : l->number;
     if (n > (size_t)(l->end - l->at)) {
         return lines_error(e, t->path, title, "the line says %zu values; the file ends before", n);
@@ -124,7 +119,10 @@ int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
         }
         int status = format->timed ? read_time(t, l, format, i, out, e) : STATUS_OK;
         if (status == STATUS_OK) {
-            status = read_value(t, l, format, i, &value[i], e);
+            const size_t used = (i % format->n + 1) * fields_each(format);
+            const struct number_field f = {t, l->number, "value", i + 1,
+                                           fixed_field(l->whole, format, used - 1)};
+            status = lines_read_number(&f, &value[i], e);
         }
         if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
             status = check_rest(t, l, (column + 1) * fields_each(format) * format->width, e);

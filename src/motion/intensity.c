@@ -9,6 +9,7 @@
 // (1988), without its threshold.
 #include "jostle/intensity.h"
 
+#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_poly.h>
 #include <math.h>
@@ -76,6 +77,7 @@ static double time_of(const struct signal *g, double target) {
 }
 
 struct intensity intensity_of(const struct signal *ground, double gravity) {
+    assert(ground && gravity > 0.0);
     struct intensity out = {0};
     double total = 0.0;
     for (size_t j = 0; j < ground->n; j++) {

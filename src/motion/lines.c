@@ -2,6 +2,7 @@
 // Lines, fields and numbers of a record file, and messages that point into it.
 #include "motion/lines.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -76,6 +77,7 @@ static const char *skip_blanks(const char *at, const char *end) {
 }
 
 bool lines_field(struct piece *rest, const char *separators, struct piece *field) {
+    assert(rest && separators && field);
     if (rest->n == 0) {
         *field = *rest;  // which may be nowhere
         return false;
@@ -161,6 +163,7 @@ static const char *find(struct piece line, const char *text, size_t from) {
 }
 
 const char *lines_word(struct piece line, const char *word) {
+    assert(word && word[0]);
     size_t n = strlen(word);
     const char *end = line.text + line.n;
     const char *at = find(line, word, 0);
@@ -218,6 +221,7 @@ static size_t fortran_exponent(struct piece s) {
 }
 
 enum number lines_number(struct piece field, double *value) {
+    assert(value);
     enum { LONGEST = 60 };
     if (field.n == 0) {
         return NUMBER_BAD;
@@ -325,6 +329,7 @@ struct line_place lines_place_field(const struct record_text *t, int line, struc
 }
 
 int lines_error(struct error *e, const char *path, int line, const char *format, ...) {
+    assert(path && line >= 0 && format);
     char cause[sizeof e->message];
     va_list arguments;
     va_start(arguments, format);

@@ -7,6 +7,7 @@
 // its Cholesky factorisation must have pivots above rounding, 1e-12 of the diagonal.
 #include "motion/matrix_file.h"
 
+#include <assert.h>
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 
@@ -185,6 +186,7 @@ static int read_text(struct arena *a, const struct matrix_request *q, const stru
 
 int matrix_read(struct arena *a, const struct matrix_request *request, double **value,
                 struct error *e) {
+    assert(request->n > 0 && request->from > 0.0 && request->to > 0.0);
     struct record_text t;
     struct arena *scratch;
     int status = record_text_open(request->path, FILE_SIZE_MAX, &t, &scratch, e);

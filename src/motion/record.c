@@ -2,6 +2,7 @@
 // Reads a record: reads the file as text, finds its format, reads its values and checks them.
 #include "jostle/record.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -111,30 +112,7 @@ static bool is_control(char c) {
     return c == 0x7f || ((unsigned char)c < 0x20 && (c < '\t' || c > '\r'));
 }
 
-// STATUS_INPUT if the file is not text. Headers may be other than UTF-8, but must not have control
-// characters.
-static int check_text(const struct record_text *t, struct error *e) {
-    if (t->size == 0) {
-        return lines_error(e, t->path, 0, "the file is empty");
-    }
-    const char *what = foreign_file(t);
-    if (what) {
-        return lines_error(e, t->path, 0, "this is %s, not a record", what);
-    }
-    unsigned found = 0;
-    for (size_t i = 0; i < t->size; i++) {
-        found |= is_control(t->text[i]);
-    }
-    for (size_t i = 0; found && i < t->size; i++) {
-        if (is_control(t->text[i])) {
-            return lines_error(e, t->path, 0, "this is not text: byte 0x%02x at offset %zu",
-                               (unsigned)(unsigned char)t->text[i], i);
-        }
-    }
-    return STATUS_OK;
-}
-
-static struct record_text strip_marks(const struct record_text *t) {
+int record_clean(const struct record_text *t, struct record_text *out, struct error *e) {
     struct record_text s = *t;
     if (s.size >= 3 && memcmp(s.text, "\xef\xbb\xbf", 3) == 0) {
         s.text += 3;
@@ -145,16 +123,32 @@ static struct record_text strip_marks(const struct record_text *t) {
         end--;
         s.size = s.text[end] == '\x1a' ? end : s.size;
     }
-    return s;
-}
-
-int record_clean(const struct record_text *t, struct record_text *out, struct error *e) {
-    *out = strip_marks(t);
-    return check_text(out, e);
+    *out = s;
+    // STATUS_INPUT if the file is not text. Headers may be other than UTF-8, but must not have
+    // control characters.
+    if (out->size == 0) {
+        return lines_error(e, out->path, 0, "the file is empty");
+    }
+    const char *what = foreign_file(out);
+    if (what) {
+        return lines_error(e, out->path, 0, "this is %s, not a record", what);
+    }
+    unsigned found = 0;
+    for (size_t i = 0; i < out->size; i++) {
+        found |= is_control(out->text[i]);
+    }
+    for (size_t i = 0; found && i < out->size; i++) {
+        if (is_control(out->text[i])) {
+            return lines_error(e, out->path, 0, "this is not text: byte 0x%02x at offset %zu",
+                               (unsigned)(unsigned char)out->text[i], i);
+        }
+    }
+    return STATUS_OK;
 }
 
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e) {
+    assert(a && request && t && out);
     *out = (struct record){0};
     struct record_text stripped;
     int status = record_clean(t, &stripped, e);
@@ -183,6 +177,7 @@ int record_read_text(struct arena *a, const struct record_request *request,
 
 int record_read(struct arena *a, const struct record_request *request, struct record *out,
                 struct error *e) {
+    assert(a && request && out);
     *out = (struct record){.wrong = RECORD_PATH};
     struct record_text t;
     struct arena *scratch;

@@ -3,6 +3,7 @@
 // removed, so that memory does not grow with the number of records of a study.
 #include "motion/record_cache.h"
 
+#include <assert.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,7 @@ struct record_cache {
 };
 
 struct record_cache *record_cache_create(size_t bytes_max) {
+    assert(bytes_max > 0);
     struct record_cache *s = calloc(1, sizeof *s);
     if (s && pthread_mutex_init(&s->lock, NULL) != 0) {
         free(s);
@@ -75,22 +77,6 @@ static struct entry *find(struct record_cache *s, const struct record_request *r
     return NULL;
 }
 
-// Removes the entries after those that fit into the cache.
-static void make_room(struct record_cache *s) {
-    size_t bytes = 0;
-    for (struct entry **at = &s->first; *at;) {
-        struct entry *i = *at;
-        if (bytes + bytes_of(&i->record) > s->bytes_max) {
-            *at = i->next;
-            arena_free(i->arena);
-        } else {
-            bytes += bytes_of(&i->record);
-            at = &i->next;
-        }
-    }
-    s->bytes = bytes;
-}
-
 // Copies the values of `r` into memory from `a`; false: no memory.
 static bool copy(struct arena *a, const struct record *r, struct record *out) {
     double *value = arena_alloc(a, r->n, sizeof *value);
@@ -131,13 +117,25 @@ static int put(struct record_cache *s, const struct record_request *request, con
     s->first = new;
     s->bytes += bytes_of(r);
     if (s->bytes > s->bytes_max) {
-        make_room(s);
+        // Removes the entries after those that fit into the cache.
+        size_t bytes = 0;
+        for (struct entry **at = &s->first; *at;) {
+            struct entry *i = *at;
+            if (bytes + bytes_of(&i->record) > s->bytes_max) {
+                *at = i->next;
+                arena_free(i->arena);
+            } else {
+                bytes += bytes_of(&i->record);
+                at = &i->next;
+            }
+        }
+        s->bytes = bytes;
     }
     return STATUS_OK;
 }
 
 int record_cache_read(struct record_cache *s, struct arena *a, const struct record_request *request,
-                      struct record *out, struct error *e) {
+               struct record *out, struct error *e) {
     if (!s) {
         return record_read(a, request, out, e);
     }

@@ -12,26 +12,6 @@ static bool parse_whole(const char *text, double gravity, struct dimension *dime
     return unit_parse(text, gravity, &end, dimension, si) && *end == '\0';
 }
 
-// Writes `text` with small letters, s for sec, ^ for **, and without blanks.
-static void normalise(struct piece text, char *out) {
-    size_t n = 0;
-    for (size_t i = 0; i < text.n; i++) {
-        char c = text.text[i];
-        if (c == ' ' || c == '\t') {
-            continue;
-        }
-        if (c == '*' && i + 1 < text.n && text.text[i + 1] == '*') {
-            c = '^';
-            i++;
-        }
-        out[n++] = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
-        if (n >= 3 && memcmp(out + n - 3, "sec", 3) == 0) {
-            n -= 2;
-        }
-    }
-    out[n] = '\0';
-}
-
 bool record_unit(struct piece text, double gravity, struct dimension *dimension, double *si) {
     if (text.n == 0 || text.n > UNIT_LONGEST || memchr(text.text, '\0', text.n)) {
         return false;
@@ -42,7 +22,23 @@ bool record_unit(struct piece text, double gravity, struct dimension *dimension,
     if (parse_whole(copy, gravity, dimension, si)) {
         return true;
     }
-    normalise(text, copy);
+    // Writes `text` with small letters, s for sec, ^ for **, and without blanks.
+    size_t n = 0;
+    for (size_t i = 0; i < text.n; i++) {
+        char c = text.text[i];
+        if (c == ' ' || c == '\t') {
+            continue;
+        }
+        if (c == '*' && i + 1 < text.n && text.text[i + 1] == '*') {
+            c = '^';
+            i++;
+        }
+        copy[n++] = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+        if (n >= 3 && memcmp(copy + n - 3, "sec", 3) == 0) {
+            n -= 2;
+        }
+    }
+    copy[n] = '\0';
     if (strcmp(copy, "g/10") == 0) {
         *dimension = dimension_acceleration;
         *si = gravity / 10;

@@ -7,6 +7,7 @@
 // Before the first and after the last sample the value is zero, so v stays and u grows linearly.
 #include "jostle/signal.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <math.h>
 #include <stdbool.h>
@@ -19,17 +20,9 @@
 // n dt and (n dt) computed in another way differ by rounding.
 static const double END_SLACK = 1e-6;
 
-static void integrate_samples(size_t n, double dt, const double *a, double *v, double *u) {
-    v[0] = 0.0;
-    u[0] = 0.0;
-    for (size_t j = 0; j + 1 < n; j++) {
-        v[j + 1] = v[j] + dt * (a[j] + a[j + 1]) / 2.0;
-        u[j + 1] = u[j] + dt * v[j] + dt * dt * (2.0 * a[j] + a[j + 1]) / 6.0;
-    }
-}
-
 int signal_init_samples(struct signal *s, struct arena *a, const double *value, size_t n, double dt,
                         double scale, double start, struct error *e) {
+    assert(value && n > 0 && dt > 0.0);
     double *y = arena_alloc(a, n, sizeof *y);
     double *v = arena_alloc(a, n, sizeof *v);
     double *u = arena_alloc(a, n, sizeof *u);
@@ -41,7 +34,12 @@ int signal_init_samples(struct signal *s, struct arena *a, const double *value, 
         y[j] = scale * value[j];
         peak = fabs(y[j]) > peak ? fabs(y[j]) : peak;
     }
-    integrate_samples(n, dt, y, v, u);
+    v[0] = 0.0;
+    u[0] = 0.0;
+    for (size_t j = 0; j + 1 < n; j++) {
+        v[j + 1] = v[j] + dt * (y[j] + y[j + 1]) / 2.0;
+        u[j + 1] = u[j] + dt * v[j] + dt * dt * (2.0 * y[j] + y[j + 1]) / 6.0;
+    }
     *s = (struct signal){
         .start = start,
         .end = start + dt * (double)(n - 1),
@@ -98,6 +96,7 @@ LANES static void add_samples(const struct signal *s, int n, const double *restr
 }
 
 void signal_add_values(const struct signal *s, int n, const double *t, double *sum) {
+    assert(s && n >= 0 && (n == 0 || t[0] <= t[n - 1]));
     if (s->value && s->n <= INT_MAX) {
         add_samples(s, n, t, sum);
         return;
@@ -105,14 +104,6 @@ void signal_add_values(const struct signal *s, int n, const double *t, double *s
     for (int i = 0; i < n; i++) {
         sum[i] += signal_value(s, t[i]);
     }
-}
-
-static void integrals_of_samples(const struct signal *s, double t, double *v, double *u) {
-    double x;
-    size_t j = sample_before(s, t, &x);
-    double slope = (s->value[j + 1] - s->value[j]) / s->dt;
-    *v = s->velocity[j] + x * (s->value[j] + x * slope / 2.0);
-    *u = s->displacement[j] + x * (s->velocity[j] + x * (s->value[j] / 2.0 + x * slope / 6.0));
 }
 
 static void integrals_of_sine(const struct signal *s, double t, double *v, double *u) {
@@ -129,6 +120,7 @@ static void integrals_of_sine(const struct signal *s, double t, double *v, doubl
 }
 
 void signal_integrals(const struct signal *s, double t, double *velocity, double *displacement) {
+    assert(s && velocity && displacement);
     if (t <= s->start) {
         *velocity = 0.0;
         *displacement = 0.0;
@@ -136,7 +128,12 @@ void signal_integrals(const struct signal *s, double t, double *velocity, double
     }
     double within = fmin(t, s->end);
     if (s->value) {
-        integrals_of_samples(s, within, velocity, displacement);
+        double x;
+        size_t j = sample_before(s, within, &x);
+        double slope = (s->value[j + 1] - s->value[j]) / s->dt;
+        *velocity = s->velocity[j] + x * (s->value[j] + x * slope / 2.0);
+        *displacement =
+            s->displacement[j] + x * (s->velocity[j] + x * (s->value[j] / 2.0 + x * slope / 6.0));
     } else {
         integrals_of_sine(s, within, velocity, displacement);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Spectra of several records and their statistics. Percentiles are those of spreadsheets and numpy
 // (definition 7 of Hyndman and Fan 1996, The American Statistician 50, 361).
+#include <assert.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
@@ -15,6 +16,8 @@ static struct spectrum_point *point_at(const struct spectra *s, int series, int 
 
 const struct spectrum_point *spectra_at(const struct spectra *s, int series, int damping,
                                         int period) {
+    assert(damping >= 0 && damping < s->n_damping);
+    assert(period >= 0 && period < s->n_period);
     return point_at(s, series, damping, period);
 }
 
@@ -39,6 +42,7 @@ static void take_statistics(const struct spectra *s, int damping, int period, do
 
 int spectra_compute(struct spectra *s, const struct signal *ground, struct arena *a,
                     struct error *e) {
+    assert(s->n_record > 0 && s->n_damping > 0 && s->n_period > 0 && ground);
     const size_t n_series = (size_t)s->n_record + SPECTRA_STATISTICS;
     s->point =
         arena_alloc(a, n_series * (size_t)s->n_damping * (size_t)s->n_period, sizeof *s->point);

@@ -18,6 +18,7 @@
 // y'' within the amplitude of its sine: most steps are seen to hold no peak by that.
 #include "jostle/spectrum.h"
 
+#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdbool.h>
@@ -241,6 +242,7 @@ static struct quantity quantity_of(int which, double omega, double zeta) {
 }
 
 struct spectrum_point spectrum_at(const struct signal *ground, double period, double zeta) {
+    assert(ground && period >= 0.0 && zeta >= 0.0 && zeta < 1.0);
     if (period == 0.0) {
         const double peak = signal_peak(ground);
         return (struct spectrum_point){.value = {[SPECTRUM_PSA] = peak, [SPECTRUM_SA] = peak}};
@@ -261,6 +263,7 @@ struct spectrum_point spectrum_at(const struct signal *ground, double period, do
 }
 
 double spectrum_velocity(const struct signal *ground, double omega, double zeta) {
+    assert(ground && omega > 0.0);
     struct quantity velocity = quantity_of(VELOCITY, omega, zeta);
     respond(ground, omega, zeta, 1, &velocity);
     return velocity.peak;

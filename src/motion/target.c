@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "motion/target.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "core/arena.h"
@@ -25,6 +26,7 @@ int target_read(struct arena *a, const char *path, struct target *out, struct er
 }
 
 double target_at(const struct target *t, double period) {
+    assert(t->n >= 2);
     if (!(period >= t->period[0] && period <= t->period[t->n - 1])) {
         return NAN;
     }
@@ -46,31 +48,9 @@ static double psa(const struct spectra *s, int record, int period) {
     return spectra_at(s, record, 0, period)->value[SPECTRUM_PSA];
 }
 
-static void fit_record(struct match *m, const struct spectra *s, const double *goal, int record) {
-    double sum = 0.0, squares = 0.0;
-    for (int p = 0; p < s->n_period; p++) {
-        sum += log(goal[p] / psa(s, record, p));
-    }
-    const double mean = sum / s->n_period;
-    for (int p = 0; p < s->n_period; p++) {
-        const double left = log(goal[p] / psa(s, record, p)) - mean;
-        squares += left * left;
-    }
-    m->factor[record] = exp(mean);
-    m->misfit[record] = sqrt(squares / s->n_period);
-}
-
-static struct match_ratio ratio_at(const struct match *m, const struct spectra *s,
-                                   const double *goal, int period) {
-    double sum = 0.0;
-    for (int r = 0; r < s->n_record; r++) {
-        sum += m->factor[r] * psa(s, r, period);
-    }
-    return (struct match_ratio){s->period[period], sum / s->n_record / goal[period]};
-}
-
 int target_match(struct match *m, const struct spectra *s, const double *goal, struct arena *a,
-                  struct error *e) {
+                 struct error *e) {
+    assert(s->n_record > 0 && s->n_period > 0 && goal);
     *m = (struct match){
         .factor = arena_alloc(a, (size_t)s->n_record, sizeof *m->factor),
         .misfit = arena_alloc(a, (size_t)s->n_record, sizeof *m->misfit),
@@ -81,10 +61,25 @@ int target_match(struct match *m, const struct spectra *s, const double *goal, s
         return error_no_memory(e);
     }
     for (int r = 0; r < s->n_record; r++) {
-        fit_record(m, s, goal, r);
+        double sum = 0.0, squares = 0.0;
+        for (int p = 0; p < s->n_period; p++) {
+            sum += log(goal[p] / psa(s, r, p));
+        }
+        const double mean = sum / s->n_period;
+        for (int p = 0; p < s->n_period; p++) {
+            const double left = log(goal[p] / psa(s, r, p)) - mean;
+            squares += left * left;
+        }
+        m->factor[r] = exp(mean);
+        m->misfit[r] = sqrt(squares / s->n_period);
     }
     for (int p = 0; p < s->n_period; p++) {
-        const struct match_ratio ratio = ratio_at(m, s, goal, p);
+        double sum = 0.0;
+        for (int r = 0; r < s->n_record; r++) {
+            sum += m->factor[r] * psa(s, r, p);
+        }
+        const struct match_ratio ratio =
+            (struct match_ratio){s->period[p], sum / s->n_record / goal[p]};
         m->least = ratio.value < m->least.value ? ratio : m->least;
         m->largest = ratio.value > m->largest.value ? ratio : m->largest;
     }

@@ -3,6 +3,7 @@
 // are read, so that the memory depends on the file and not on the number in its header.
 #include "motion/values.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "core/arena.h"
@@ -83,6 +84,7 @@ static double mean_above(const double *value, size_t n, double base) {
 }
 
 double values_mean(const double *value, size_t n) {
+    assert(value && n > 0);
     const double mean = mean_above(value, n, 0);
     return mean + mean_above(value, n, mean);
 }

@@ -2,6 +2,7 @@
 // Places on the sheet.
 #include "plot/canvas.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -44,6 +45,7 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
 }
 
 struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1) {
+    assert(x0 <= x1 && y0 <= y1);
     const struct area *a = &c->area;
     const double width = a->right - a->left, height = a->top - a->bottom;
     return (struct area){a->left + x0 * width, a->left + x1 * width, a->bottom + y0 * height,
@@ -91,21 +93,6 @@ static void axis_text(const struct axis *axis, const char *name, const struct un
     axis_in_g(axis, units, g, sizeof g);
     snprintf(text, size, power[0] || shown[0] ? "%s [%s%s%s%s]" : "%s", name, power, between, shown,
              g);
-}
-
-// The name of an axis across; the brief one where the other would run into those beside, and a
-// small one where that would.
-static void write_across(const struct canvas *c, struct area a, const struct axis *axis) {
-    char text[160];
-    axis_text(axis, axis->name, c->units, text, sizeof text);
-    const double room = a.right - a.left + 2;
-    if (axis->brief && script_width(text) > room) {
-        axis_text(axis, axis->brief, c->units, text, sizeof text);
-    }
-    fprintf(c->to, "set label ");
-    safe_put(c->to, SAFE_GNUPLOT, text);
-    canvas_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
-    fprintf(c->to, " center%s\n", axis->brief && script_width(text) > room ? small_font : "");
 }
 
 // How far neighbouring numbers across must be apart [em], with this step.
@@ -258,7 +245,18 @@ void canvas_axes(const struct canvas *c, struct area a, const struct axis *x,
     write_scale(c, 'x', x, a.right - a.left, 0);
     write_scale(c, 'y', y, a.top - a.bottom, 1.5);
     if (x->name) {
-        write_across(c, a, x);
+        // The name of an axis across; the brief one where the other would run into those beside,
+        // and a small one where that would.
+        char text[160];
+        axis_text(x, x->name, c->units, text, sizeof text);
+        const double room = a.right - a.left + 2;
+        if (x->brief && script_width(text) > room) {
+            axis_text(x, x->brief, c->units, text, sizeof text);
+        }
+        fprintf(c->to, "set label ");
+        safe_put(c->to, SAFE_GNUPLOT, text);
+        canvas_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
+        fprintf(c->to, " center%s\n", x->brief && script_width(text) > room ? small_font : "");
     }
     if (y->name) {
         canvas_upright(c, a, y);

@@ -8,6 +8,7 @@
 #include "plot/script.h"
 
 int data_create(struct data *d, long n_row, int n_column, struct error *e) {
+    assert(n_row >= 0 && n_column > 0 && n_column <= DATA_COLUMNS_MAX);
     assert(n_row > 0 && n_column > 0 && n_column <= DATA_COLUMNS_MAX);
     const size_t n = (size_t)n_row;
     *d = (struct data){.n_row = n, .n_column = n_column};
@@ -52,12 +53,14 @@ int data_write(const struct data *d, const char *name, const char *heading, size
 }
 
 void data_span(const struct data *d, int column, struct span *r) {
+    assert(column >= 0 && column < d->n_column);
     for (size_t i = 0; i < d->n_row; i++) {
         span_add(r, d->column[column][i]);
     }
 }
 
 size_t data_row(const struct data *d, double t) {
+    assert(d->n_row > 0);
     size_t low = 0, high = d->n_row;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
@@ -71,6 +74,7 @@ size_t data_row(const struct data *d, double t) {
 }
 
 double data_at(const struct data *d, int column, double t) {
+    assert(column >= 0 && column < d->n_column && d->n_row > 0);
     const size_t high = data_row(d, t);
     const double *time = d->column[0], *value = d->column[column];
     if (high == 0 || high == d->n_row) {

@@ -2,6 +2,7 @@
 // The list of figures and the head that all scripts share: terminal, text, lines.
 #include "plot/figure.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/safe.h"
@@ -73,6 +74,7 @@ static const struct picture pictures[] = {
 enum { N_PICTURE = sizeof pictures / sizeof pictures[0] };
 
 const struct figure *figure_find(const char *name) {
+    assert(name);
     for (int i = 0; i < n_figure; i++) {
         if (strcmp(figures[i]->name, name) == 0) {
             return figures[i];
@@ -173,6 +175,7 @@ static int check(const struct figure *f, const struct runs *s, struct error *e) 
 
 int figure_write(const struct figure *f, const struct runs *s, const struct figure_files *to,
                  struct error *e) {
+    assert(s->n > 0);
     const struct figure_head head = {f->name, f->doc, s->r[0]->version, &s->r[0]->units, f->sheet};
     struct canvas c;
     int status = check(f, s, e);

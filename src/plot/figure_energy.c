@@ -83,22 +83,6 @@ static void write_subtitle(const struct runs *s, char *text, size_t size) {
     }
 }
 
-static void write_head(const struct runs *s, const struct view *v, struct canvas *c) {
-    struct legend l = {0};
-    char text[256];
-    write_subtitle(s, text, sizeof text);
-    canvas_head(c, s->title, text);
-    for (int p = 0; p < PARTS; p++) {
-        if (v->part[p]) {
-            legend_add(&l, panel_area(parts[p].colour),
-                       parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name, "");
-        }
-    }
-    legend_add(&l, panel_line(curve.colour, 0),
-               s->r[0]->initial_energy > 0 ? "initial + input" : "input", "");
-    legend_write(&l, c);
-}
-
 static struct axis energy_axis(const char *name, struct span span, int run) {
     return (struct axis){.name = run == 0 ? name : NULL,
                          .dimension = dimension_energy,
@@ -143,7 +127,19 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     }
     v.energy = span_with_room(v.energy, 0);
     v.residual = span_with_room(v.residual, NAN);
-    write_head(s, &v, c);
+    struct legend l = {0};
+    char text[256];
+    write_subtitle(s, text, sizeof text);
+    canvas_head(c, s->title, text);
+    for (int p = 0; p < PARTS; p++) {
+        if (v.part[p]) {
+            legend_add(&l, panel_area(parts[p].colour),
+                       parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name, "");
+        }
+    }
+    legend_add(&l, panel_line(curve.colour, 0),
+               s->r[0]->initial_energy > 0 ? "initial + input" : "input", "");
+    legend_write(&l, c);
     c->area.left += 5.8;
     for (int k = 0; k < s->n; k++) {
         draw_run(s, &v, k, c);

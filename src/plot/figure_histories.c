@@ -131,19 +131,6 @@ struct hits {
     bool rigid;  // in any run: there is no force
 };
 
-static struct hits count_hits(const struct view *v) {
-    struct hits h = {.force = {"0", "0"}};
-    for (int k = 0; k < v->s->n; k++) {
-        if (v->contact[k] >= 0) {
-            const struct link_peak *p = &v->s->r[k]->contact[v->contact[k]].peak;
-            script_number(p->force, h.force[k], sizeof h.force[k]);
-            h.rigid |= isnan(p->force);
-            h.impacts[k] = p->impacts;
-        }
-    }
-    return h;
-}
-
 static void write_subtitle(const struct view *v, char *text, size_t size) {
     const struct report *r = v->s->r[0];
     char length[64], unit[64], name[64], gap[32];
@@ -153,7 +140,15 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
         return;
     }
     const struct report_link *c = &r->contact[v->contact[0]];
-    const struct hits h = count_hits(v);
+    struct hits h = {.force = {"0", "0"}};
+    for (int k = 0; k < v->s->n; k++) {
+        if (v->contact[k] >= 0) {
+            const struct link_peak *p = &v->s->r[k]->contact[v->contact[k]].peak;
+            script_number(p->force, h.force[k], sizeof h.force[k]);
+            h.rigid |= isnan(p->force);
+            h.impacts[k] = p->impacts;
+        }
+    }
     const char *impacts = h.impacts[0] == 1 ? "impact" : "impacts";
     script_unit(&r->units, dimension_length, length, sizeof length);
     script_unit(&r->units, dimension_force, unit, sizeof unit);
@@ -255,28 +250,24 @@ static void draw_ground(const struct view *v, struct canvas *c, struct area a) {
     panel_close(c);
 }
 
-// Both sides, the right one as the left one sees it.
-static void add_sides(const struct view *v, struct legend *l) {
-    const bool hit = v->contact[0] >= 0;
-    char floor[48], tail[64];
-    for (int side = 0; side < 2; side++) {
-        write_floor_name(v, side, floor, sizeof floor);
-        snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
-        if (hit || v->building[side] >= 0) {
-            legend_add(l, panel_line(script_colour[side], 0), side_name(v, side), tail);
-        }
-    }
-    if (hit) {
-        legend_add(l, panel_area(gap_colour), "gap", "");
-    }
-}
-
 static void write_legend(const struct view *v, struct canvas *c) {
     struct legend l = {0};
     if (v->s->n > 1) {
         runs_legend(v->s, NULL, &l);
     } else {
-        add_sides(v, &l);
+        // Both sides, the right one as the left one sees it.
+        const bool hit = v->contact[0] >= 0;
+        char floor[48], tail[64];
+        for (int side = 0; side < 2; side++) {
+            write_floor_name(v, side, floor, sizeof floor);
+            snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
+            if (hit || v->building[side] >= 0) {
+                legend_add(&l, panel_line(script_colour[side], 0), side_name(v, side), tail);
+            }
+        }
+        if (hit) {
+            legend_add(&l, panel_area(gap_colour), "gap", "");
+        }
     }
     if (v->contact[0] >= 0) {
         legend_add(&l, panel_points("#000000", POINT_DISC, 0.8), "impacts", "");
@@ -302,16 +293,6 @@ static int write_data(const struct view *v, FILE *to, struct error *e) {
     return status;
 }
 
-// Whether the ground moves below what is shown.
-static bool has_ground(const struct view *v) {
-    struct span span = {0, 0};
-    for (int k = 0; k < v->s->n; k++) {
-        data_span(&v->data[k], GROUND_LEFT, &span);
-        data_span(&v->data[k], GROUND_RIGHT, &span);
-    }
-    return span.low < span.high;
-}
-
 static void draw_panels(const struct view *v, struct canvas *c) {
     int shown[2], n = 0;
     for (int side = 0; side < 2; side++) {
@@ -320,7 +301,13 @@ static void draw_panels(const struct view *v, struct canvas *c) {
         }
     }
     if (v->s->n == 1) {
-        const bool ground = has_ground(v);
+        // Whether the ground moves below what is shown.
+        struct span span = {0, 0};
+        for (int k = 0; k < v->s->n; k++) {
+            data_span(&v->data[k], GROUND_LEFT, &span);
+            data_span(&v->data[k], GROUND_RIGHT, &span);
+        }
+        const bool ground = span.low < span.high;
         draw_facing(v, c,
                     canvas_inset(canvas_part(c, 0, 1, ground ? 0.38 : 0, 1), 7, 0.5,
                                  ground ? 0.5 : 3.2, 0.7),

@@ -81,21 +81,6 @@ static double size_of(const struct view *v, const struct impact *p) {
     return v->impulse ? p->impulse : p->peak_force;
 }
 
-// Finds the largest force, or impulse where some impact has no force.
-static void find_largest(struct view *v) {
-    double force = 0.0;
-    double impulse = 0.0;
-    for (int k = 0; k < v->s->n; k++) {
-        for (long i = 0; i < v->s->r[k]->n_impact; i++) {
-            const struct impact *p = &v->s->r[k]->impact[i];
-            v->impulse |= isnan(p->peak_force);
-            force = fmax(force, p->peak_force);
-            impulse = fmax(impulse, p->impulse);
-        }
-    }
-    v->largest = v->impulse ? impulse : force;
-}
-
 // Area goes with the force. Where floors are close together all points are smaller.
 static double point_size(const struct view *v, double size) {
     const double most = fmin(4, fmax(1.3, 60 / v->top));
@@ -146,29 +131,11 @@ static double names_width(const struct view *v) {
     return most > 0 ? 0.75 * most + 1.2 : 0.5;
 }
 
-// Numbers of the floors in each band, as far as they find room; `em` of one floor.
-static void write_floors(const struct view *v, double em, FILE *to) {
-    const int step = (int)ceil(1.3 / em);
-    const char *before = "set ytics (";
-    double below = -INFINITY;
-    for (int b = 0; b < v->n; b++) {
-        const struct band *band = &v->band[b];
-        const double top = band->base + band->high;
-        for (int floor = band->high; floor >= band->low; floor -= step) {
-            const double room = (band->base + floor - below) * em;
-            if (room > (floor == band->high ? 0.9 : 1.3)) {
-                fprintf(to, "%s'%d' %.7g", before, floor, band->base + floor);
-                before = ", ";
-            }
-        }
-        below = (top - below) * em > 0.9 ? top : below;
-    }
-    fprintf(to, ")\n");
-}
-
-// The names stand beside the middles of the bands, or so near that they do not touch: `line` is
-// the room of one on the axis.
-static void place_names(const struct view *v, double line, double *at) {
+static void write_names(const struct view *v, double em, FILE *to) {
+    double at[BANDS_MAX];
+    // The names stand beside the middles of the bands, or so near that they do not touch: `line` is
+    // the room of one on the axis.
+    double line = 0.8 / em;
     for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
         at[b] = band->base + (band->low + band->high) / 2.0;
@@ -177,11 +144,6 @@ static void place_names(const struct view *v, double line, double *at) {
     for (int b = v->n - 1; b >= 0; b--) {
         at[b] = fmin(at[b], b + 1 < v->n ? at[b + 1] - line : v->top - line / 2);
     }
-}
-
-static void write_names(const struct view *v, double em, FILE *to) {
-    double at[BANDS_MAX];
-    place_names(v, 0.8 / em, at);
     for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
         char text[160];
@@ -206,7 +168,23 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     panel_open(c, &(struct panel){.area = a,
                                   .x = runs_time_axis(v->s, true),
                                   .y = {.name = "floor", .unit = "", .span = {0, v->top}}});
-    write_floors(v, em, c->to);
+    // Numbers of the floors in each band, as far as they find room; `em` of one floor.
+    const int step = (int)ceil(1.3 / em);
+    const char *before = "set ytics (";
+    double below = -INFINITY;
+    for (int b = 0; b < v->n; b++) {
+        const struct band *band = &v->band[b];
+        const double top = band->base + band->high;
+        for (int floor = band->high; floor >= band->low; floor -= step) {
+            const double room = (band->base + floor - below) * em;
+            if (room > (floor == band->high ? 0.9 : 1.3)) {
+                fprintf(c->to, "%s'%d' %.7g", before, floor, band->base + floor);
+                before = ", ";
+            }
+        }
+        below = (top - below) * em > 0.9 ? top : below;
+    }
+    fprintf(c->to, ")\n");
     if (v->n > 1) {
         write_names(v, em, c->to);
     }
@@ -273,7 +251,18 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     (void)e;
     struct view v = {.s = s};
     collect(&v);
-    find_largest(&v);
+    // Finds the largest force, or impulse where some impact has no force.
+    double force = 0.0;
+    double impulse = 0.0;
+    for (int k = 0; k < v.s->n; k++) {
+        for (long i = 0; i < v.s->r[k]->n_impact; i++) {
+            const struct impact *p = &v.s->r[k]->impact[i];
+            v.impulse |= isnan(p->peak_force);
+            force = fmax(force, p->peak_force);
+            impulse = fmax(impulse, p->impulse);
+        }
+    }
+    v.largest = v.impulse ? impulse : force;
     for (int k = 0; k < s->n; k++) {
         write_data(&v, k, c->data);
     }

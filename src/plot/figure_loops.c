@@ -108,17 +108,6 @@ static size_t write_loop(const struct data *d, const struct impact *p, FILE *to)
     return end - first;
 }
 
-// Penetration and force of each impact shown, the largest over all computed steps.
-static void write_largest(const struct report *r, int contact, int run, FILE *to) {
-    fprintf(to, "$largest%d << EOD\n# largest penetration, largest force\n", run);
-    for (long i = 0; i < r->n_impact; i++) {
-        if (r->impact[i].contact == contact && is_shown(r, i)) {
-            fprintf(to, "%.7g %.7g\n", r->impact[i].max_penetration, r->impact[i].peak_force);
-        }
-    }
-    fprintf(to, "EOD\n");
-}
-
 static int write_contact_data(struct view *v, int run, FILE *to, struct error *e) {
     const struct report *r = v->s->r[run];
     const int contact = v->contact[run];
@@ -137,7 +126,14 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
         fprintf(to, "EOD\n$hardest%d << EOD\n# penetration force\nNaN NaN\n", run);
         v->rows[run] = write_loop(&d, &r->impact[v->impact[run]], to);
         fprintf(to, "EOD\n");
-        write_largest(r, contact, run, to);
+        // Penetration and force of each impact shown, the largest over all computed steps.
+        fprintf(to, "$largest%d << EOD\n# largest penetration, largest force\n", run);
+        for (long i = 0; i < r->n_impact; i++) {
+            if (r->impact[i].contact == contact && is_shown(r, i)) {
+                fprintf(to, "%.7g %.7g\n", r->impact[i].max_penetration, r->impact[i].peak_force);
+            }
+        }
+        fprintf(to, "EOD\n");
         span_add(&v->x[0], r->contact[contact].peak.penetration);
         span_add(&v->y[0], r->contact[contact].peak.force);
         data_span(&d, 2, &v->y[0]);
@@ -232,26 +228,21 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int write_data(struct view *v, FILE *to, struct error *e) {
-    int status = STATUS_OK;
-    for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
-        if (v->impact[run] >= 0) {
-            status = write_contact_data(v, run, to, e);
-        }
-        for (int k = 0; k < v->n_storey && status == STATUS_OK; k++) {
-            status = write_storey_data(v, run, k, to, e);
-        }
-    }
-    return status;
-}
-
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     struct view v = {.s = s, .all_x = span_none, .all_y = span_none};
     for (int i = 0; i < PANELS_MAX; i++) {
         v.x[i] = v.y[i] = span_none;
     }
     choose(&v);
-    int status = write_data(&v, c->data, e);
+    int status = STATUS_OK;
+    for (int run = 0; run < v.s->n && status == STATUS_OK; run++) {
+        if (v.impact[run] >= 0) {
+            status = write_contact_data(&v, run, c->data, e);
+        }
+        for (int k = 0; k < v.n_storey && status == STATUS_OK; k++) {
+            status = write_storey_data(&v, run, k, c->data, e);
+        }
+    }
     if (status != STATUS_OK) {
         return status;
     }

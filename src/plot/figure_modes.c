@@ -44,17 +44,6 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
     return v;
 }
 
-// Are these the periods of the building? Not those of one with parts beside its storeys, whose
-// stiffness is not in the file.
-static bool are_its_periods(const struct report_building *b, const double *omega) {
-    bool same = true;
-    for (int m = 0; m < b->n_floor; m++) {
-        const double cycles = omega[m] * b->period[m] / (2 * acos(-1.0));
-        same = same && (omega[m] == 0 || fabs(cycles - 1) < 1e-6);
-    }
-    return same;
-}
-
 // A row for each floor: its level and the modes; those that a low building does not have, and those
 // that are not known, are NaN.
 static int write_shapes(const struct view *v, int run, int k, FILE *to, struct error *e) {
@@ -68,7 +57,13 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
     int status = modes_solve(n, b->mass, b->stiffness, NULL, omega, shape, e);
     if (status == STATUS_OK) {
         modes_scale_to_largest(n, shape);
-        const bool known = are_its_periods(b, omega);
+        // Are these the periods of the building? Not those of one with parts beside its storeys,
+        // whose stiffness is not in the file.
+        bool known = true;
+        for (int m = 0; m < b->n_floor; m++) {
+            const double cycles = omega[m] * b->period[m] / (2 * acos(-1.0));
+            known = known && (omega[m] == 0 || fabs(cycles - 1) < 1e-6);
+        }
         fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);
         for (int i = -1; i < n; i++) {
             fprintf(to, "%.7g", runs_level(b, i + 1, v->heights));

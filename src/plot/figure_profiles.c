@@ -222,18 +222,6 @@ static void draw_panel(const struct selection *s, const struct profile *p, int a
     draw_series(s, p, c);
 }
 
-static void write_names(const struct selection *s, FILE *to) {
-    fprintf(to, "set ytics (");
-    for (int k = 0; k < s->n; k++) {
-        char name[64];
-        script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
-        fprintf(to, "%s", k > 0 ? ", " : "");
-        safe_put(to, SAFE_TIC, name);
-        fprintf(to, " %d", s->n - k);
-    }
-    fprintf(to, ")\n");
-}
-
 // Panel `at` of `n`, two above each other where there is room.
 static void draw_rows(const struct selection *s, const struct profile *p, int at, int n,
                       struct canvas *c) {
@@ -255,7 +243,15 @@ static void draw_rows(const struct selection *s, const struct profile *p, int at
                       .x = value_axis(s, p),
                       .y = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1}});
     if (column == 0) {
-        write_names(s, c->to);
+        fprintf(c->to, "set ytics (");
+        for (int k = 0; k < s->n; k++) {
+            char name[64];
+            script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
+            fprintf(c->to, "%s", k > 0 ? ", " : "");
+            safe_put(c->to, SAFE_TIC, name);
+            fprintf(c->to, " %d", s->n - k);
+        }
+        fprintf(c->to, ")\n");
     }
     draw_series(s, p, c);
 }

@@ -43,32 +43,6 @@ static void add(struct view *v, int building, int floor) {
     v->series[v->n++] = (struct owner){building, floor};
 }
 
-// The ground below each of the two buildings, one where they are the same; none that is at rest.
-static int add_grounds(struct view *v, const int *building, struct error *e) {
-    bool moves[2] = {false, false}, differ = false;
-    int status = STATUS_OK;
-    for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
-        const struct history h[] = {{HISTORY_GROUND, 0, building[0], 0},
-                                    {HISTORY_GROUND, 0, building[1], 0}};
-        struct data d;
-        status = runs_read(v->s, run, h, 2, &d, e);
-        for (size_t i = 0; i < d.n_row && status == STATUS_OK; i++) {
-            moves[0] |= d.column[0][i] != 0;
-            moves[1] |= d.column[1][i] != 0;
-            differ |= d.column[0][i] != d.column[1][i];
-        }
-        data_free(&d);
-    }
-    const int n = v->n;
-    for (int side = 0; side < 2 && status == STATUS_OK; side++) {
-        if (moves[side] && (side == 0 || differ)) {
-            add(v, building[side], -1);
-        }
-    }
-    v->n_ground = v->n - n;
-    return status;
-}
-
 static int choose(struct view *v, struct error *e) {
     const struct report *r = v->s->r[0];
     int contact[RUNS_MAX], building[2] = {0, r->n_building > 1 ? 1 : -1};
@@ -94,7 +68,30 @@ static int choose(struct view *v, struct error *e) {
                          "buildings",
                          r->file);
     }
-    return add_grounds(v, building, e);
+    // The ground below each of the two buildings, one where they are the same; none that is at
+    // rest.
+    bool moves[2] = {false, false}, differ = false;
+    int status = STATUS_OK;
+    for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
+        const struct history h[] = {{HISTORY_GROUND, 0, building[0], 0},
+                                    {HISTORY_GROUND, 0, building[1], 0}};
+        struct data d;
+        status = runs_read(v->s, run, h, 2, &d, e);
+        for (size_t i = 0; i < d.n_row && status == STATUS_OK; i++) {
+            moves[0] |= d.column[0][i] != 0;
+            moves[1] |= d.column[1][i] != 0;
+            differ |= d.column[0][i] != d.column[1][i];
+        }
+        data_free(&d);
+    }
+    const int n = v->n;
+    for (int side = 0; side < 2 && status == STATUS_OK; side++) {
+        if (moves[side] && (side == 0 || differ)) {
+            add(v, building[side], -1);
+        }
+    }
+    v->n_ground = v->n - n;
+    return status;
 }
 
 // How many rows follow each other at even distances; the last row may stand nearer.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot/pictures.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -39,30 +40,6 @@ static struct scale scale_for(const struct scale *known, double largest) {
         i++;
     }
     return known[i];
-}
-
-static struct extent extent_of(const struct impact_figure *f) {
-    struct extent x = {span_none, span_none, span_none};
-    for (int c = 0; c < f->n_curve; c++) {
-        const struct impact_curve *curve = &f->curve[c];
-        for (size_t i = 0; i < curve->n; i++) {
-            const struct isolated_point *p = &curve->point[i];
-            span_add(&x.time, curve->start + p->time);
-            span_add(&x.force, p->force);
-            span_add(&x.depth, p->penetration);
-        }
-    }
-    if (f->n_sample > 0) {
-        const double margin = AROUND * (x.time.high - x.time.low);
-        x.time = (struct span){x.time.low - margin, x.time.high + margin};
-    }
-    for (size_t i = 0; i < f->n_sample; i++) {
-        if (f->time[i] >= x.time.low && f->time[i] <= x.time.high) {
-            span_add(&x.force, f->force[i]);
-        }
-    }
-    span_add(&x.force, 0);
-    return x;
 }
 
 static struct scales scales_of(const struct extent *x) {
@@ -107,21 +84,6 @@ static int write_samples(const struct impact_figure *f, const struct scales *s, 
     return STATUS_OK;
 }
 
-static void write_head(const struct impact_figure *f, struct canvas *c) {
-    canvas_head(c, f->title, f->subtitle);
-    if (f->n_curve + (f->n_sample > 0) == 1) {
-        return;
-    }
-    struct legend l = {0};
-    for (int k = 0; k < f->n_curve; k++) {
-        legend_add(&l, panel_line(script_colour[k], 0), f->curve[k].name, "");
-    }
-    if (f->n_sample > 0) {
-        legend_add(&l, panel_points(sample_colour, POINT_DISC, 0.8), "measured", "");
-    }
-    legend_write(&l, c);
-}
-
 static struct axis axis_of(const char *name, const struct scale *s, struct span span) {
     return (struct axis){
         .name = name, .unit = s->unit, .span = {span.low / s->size, span.high / s->size}};
@@ -141,26 +103,22 @@ static void draw_panel(const struct impact_figure *f, const struct panel *p, int
     panel_close(c);
 }
 
-// The numbers of the impact in the units of the axes below.
-static void write_captions(const struct impact_figure *f, const struct scales *s, char *time,
-                           char *depth, size_t size) {
-    const struct isolated_impact *i = f->impact;
-    char asked[48] = "";
-    if (!isnan(f->nominal)) {
-        snprintf(asked, sizeof asked, " (asked %.4g)", f->nominal);
-    }
-    snprintf(time, size, "largest %.4g %s, over %.4g %s", i->peak_force / s->force.size,
-             s->force.unit, i->duration / s->time.size, s->time.unit);
-    snprintf(depth, size, "e %.4g%s, %.4g %s", i->restitution, asked,
-             i->max_penetration / s->length.size, s->length.unit);
-}
-
 static void draw_panels(const struct impact_figure *f, const struct extent *x,
                         const struct scales *s, struct canvas *c) {
     const double top = f->impact ? 1.6 : 0.7;
     char over_time[128] = "", over_depth[128] = "";
     if (f->impact) {
-        write_captions(f, s, over_time, over_depth, sizeof over_time);
+        // The numbers of the impact in the units of the axes below.
+        size_t size = sizeof over_time;
+        const struct isolated_impact *i = f->impact;
+        char asked[48] = "";
+        if (!isnan(f->nominal)) {
+            snprintf(asked, sizeof asked, " (asked %.4g)", f->nominal);
+        }
+        snprintf(over_time, size, "largest %.4g %s, over %.4g %s", i->peak_force / s->force.size,
+                 s->force.unit, i->duration / s->time.size, s->time.unit);
+        snprintf(over_depth, size, "e %.4g%s, %.4g %s", i->restitution, asked,
+                 i->max_penetration / s->length.size, s->length.unit);
     }
     c->area.left += 5.8;
     struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top),
@@ -179,11 +137,31 @@ static void draw_panels(const struct impact_figure *f, const struct extent *x,
 
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e) {
+    assert(f->n_curve <= IMPACT_FIGURE_CURVES);
     struct unit_system si;
     unit_system_init(&si);
     const struct figure_head head = {
         .name = "impact", .doc = "force of isolated impacts", .version = f->version, .units = &si};
-    const struct extent x = extent_of(f);
+    struct extent x = {span_none, span_none, span_none};
+    for (int c = 0; c < f->n_curve; c++) {
+        const struct impact_curve *curve = &f->curve[c];
+        for (size_t i = 0; i < curve->n; i++) {
+            const struct isolated_point *p = &curve->point[i];
+            span_add(&x.time, curve->start + p->time);
+            span_add(&x.force, p->force);
+            span_add(&x.depth, p->penetration);
+        }
+    }
+    if (f->n_sample > 0) {
+        const double margin = AROUND * (x.time.high - x.time.low);
+        x.time = (struct span){x.time.low - margin, x.time.high + margin};
+    }
+    for (size_t i = 0; i < f->n_sample; i++) {
+        if (f->time[i] >= x.time.low && f->time[i] <= x.time.high) {
+            span_add(&x.force, f->force[i]);
+        }
+    }
+    span_add(&x.force, 0);
     const struct scales s = scales_of(&x);
     struct canvas canvas;
     int status = figure_open(&head, to, &canvas, e);
@@ -194,7 +172,17 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
         status = write_samples(f, &s, to->data, e);
     }
     if (status == STATUS_OK) {
-        write_head(f, &canvas);
+        canvas_head(&canvas, f->title, f->subtitle);
+        if (f->n_curve + (f->n_sample > 0) != 1) {
+            struct legend l = {0};
+            for (int k = 0; k < f->n_curve; k++) {
+                legend_add(&l, panel_line(script_colour[k], 0), f->curve[k].name, "");
+            }
+            if (f->n_sample > 0) {
+                legend_add(&l, panel_points(sample_colour, POINT_DISC, 0.8), "measured", "");
+            }
+            legend_write(&l, &canvas);
+        }
         draw_panels(f, &x, &s, &canvas);
         figure_close(&canvas);
     }

@@ -17,6 +17,7 @@ static const double BETWEEN = 1.6;  // entries
 static const double NAME = 4;       // that is left of a long name
 
 void legend_add(struct legend *l, struct style mark, const char *name, const char *tail) {
+    assert(name && tail);
     assert(l->n < LEGEND_MAX);
     struct legend_entry *entry = &l->entry[l->n++];
     entry->mark = mark;
@@ -63,24 +64,6 @@ static int find_columns(const struct legend *l, double width) {
     return lines_of(l, lines_of(l, columns));  // as many in each line
 }
 
-// A line. Dashes are lines of their own: gnuplot's svg terminal draws dashed arrows solid.
-static void write_line(const struct canvas *c, struct style mark, double x, double y) {
-    const bool dashed = mark.dash && mark.dash[0] == '(';  // not "solid"
-    const double length = dashed ? 0.4 : 1.6;
-    for (double at = 0; at + length < 1.65; at += 0.6) {
-        fprintf(c->to,
-                "set arrow from screen %.4f,%.4f rto screen %.4f,0 nohead lc rgb '%s' lw 1.5\n",
-                (x + at) / c->width, y / c->height, length / c->width, mark.colour);
-    }
-}
-
-static void write_point(const struct canvas *c, struct style mark, double x, double y) {
-    fprintf(c->to, "set label ''");
-    canvas_place(c, x + 0.8, y);
-    fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
-            mark.point > 0 ? mark.point : POINT_DISC, mark.size > 0 ? mark.size : 1, mark.colour);
-}
-
 static void write_mark(const struct canvas *c, struct style mark, double x, double y) {
     if (mark.kind == STYLE_AREA) {
         fprintf(c->to,
@@ -90,10 +73,21 @@ static void write_mark(const struct canvas *c, struct style mark, double x, doub
         return;
     }
     if (mark.kind != STYLE_POINTS) {
-        write_line(c, mark, x, y);
+        // A line. Dashes are lines of their own: gnuplot's svg terminal draws dashed arrows solid.
+        const bool dashed = mark.dash && mark.dash[0] == '(';  // not "solid"
+        const double length = dashed ? 0.4 : 1.6;
+        for (double at = 0; at + length < 1.65; at += 0.6) {
+            fprintf(c->to,
+                    "set arrow from screen %.4f,%.4f rto screen %.4f,0 nohead lc rgb '%s' lw 1.5\n",
+                    (x + at) / c->width, y / c->height, length / c->width, mark.colour);
+        }
     }
     if (mark.kind == STYLE_POINTS || mark.point > 0) {
-        write_point(c, mark, x, y);
+        fprintf(c->to, "set label ''");
+        canvas_place(c, x + 0.8, y);
+        fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
+                mark.point > 0 ? mark.point : POINT_DISC, mark.size > 0 ? mark.size : 1,
+                mark.colour);
     }
 }
 

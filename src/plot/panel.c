@@ -38,14 +38,6 @@ void panel_open(struct canvas *c, const struct panel *p) {
     c->n_series = 0;
 }
 
-static void write_point(FILE *to, struct style s) {
-    fprintf(to, " pt %d ps ", s.point > 0 ? s.point : POINT_DISC);
-    if (s.size > 0) {
-        fprintf(to, "%.3g*", s.size);
-    }
-    fprintf(to, "%s", s.size < 0 ? "variable" : "point");
-}
-
 void panel_series(struct canvas *c, struct style s, const char *data, ...) {
     static const char *const words[] = {
         [STYLE_LINE] = "lines",
@@ -66,7 +58,11 @@ void panel_series(struct canvas *c, struct style s, const char *data, ...) {
     va_end(list);
     fprintf(c->to, " with %s", words[s.kind]);
     if (s.kind == STYLE_POINTS || s.kind == STYLE_BOTH) {
-        write_point(c->to, s);
+        fprintf(c->to, " pt %d ps ", s.point > 0 ? s.point : POINT_DISC);
+        if (s.size > 0) {
+            fprintf(c->to, "%.3g*", s.size);
+        }
+        fprintf(c->to, "%s", s.size < 0 ? "variable" : "point");
     }
     if (s.colour) {
         fprintf(c->to, " %s rgb '%s'", filled ? "fc" : "lc", s.colour);

@@ -68,22 +68,6 @@ static void write_factor(const struct response_sheet *sheet, int record, char *t
     }
 }
 
-static void write_title(const struct response_sheet *sheet, char *text, size_t size) {
-    const struct spectra *s = sheet->spectra;
-    char damping[64] = "", name[128], factor[32];
-    if (s->n_damping == 1) {
-        snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
-    }
-    if (s->n_record > 1) {
-        snprintf(text, size, "Response spectra of %d%s records%s", s->n_record,
-                 sheet->target ? " scaled" : "", damping);
-    } else {
-        write_factor(sheet, 0, factor, sizeof factor);
-        script_shorten(sheet->name[0], 20, name, sizeof name);
-        snprintf(text, size, "Response spectrum of %s%s%s", name, factor, damping);
-    }
-}
-
 static void write_subtitle(const struct response_sheet *sheet, char *text, size_t size) {
     const struct spectra *s = sheet->spectra;
     const struct intensity *i = &sheet->intensity[0];
@@ -171,19 +155,6 @@ static struct axis acceleration_axis(const struct response_sheet *sheet) {
         .name = "pseudo-acceleration", .unit = "g", .span = span_with_room(span, 0)};
 }
 
-// The ends of the periods at which the target was compared, where they are within the picture.
-static void write_match(const struct response_sheet *sheet, struct span shown, FILE *to) {
-    const double end[] = {sheet->match.low, sheet->match.high};
-    for (int i = 0; sheet->target && i < 2; i++) {
-        if (end[i] > shown.low && end[i] < shown.high) {
-            fprintf(to,
-                    "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
-                    "lw 1 dt (2,4)\n",
-                    end[i], end[i], target.colour);
-        }
-    }
-}
-
 static void draw_line(struct canvas *c, int at, const char *colour, double width) {
     panel_series(c, panel_line(colour, width), "$spectra using 1:%d", at);
 }
@@ -225,7 +196,20 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
         return status;
     }
     write_data(sheet, c.data);
-    write_title(sheet, title, sizeof title);
+    size_t size = sizeof title;
+    const struct spectra *s = sheet->spectra;
+    char damping[64] = "", name[128], factor[32];
+    if (s->n_damping == 1) {
+        snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
+    }
+    if (s->n_record > 1) {
+        snprintf(title, size, "Response spectra of %d%s records%s", s->n_record,
+                 sheet->target ? " scaled" : "", damping);
+    } else {
+        write_factor(sheet, 0, factor, sizeof factor);
+        script_shorten(sheet->name[0], 20, name, sizeof name);
+        snprintf(title, size, "Response spectrum of %s%s%s", name, factor, damping);
+    }
     write_subtitle(sheet, subtitle, sizeof subtitle);
     canvas_head(&c, title, subtitle);
     write_legend(sheet, &c);
@@ -233,7 +217,16 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
                             .x = period_axis(sheet->spectra),
                             .y = acceleration_axis(sheet)};
     panel_open(&c, &p);
-    write_match(sheet, p.x.span, c.to);
+    // The ends of the periods at which the target was compared, where they are within the picture.
+    const double end[] = {sheet->match.low, sheet->match.high};
+    for (int i = 0; sheet->target && i < 2; i++) {
+        if (end[i] > p.x.span.low && end[i] < p.x.span.high) {
+            fprintf(c.to,
+                    "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
+                    "lw 1 dt (2,4)\n",
+                    end[i], end[i], target.colour);
+        }
+    }
     draw_series(sheet, &c);
     panel_close(&c);
     figure_close(&c);

@@ -2,6 +2,7 @@
 // Two runs beside each other.
 #include "plot/runs.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -106,6 +107,7 @@ static int read_one(const struct result_file *file, const struct history *h, dou
 
 int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
               struct error *e) {
+    assert(run >= 0 && run < s->n && n > 0);
     *d = (struct data){.n_row = 0};
     int status = result_check_memory(s->file[run], n, e);
     if (status == STATUS_OK) {
@@ -176,6 +178,7 @@ static int find_contact(const struct report *r, const struct report_link *like) 
 }
 
 int runs_same_contact(const struct runs *s, int run, int i) {
+    assert(run >= 0 && run < s->n);
     return run == 0 || i < 0 ? i : find_contact(s->r[run], &s->r[0]->contact[i]);
 }
 
@@ -200,6 +203,7 @@ long runs_hardest_impact(const struct report *r, int contact) {
 }
 
 void runs_hardest_of_parts(const struct report *r, int contact, int parts, long *hardest) {
+    assert(parts > 0 && hardest);
     for (int k = 0; k < parts; k++) {
         hardest[k] = -1;
     }
@@ -264,6 +268,7 @@ void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
 
 int runs_move_to_level(const struct runs *s, int run, int building, int floor, double weight,
                        double *u, size_t n, struct error *e) {
+    assert(run >= 0 && run < s->n && building >= 0);
     double *below = calloc(n + 1, sizeof *below);
     if (!below) {
         return error_no_memory(e);

@@ -2,6 +2,7 @@
 // Helpers of the figures.
 #include "plot/script.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -68,6 +69,7 @@ void script_power(int exponent, char *text, size_t size) {
 }
 
 void script_number(double value, char *text, size_t size) {
+    assert(size > 0);
     const int exponent = isfinite(value) ? script_exponent(fabs(value), 1e-3, 1e5) : 0;
     char power[32];
     if (exponent == 0) {
@@ -79,6 +81,7 @@ void script_number(double value, char *text, size_t size) {
 }
 
 double script_step(double largest, int n) {
+    assert(n > 0);
     const double raw = largest / n;
     if (!(raw >= DBL_MIN) || isinf(raw)) {
         return 1;
@@ -137,6 +140,7 @@ double script_width(const char *text) {
 }
 
 void script_shorten(const char *name, double width, char *cut, size_t size) {
+    assert(name && size > 0);
     int n = 0;
     for (const char *at = name; *at; at = skip(at, 1)) {
         n++;
@@ -152,6 +156,7 @@ void script_shorten(const char *name, double width, char *cut, size_t size) {
 }
 
 void script_cut(const char *text, double width, char *cut, size_t size) {
+    assert(text && size > 0);
     const char *end = text;
     while (*end && width_between(text, skip(end, 1)) <= width) {
         end = skip(end, 1);
@@ -176,17 +181,8 @@ static size_t extremes(const double *value, size_t first, size_t end, size_t *ro
     return 2;
 }
 
-static size_t distinct(size_t *row, size_t n) {
-    size_t kept = 0;
-    for (size_t i = 0; i < n; i++) {
-        if (kept == 0 || row[i] != row[kept - 1]) {
-            row[kept++] = row[i];
-        }
-    }
-    return kept;
-}
-
 size_t script_thin(const double *const *series, int n_series, size_t n, size_t bins, size_t *row) {
+    assert(n_series > 0 && n > 0 && bins > 0 && row);
     const size_t room = 2 * (size_t)n_series * bins + 2;
     if (n <= room) {
         for (size_t i = 0; i < n; i++) {
@@ -203,5 +199,11 @@ size_t script_thin(const double *const *series, int n_series, size_t n, size_t b
     }
     row[n_row++] = n - 1;
     qsort(row, n_row, sizeof *row, ascending);
-    return distinct(row, n_row);
+    size_t kept = 0;
+    for (size_t i = 0; i < n_row; i++) {
+        if (kept == 0 || row[i] != row[kept - 1]) {
+            row[kept++] = row[i];
+        }
+    }
+    return kept;
 }

@@ -2,6 +2,7 @@
 // The list of figures of studies, and what they have in common.
 #include "plot/study_figure.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -20,6 +21,7 @@ const struct study_figure *const study_figures[] = {
 const int n_study_figure = sizeof study_figures / sizeof study_figures[0];
 
 const struct study_figure *study_figure_find(const char *name) {
+    assert(name);
     for (int i = 0; i < n_study_figure; i++) {
         if (strcmp(study_figures[i]->name, name) == 0) {
             return study_figures[i];
@@ -131,6 +133,7 @@ void study_hit_series(const struct suite *s, struct canvas *c) {
 }
 
 void study_group_text(const struct suite *s, int group, char *text, size_t size) {
+    assert(group >= 0 && group < s->n_group && size > 0);
     snprintf(text, size, "%s", s->group[group]);
     script_raise(text);
 }

@@ -64,25 +64,6 @@ static int write_counts(struct view *v, FILE *to, struct error *e) {
     return status;
 }
 
-static void write_curves(const struct view *v, FILE *to) {
-    const struct span *x = &v->x.span;
-    const bool logarithmic = v->x.kind == AXIS_LOGARITHMIC;
-    for (int i = 0; i < v->n; i++) {
-        if (v->fit[i].outcome != FRAGILITY_FITTED) {
-            continue;
-        }
-        fprintf(to, "$curve%d << EOD\n# intensity, probability\n", i);
-        for (int k = 0; k <= STEPS; k++) {
-            const double t = (double)k / STEPS;
-            const double at =
-                logarithmic ? x->low * pow(x->high / x->low, t) : x->low + t * (x->high - x->low);
-            const double value = at > 0 ? fragility_probability(&v->fit[i], at) : 0;
-            fprintf(to, "%.7g %.7g\n", at, value);
-        }
-        fprintf(to, "EOD\n");
-    }
-}
-
 // Where shares coincide the later mark lies on the earlier ones, which are larger.
 static double mark_size(const struct view *v, int curve) {
     return 1.5 + 0.6 * (v->n - 1 - curve);
@@ -109,20 +90,6 @@ static void write_legend(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static void draw_panel(const struct view *v, struct canvas *c) {
-    const struct axis y = {
-        .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
-    study_panel(c, 3.2, &v->x, &y);
-    for (int i = 0; i < v->n; i++) {
-        panel_series(c, panel_points(script_colour[i], script_point[i], mark_size(v, i)),
-                     "$counts%d using 1:2", i);
-        if (v->fit[i].outcome == FRAGILITY_FITTED) {
-            panel_series(c, panel_line(script_colour[i], 1.5), "$curve%d using 1:2", i);
-        }
-    }
-    panel_close(c);
-}
-
 static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
@@ -131,14 +98,40 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     if (status != STATUS_OK) {
         return status;
     }
-    write_curves(&v, c->data);
+    FILE *to = c->data;
+    const struct span *x = &v.x.span;
+    const bool logarithmic = v.x.kind == AXIS_LOGARITHMIC;
+    for (int i = 0; i < v.n; i++) {
+        if (v.fit[i].outcome != FRAGILITY_FITTED) {
+            continue;
+        }
+        fprintf(to, "$curve%d << EOD\n# intensity, probability\n", i);
+        for (int k = 0; k <= STEPS; k++) {
+            const double t = (double)k / STEPS;
+            const double at =
+                logarithmic ? x->low * pow(x->high / x->low, t) : x->low + t * (x->high - x->low);
+            const double value = at > 0 ? fragility_probability(&v.fit[i], at) : 0;
+            fprintf(to, "%.7g %.7g\n", at, value);
+        }
+        fprintf(to, "EOD\n");
+    }
     char text[256], limit[96];
     study_limit_text(&v.demand, s, p->limit[0], limit, sizeof limit);
     snprintf(text, sizeof text, "%s > %s: shares of %d run%s, and lognormal curves", v.demand.name,
              p->n_limit > 1 ? "limit" : limit, s->n_sample, s->n_sample == 1 ? "" : "s");
     study_head(c, s, text);
     write_legend(&v, c);
-    draw_panel(&v, c);
+    const struct axis y = {
+        .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
+    study_panel(c, 3.2, &v.x, &y);
+    for (int i = 0; i < v.n; i++) {
+        panel_series(c, panel_points(script_colour[i], script_point[i], mark_size(&v, i)),
+                     "$counts%d using 1:2", i);
+        if (v.fit[i].outcome == FRAGILITY_FITTED) {
+            panel_series(c, panel_line(script_colour[i], 1.5), "$curve%d using 1:2", i);
+        }
+    }
+    panel_close(c);
     return STATUS_OK;
 }
 

@@ -131,20 +131,16 @@ static void write_legend(const struct view *v, const struct study_picture *p, st
     legend_write(&l, c);
 }
 
-static void write_limits(const struct view *v, const struct study_picture *p, struct canvas *c) {
+static void draw_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
+    const struct axis x = study_demand_axis(&v->demand, v->s, v->span);
+    const struct axis y = study_abscissa_axis(v->s);
+    study_panel(c, 3.2, &x, &y);
     for (int i = 0; i < p->n_limit; i++) {
         fprintf(c->to,
                 "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '#000000' "
                 "lw 1.5\n",
                 v->demand.factor * p->limit[i], v->demand.factor * p->limit[i]);
     }
-}
-
-static void draw_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
-    const struct axis x = study_demand_axis(&v->demand, v->s, v->span);
-    const struct axis y = study_abscissa_axis(v->s);
-    study_panel(c, 3.2, &x, &y);
-    write_limits(v, p, c);
     panel_series(c, panel_line(record_colour, 0.8), "$samples using 1:2");
     for (int i = CURVES - 1; v->s->n_sample > 1 && i >= 0; i--) {
         panel_series(c, curve[i].style, "$percentiles using %d:1", i + 2);

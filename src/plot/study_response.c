@@ -135,21 +135,6 @@ static double texts_depth(const struct suite *s, double width) {
     return 3.6 + (texts_fit(s, width) ? 0 : 0.6 * fmin(name_width, widest_text(s)) - 0.4);
 }
 
-// Names below the axis in place of numbers; of many, some.
-static void write_texts(const struct suite *s, double width, struct canvas *c) {
-    const bool fit = texts_fit(s, width);
-    const int every = 1 + (int)(1.4 * s->n_point / width);
-    char cut[128];
-    fprintf(c->to, "set xtics %s (", fit ? "norotate" : "rotate by 35 right");
-    for (int i = 0; i < s->n_point; i += every) {
-        script_shorten(s->point_name[s->order[i]], fit ? width : name_width, cut, sizeof cut);
-        fprintf(c->to, "%s", i > 0 ? ", " : "");
-        safe_put(c->to, SAFE_TIC, cut);
-        fprintf(c->to, " %d", i + 1);
-    }
-    fprintf(c->to, ")\n");
-}
-
 static void draw_panel(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const struct axis y = study_demand_axis(&v->demand, s, v->span);
@@ -164,7 +149,18 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     }
     study_panel(c, bottom, &x, &y);
     if (texts) {
-        write_texts(s, width, c);
+        // Names below the axis in place of numbers; of many, some.
+        const bool fit = texts_fit(s, width);
+        const int every = 1 + (int)(1.4 * s->n_point / width);
+        char cut[128];
+        fprintf(c->to, "set xtics %s (", fit ? "norotate" : "rotate by 35 right");
+        for (int i = 0; i < s->n_point; i += every) {
+            script_shorten(s->point_name[s->order[i]], fit ? width : name_width, cut, sizeof cut);
+            fprintf(c->to, "%s", i > 0 ? ", " : "");
+            safe_put(c->to, SAFE_TIC, cut);
+            fprintf(c->to, " %d", i + 1);
+        }
+        fprintf(c->to, ")\n");
     }
     if (v->band && points) {
         panel_series(c, (struct style){STYLE_BARS, .colour = script_colour[0], .width = 1},

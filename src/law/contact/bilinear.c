@@ -21,7 +21,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "law/contact_list.h"
+#include "law/lists.h"
 #include "law/restitution.h"
 
 enum { K1, K2, DY, KH, E, V0, A, N_ROW };

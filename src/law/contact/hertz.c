@@ -3,7 +3,7 @@
 //
 // Closed forms of an isolated impact with n = 3/2: d_max = (5 m v0^2 / (4 k))^(2/5),
 // F_max = k^(2/5) (5 m v0^2 / 4)^(3/5), duration 2.943275 d_max / v0. The slope vanishes at d = 0.
-#include "law/contact_list.h"
+#include "law/lists.h"
 #include "law/power.h"
 
 enum { K, N, N_ROW };

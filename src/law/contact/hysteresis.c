@@ -20,7 +20,7 @@
 // vmin: else the dashpot of a gentle touch would grow without bound and glue the bodies together.
 #include <math.h>
 
-#include "law/contact_list.h"
+#include "law/lists.h"
 #include "law/power.h"
 #include "law/restitution.h"
 

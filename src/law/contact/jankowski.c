@@ -9,9 +9,8 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-#include "law/calibrate.h"
-#include "law/contact_list.h"
 #include "law/in_lanes.h"
+#include "law/lists.h"
 #include "law/power.h"
 #include "law/restitution.h"
 

@@ -4,9 +4,9 @@
 // The tension just before separation is kept, so that an isolated impact delivers exactly the e
 // that zeta was made from. The force jumps from 0 to c v0 at closure, and from its tension to 0 at
 // opening.
-#include "law/contact_list.h"
 #include "law/dashpot.h"
 #include "law/in_lanes.h"
+#include "law/lists.h"
 #include "law/restitution.h"
 
 static int kelvin_voigt_prepare(const double *value, double m_eff, double *constant,

@@ -8,7 +8,7 @@
 // force jumps at v = 0.
 #include <math.h>
 
-#include "law/contact_list.h"
+#include "law/lists.h"
 #include "law/power.h"
 #include "law/restitution.h"
 

@@ -3,8 +3,8 @@
 //
 // An isolated impact with approach velocity v0 and effective mass m is half a period of an
 // oscillator: d_max = v0 sqrt(m/k), F_max = v0 sqrt(k m), duration pi sqrt(m/k).
-#include "law/contact_list.h"
 #include "law/in_lanes.h"
+#include "law/lists.h"
 
 enum { K, N_ROW };
 

@@ -8,8 +8,8 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-#include "law/contact_list.h"
 #include "law/dashpot.h"
+#include "law/lists.h"
 #include "law/restitution.h"
 
 // The rows of law/dashpot.h, and one more.

@@ -21,7 +21,7 @@
 // A bumper of thickness t in a clear distance g is a contact with the gap g - t.
 #include <math.h>
 
-#include "law/contact_list.h"
+#include "law/lists.h"
 #include "law/power.h"
 #include "law/restitution.h"
 
@@ -70,22 +70,17 @@ static void rubber_close(const double *c, double v0, double *history) {
     history[DAMPING] = c[FIXED] + c[Q] / fmax(v0, c[LEAST_V0]);
 }
 
-// f and its slope.
-static struct contact_response spring(const double *c, double d) {
-    struct contact_response r = power_spring(c[STIFFNESS], c[EXPONENT], fmin(d, c[ULTIMATE]));
-    if (d > c[ULTIMATE]) {
-        r.force += c[BEYOND] * (d - c[ULTIMATE]);
-        r.dfdd = c[BEYOND];
-    }
-    return r;
-}
-
 static double share_of(const double *h, double v) {
     return 1.0 + h[DAMPING] * fmin(v, 0.0);
 }
 
 static struct contact_response rubber_force(const double *c, const double *h, double d, double v) {
-    struct contact_response r = spring(c, d);
+    // f and its slope.
+    struct contact_response r = power_spring(c[STIFFNESS], c[EXPONENT], fmin(d, c[ULTIMATE]));
+    if (d > c[ULTIMATE]) {
+        r.force += c[BEYOND] * (d - c[ULTIMATE]);
+        r.dfdd = c[BEYOND];
+    }
     if (v >= 0.0) {
         return r;
     }

@@ -7,7 +7,7 @@
 //
 // What happens where several contacts are struck at once, and where bounces become too small to
 // follow, is told in src/solve/event/impulse.c.
-#include "law/contact_list.h"
+#include "law/lists.h"
 
 enum { E, N_ROW };
 

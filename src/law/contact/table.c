@@ -16,7 +16,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "law/contact_list.h"
+#include "law/lists.h"
 
 enum { FILE_ROW, UNITS, N_ROW };
 enum { N_POINT, N_CONSTANT };  // then the points: d, L and, for U, s

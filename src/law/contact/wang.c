@@ -14,7 +14,7 @@
 // renewed within one contact, which follows the first branch again.
 #include <math.h>
 
-#include "law/contact_list.h"
+#include "law/lists.h"
 #include "law/power.h"
 #include "law/restitution.h"
 

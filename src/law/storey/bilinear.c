@@ -10,7 +10,7 @@
 // ch. 1. The tangent is k or R k and jumps between them. R = 0 is elastoplastic.
 #include <math.h>
 
-#include "law/storey_list.h"
+#include "law/lists.h"
 #include "law/yield.h"
 
 enum { YIELD, HARDENING, N_ROW };

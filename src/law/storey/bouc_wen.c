@@ -18,7 +18,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "law/storey_list.h"
+#include "law/lists.h"
 #include "law/yield.h"
 
 enum { YIELD, HARDENING, N, BETA, GAMMA, N_ROW };

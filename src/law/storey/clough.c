@@ -2,8 +2,8 @@
 // Clough's storey: bilinear backbone, unloading with the initial stiffness, and reloading towards
 // the largest drift so far (law/peak_oriented.h with alpha = beta = 0).
 
+#include "law/lists.h"
 #include "law/peak_oriented.h"
-#include "law/storey_list.h"
 #include "law/yield.h"
 
 enum { YIELD, HARDENING, N_ROW };

@@ -2,7 +2,7 @@
 // Linear elastic storey: V = k drift.
 #include <math.h>
 
-#include "law/storey_list.h"
+#include "law/lists.h"
 
 enum { STIFFNESS, N_CONSTANT };
 

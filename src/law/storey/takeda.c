@@ -3,8 +3,8 @@
 // unloading softens with the drift reached, reloading aims short of it (law/peak_oriented.h).
 // Takeda, Sozen & Nielsen's own backbone has a third line, from cracking to yield.
 
+#include "law/lists.h"
 #include "law/peak_oriented.h"
-#include "law/storey_list.h"
 #include "law/yield.h"
 
 enum { YIELD, HARDENING, ALPHA, BETA, N_ROW };

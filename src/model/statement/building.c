@@ -4,7 +4,7 @@
 
 #include "core/arena.h"
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { FLOORS, MASS, STIFFNESS, HEIGHT, N_ROW };
 
@@ -21,7 +21,7 @@ static const struct row rows[N_ROW] = {
                 "storey heights, for drift ratios"},
 };
 
-// Letters, digits, _ - and UTF-8; the name becomes a group of the result file.
+// A name has letters, digits, _ - and UTF-8, because it names a group of the result file.
 static bool good_name(const char *name) {
     for (const char *p = name; *p; p++) {
         unsigned char c = (unsigned char)*p;
@@ -53,14 +53,14 @@ static bool check_name(struct builder *b, const struct word *w, const char *name
     return true;
 }
 
-// 0 where it is missing or wrong.
+// The number of floors; 0: missing or wrong.
 static int count_floors(const struct argument *a) {
     double n = a->n == 1 && a->number ? a->number[0] : 0.0;
     return n >= floors_range.min && n <= floors_range.max && n == floor(n) ? (int)n : 0;
 }
 
-// The name and the number of floors are kept even where the rest is wrong, and the deck is torn
-// where the name is, so that later statements do not complain about an unknown building.
+// The name and the number of floors are kept even if the rest is wrong. If the name is wrong, the
+// deck counts as torn. So later statements do not report an unknown building.
 static void build(struct builder *b, const struct statement *s) {
     b->any_building = true;
     if (!builder_plain(b, s, 1, 1, statement_building.usage)) {

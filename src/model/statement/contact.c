@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/builder.h"
+#include "model/law_choice.h"
 #include "model/pairs.h"
-#include "model/statement.h"
-#include "model/stiffness_estimate.h"
 
 enum { GAP, LAW, NAME, MEFF, OVERLAP, N_ROW };
 

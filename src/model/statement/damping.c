@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { MODES, ALPHA, BETA, N_ROW };
 
@@ -57,7 +57,7 @@ static bool read_modes(struct builder *b, const struct building_draft *d, const 
     return true;
 }
 
-// A ratio of 2 is more often 2 % than twice the critical damping.
+// A ratio of 2 probably means 2 %, not twice the critical damping.
 static void warn_overdamped(struct builder *b, const struct argument *ratio) {
     for (int i = 0; i < ratio->n; i++) {
         if (ratio->number[i] >= 1.0) {
@@ -69,7 +69,7 @@ static void warn_overdamped(struct builder *b, const struct argument *ratio) {
     }
 }
 
-// Reports n ratios from `word` on, of which those behind the second may be meant as modes; false.
+// Reports too many ratios, n from `word` on; the user may mean modes by those after the second.
 static bool refuse_ratios(struct builder *b, const struct building_draft *d,
                           const struct word *word, int n) {
     if (d->n_floor == 1) {

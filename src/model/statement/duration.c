@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/statement.h"
+#include "model/builder.h"
 
 static const struct row time_row = {"duration",      ROW_NUMBER, ROW_REQUIRED, OF_TIME,
                                     &range_positive, NAN,        "duration"};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string.h>
 
+#include "model/builder.h"
 #include "model/signals.h"
-#include "model/statement.h"
 #include "motion/record_cache.h"
 
 enum {
@@ -67,7 +67,7 @@ static const struct statement_variant variants[N_VARIANT] = {
     [SINE] = {"sine", "A sin(2 pi F t + P) with t from the start", sine_rows, N_SINE_ROW},
 };
 
-// The indices of the buildings named; false after a report.
+// Reads the indices of the buildings in -buildings; false after a report.
 static bool read_buildings(struct builder *b, const struct argument *a, struct ground_draft *g) {
     if (!a->given) {
         return true;
@@ -89,7 +89,7 @@ static bool read_buildings(struct builder *b, const struct argument *a, struct g
     return good;
 }
 
-// What is asked for by -sa; false after a report. `buildings` of the draft are read.
+// Reads -sa and its options, after the buildings of the draft; false after a report.
 static bool read_scaling(struct builder *b, const struct argument *a, struct ground_draft *g) {
     static const int for_sa[] = {R_PERIOD, R_BUILDING, R_DAMPING};
     for (size_t i = 0; !a[R_SA].given && i < sizeof for_sa / sizeof for_sa[0]; i++) {
@@ -119,7 +119,7 @@ static bool read_scaling(struct builder *b, const struct argument *a, struct gro
     return g->scaling.building >= 0;
 }
 
-// `record` holds the arguments of a record; NULL: it is none.
+// Adds a ground motion. `record`: the arguments of a record; NULL: it is a sine.
 static void append(struct builder *b, const struct statement *s, struct ground_draft g,
                    const struct argument *buildings, const struct argument *record) {
     g.word = s->word[0];
@@ -132,7 +132,8 @@ static void append(struct builder *b, const struct statement *s, struct ground_d
     }
 }
 
-// Factor from the file's values to the deck's accelerations, before -sa; false after a report.
+// The factor from the values of the file to accelerations of the deck, without -sa; false after a
+// report.
 static bool record_scale(struct builder *b, const struct argument *a, const struct word *file,
                          const struct record *r, double *scale) {
     *scale = a[R_SCALE].number[0] * r->unit / unit_size(&b->deck->units, dimension_acceleration);
@@ -158,7 +159,7 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
     return true;
 }
 
-// The word of the statement that an error of the record is about.
+// The word of the statement that an error of the record belongs to.
 static const struct word *blamed(const struct statement *s, const struct argument *a,
                                  enum record_part wrong) {
     static const int row[] = {[RECORD_CHANNEL] = R_CHANNEL,
@@ -168,7 +169,7 @@ static const struct word *blamed(const struct statement *s, const struct argumen
     return wrong == RECORD_PATH ? &s->word[2] : &a[row[wrong]].word[0];
 }
 
-// The record in the file at `path`; false after a report.
+// Reads the record in the file `path`; false after a report.
 static bool read_record(struct builder *b, const struct statement *s, const struct argument *a,
                         const char *path, struct record *r) {
     const struct record_request request = {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { BETA, GAMMA, N_NEWMARK_ROW };
 
-// Below 1/2 gamma feeds energy in at any step; above 1 and for larger beta nothing is gained.
+// With gamma < 1/2 the method adds energy in each step. Values of gamma above 1 and larger values
+// of beta have no advantage.
 static const struct range beta_range = {.min = 0.0, .max = 1.0, .text = ">= 0 and <= 1"};
 static const struct range gamma_range = {.min = 0.5, .max = 1.0, .text = ">= 0.5 and <= 1"};
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "law/bilateral.h"
+#include "model/builder.h"
 #include "model/pairs.h"
-#include "model/statement.h"
 
 enum { NAME, N_ROW };
 
@@ -52,7 +52,7 @@ static void build(struct builder *b, const struct statement *s) {
     } else if (exponent->given && !given[BILATERAL_DASHPOT].given) {
         deck_error(b->deck, &exponent->key, "-exponent needs -dashpot");
     } else if (paired) {
-        // A parameter may take a link away; who did not mean to should know.
+        // A parameter of 0 may remove the link on purpose, so this is a warning.
         if (is_zero(&given[BILATERAL_STIFFNESS]) && is_zero(&given[BILATERAL_DASHPOT])) {
             deck_warning(b->deck, &s->word[0], "this link does nothing: its values are 0");
         }

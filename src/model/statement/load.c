@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gsl/gsl_math.h>
 
+#include "model/builder.h"
 #include "model/signals.h"
-#include "model/statement.h"
 #include "motion/record_cache.h"
 
 enum { H_DT, H_SCALE, N_HISTORY_ROW };

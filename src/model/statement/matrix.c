@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A part that is a stiffness matrix on the floor displacements, from another program: a frame or a
-// wall whose rotations are condensed. Linear and elastic.
+// A part with a stiffness matrix of the floor displacements from another program: a frame or a wall
+// with condensed rotations. Linear and elastic.
 #include "motion/matrix_file.h"
 
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { UNIT, N_ROW };
 
@@ -50,7 +50,7 @@ static const struct part_kind part_matrix = {
     .stored = matrix_stored,
 };
 
-// The unit of the file; false after a report.
+// Reads the unit of the file; false after a report.
 static bool read_unit(struct builder *b, const struct argument *a, struct matrix_request *q) {
     char deck_unit[64];
     struct deck_quote quote;
@@ -72,7 +72,7 @@ static bool read_unit(struct builder *b, const struct argument *a, struct matrix
     return true;
 }
 
-// The stiffness on drifts, from the file called `name`; NULL after a report.
+// Reads the file `name` and returns the stiffness on drifts; NULL after a report.
 static const double *read_file(struct builder *b, const struct statement *s,
                                const struct building_draft *d, const char *name,
                                const struct argument *unit) {
@@ -90,8 +90,8 @@ static const double *read_file(struct builder *b, const struct statement *s,
         deck_error_of(b->deck, &s->word[2], &e);
         return NULL;
     }
-    // From floor displacements to drifts: sums over the floors from i and from j on, from the roof
-    // down. Symmetric to the bit.
+    // From floor displacements to drifts: entry (i, j) becomes the sum over the floors from i and
+    // from j up to the roof. The result is symmetric to the bit.
     size_t n = (size_t)d->n_floor;
     for (size_t i = n; i-- > 0;) {
         for (size_t j = n; j-- > 0;) {

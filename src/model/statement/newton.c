@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { TOLERANCE, ITERATIONS, N_ROW };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string.h>
 
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { EVERY, INTERVAL, FIELDS, PRECISION, COMPRESS, FILE_NAME, HISTORIES, N_ROW };
 

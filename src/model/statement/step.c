@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { TOLERANCE, LONGEST, SHORTEST, N_ROW };
 
 static const struct row dt_row = {"step",          ROW_NUMBER, ROW_REQUIRED, OF_TIME,
                                   &range_positive, NAN,        "time step"};
 
-// Below the smallest tolerance rounding is as large as the error of a step.
+// At the smallest tolerance the error of a step is as small as its rounding error.
 static const struct range tolerance_range = {
     .min = 1e-13, .max = 1e-2, .text = ">= 1e-13 and <= 0.01"};
 

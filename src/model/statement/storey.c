@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "deck/reader.h"
-#include "model/statement.h"
+#include "model/builder.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -12,7 +12,7 @@ static const struct row rows[N_ROW] = {
                    "initial stiffnesses in place of the building's"},
 };
 
-// Constants of the k-th selected storey.
+// Computes the constants of the k-th selected storey.
 static bool prepare(struct builder *b, const struct statement *s, const struct storey_law *law,
                     double *const *value, int k, double stiffness, struct storey *out) {
     double own[STOREY_ROWS_MAX];
@@ -33,7 +33,7 @@ static bool prepare(struct builder *b, const struct statement *s, const struct s
     return true;
 }
 
-// Marks storey i as having its law; false after reporting that it has one.
+// Marks that storey i has a law; false after a report if it had one.
 static bool take(struct builder *b, struct building_draft *d, int i, const struct statement *s) {
     struct word *mark = &d->storey_word[i];
     if (mark->text) {
@@ -45,11 +45,12 @@ static bool take(struct builder *b, struct building_draft *d, int i, const struc
     return true;
 }
 
-// Storeys of buildings yield at drifts of some millimetres to centimetres, isolators at 0.1 mm or
-// more. A very large yield is a way to say that there is none.
+// Smallest plausible yield drift. Storeys of buildings yield at drifts of millimetres to
+// centimetres, isolators at 0.1 mm or more. A very large yield is allowed: the storey stays
+// elastic.
 static const double YIELD_MIN = 1e-5;  // [m]
 
-// True after a warning of a yield, said by `w`, that belongs to other units than the stiffness.
+// Warns at `w` about a yield in other units than the stiffness; true if it does.
 static bool warn_yield(struct builder *b, const struct word *w, const char *building, int floor,
                        double drift) {
     const double metres = drift * b->deck->units.length;
@@ -60,25 +61,6 @@ static bool warn_yield(struct builder *b, const struct word *w, const char *buil
                      floor, building, metres);
     }
     return metres < YIELD_MIN;
-}
-
-// Takes the yields of the storeys. One warning at most for a statement; laws that yield have a row
-// for it.
-static void take_yields(struct builder *b, const struct storey_law *law, struct building_draft *d,
-                        const struct selection *floors, const struct argument *given,
-                        double *const *value) {
-    int row = 0;
-    while (row < law->n_row && !(value[row] && strcmp(law->row[row].key, "yield") == 0)) {
-        row++;
-    }
-    bool warned = false;
-    for (int k = 0; k < floors->n_floor; k++) {
-        const int i = floors->floor[k] - 1;
-        const double yield = row < law->n_row ? value[row][k] : INFINITY;
-        d->storey[i].yield = yield;
-        warned = warned || (isfinite(yield) && warn_yield(b, &given[row].word[0], d->name, i + 1,
-                                                          yield / d->stiffness[i]));
-    }
 }
 
 static void assign(struct builder *b, const struct statement *s, const struct storey_law *law,
@@ -114,7 +96,20 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         good = good && prepare(b, s, law, value, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
-        take_yields(b, law, d, floors, given, value);
+        // Sets the yield shears of the storeys, for laws with a row `yield`. At most one warning
+        // for a statement.
+        int row = 0;
+        while (row < law->n_row && !(value[row] && strcmp(law->row[row].key, "yield") == 0)) {
+            row++;
+        }
+        bool warned = false;
+        for (int k = 0; k < floors->n_floor; k++) {
+            const int i = floors->floor[k] - 1;
+            const double yield = row < law->n_row ? value[row][k] : INFINITY;
+            d->storey[i].yield = yield;
+            warned = warned || (isfinite(yield) && warn_yield(b, &given[row].word[0], d->name,
+                                                              i + 1, yield / d->stiffness[i]));
+        }
     }
 }
 
