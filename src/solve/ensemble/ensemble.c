@@ -9,7 +9,6 @@
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "solve/ensemble/ensemble_contacts.h"
 #include "solve/ensemble/ensemble_lockstep.h"
 
 static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
@@ -111,11 +110,14 @@ static void compute_grounds(struct lockstep *l, long n) {
 // The energies of a row of runs in lanes.
 static void balance(struct lockstep *l) {
     struct energy_sums sums[WIDE_RUNS];
-    ensemble_sums(&l->lanes, sums);
+    l->lanes.steps->catch_up(&l->lanes);
+    l->lanes.steps->sum(&l->lanes, sums);
     for (int k = 0; k < l->n; k++) {
         struct run *r = &l->slot[k].run;
         if (l->slot[k].mode == SLOT_IN_LANES) {
-            ensemble_contacts_work(&l->lanes, k, &r->energy);
+            if (ensemble_has(l->lanes.contacts->active, k)) {
+                r->energy.contact = l->lanes.contacts->work[k];
+            }
             energy_close(&r->energy, &sums[k], r->results->energy);
             int status = analysis_note_energies(r);
             if (status != STATUS_OK) {

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of up to WIDE_RUNS runs of models of the same shape, a value of each in a lane. Lanes
-// of runs that are not active hold numbers without meaning.
+// Runs of models of the same shape in lockstep, a run a lane. All are at the same step, so that
+// they share the lanes' ground motion. Lanes of runs that are not active hold numbers without
+// meaning. A run is in one of these ways in a step:
+//     in a lane, with its links      all live links are contacts that have been closed for some
+//                                    steps and stay so, in one group of sweep.h, or there are none
+//     in a lane, without its links   a contact closes or opens: all floors take the step in lanes,
+//                                    and then the links of each such run as if it were alone. In
+//                                    struct run only the arrays of links, and what they need of
+//                                    their floors, are up to date meanwhile
+//     alone, in its struct run       a step that is rejected or split, and the last one, which may
+//                                    be shorter
 #ifndef JOSTLE_ENSEMBLE_LANES_H
 #define JOSTLE_ENSEMBLE_LANES_H
 
-#include <string.h>
-
 #include "core/lanes.h"
+#include "jostle/ensemble.h"
 #include "solve/run.h"
 
 // Steps whose ground accelerations are computed ahead.
@@ -15,6 +23,12 @@ enum { ENSEMBLE_STRETCH = 64 };
 // With numbers of the model and of the state no larger than this, nothing in a step or in an energy
 // can overflow: the largest are products of seven of them.
 static const double ENSEMBLE_LARGEST = 1e40;
+
+// Newton sweeps: contact.c does other things after these.
+enum { ENSEMBLE_SWEEPS = 4 };
+
+// Constants of laws whose contacts are solved for in lanes.
+enum { ENSEMBLE_CONSTANTS = 2 };
 
 // What a step changes of a floor.
 struct ensemble_state {
@@ -27,14 +41,19 @@ struct ensemble_trial {
     wide residual;  // [F] missing to equilibrium there
 };
 
-// The same in all lanes; in memory, from where they cost least.
-struct ensemble_factors {
-    wide h, half;  // h and h^2 / 2
-    wide b, g;     // beta h^2 and gamma h
-    wide per_b, per_g;
+// Its largest values while the runs were here, or their times.
+struct ensemble_peaks {
+    wide of[PEAK_COUNT];
 };
 
-// What a step needs of a floor besides, with the storey below it.
+// The step, the same in all lanes.
+struct ensemble_scheme {
+    double h, half;  // h and h^2 / 2
+    double b, g;     // beta h^2 and gamma h
+    double per_b, per_g;
+};
+
+// What a step needs of a floor besides, with the storey below it; and to solve A = L D L^T.
 enum ensemble_number {
     NUMBER_MASS,       // [M]
     NUMBER_STIFFNESS,  // [F/L]
@@ -43,24 +62,11 @@ enum ensemble_number {
     NUMBER_ABOVE,  // [F T/L] bands of C
     NUMBER_COUNT
 };
-
-// What it needs to solve A = L D L^T.
 enum ensemble_factor { FACTOR_PIVOT, FACTOR_OFF, FACTOR_COUNT };
-
-// How the numbers of a building are held.
-enum ensemble_held {
-    HELD_BY_EACH,  // WIDE_RUNS of each: one for every lane
-    HELD_ONCE,     // one of each, where it is the same in all lanes: it takes less of the cache
-};
-
-// Number i of `x`, in functions that know how it is `held`.
-#define ENSEMBLE_AT(x, i)                                                                          \
-    (held == HELD_ONCE ? (x)[i] - (wide){0.0}                                                      \
-                       : *(const wide *)((x) + (size_t)(i) * (size_t)WIDE_RUNS))
 
 struct ensemble_building {
     const struct building *shape;  // borrowed: that of the first model
-    enum ensemble_held held;
+    bool once;        // its numbers are the same in all lanes, and held once: less of the cache
     double *number;   // (n_floor, NUMBER_COUNT)
     double *factor;   // (n_floor, FACTOR_COUNT)
     double *inverse;  // (n_floor, n_floor) A^-1 of a low building, else NULL
@@ -68,10 +74,9 @@ struct ensemble_building {
     bool pushed;      // links have changed its corrections since it was moved
 };
 
-// Largest values while the runs were here.
-struct ensemble_peaks {
-    wide of[PEAK_COUNT];
-};
+// Number i of `x`, an array of a building, in functions that know whether it is held `once`.
+#define ENSEMBLE_AT(x, i)                                                                          \
+    (once ? (x)[i] - (wide){0.0} : *(const wide *)((x) + (size_t)(i) * (size_t)WIDE_RUNS))
 
 struct ensemble_gap {
     wide width;  // [L]
@@ -79,10 +84,10 @@ struct ensemble_gap {
                  // infinite in lanes whose runs have taken it up in this step
 };
 
-// Largest penetrations of a contact while it is open, as the peaks.
+// Largest penetrations of a contact while it is open, as the peaks. Steps without contact do not
+// read them.
 struct ensemble_nearest {
-    wide depth;  // [L]
-    wide time;   // [T]
+    wide depth, time;  // [L] [T]
 };
 
 // A contact that is beyond its limit in some lanes, a bit each:
@@ -101,9 +106,68 @@ struct ensemble_works {
     wide_bits beyond;  // negative in lanes whose numbers have grown too large
 };
 
+// As struct link_peak, struct impact, struct impact_share, struct tangent and struct
+// contact_response.
+struct link_peak_lanes {
+    wide impulse, dissipated, force, force_time;
+};
+
+struct impact_lanes {
+    wide impulse, dissipated, peak_force, max_penetration;
+};
+
+struct impact_share_lanes {
+    wide impulse, work, force, penetration;
+};
+
+struct tangent_lanes {
+    wide base, rate, origin, reach, range, damped;
+};
+
+struct response_lanes {
+    wide force, dfdd, dfdv;
+};
+
+// A contact in the lanes of active runs in which it is live. Names of the step under way are as in
+// struct link_scratch.
+struct closed_contact {
+    wide_bits live;
+    wide_bits n_past;
+    wide before, past[PAST_STEPS];  // [F] force of the committed state, and of those before it
+    struct link_peak_lanes link;
+    wide deepest, deepest_time;
+    struct impact_lanes impact;
+    wide force, d_trial, v_trial, dfdd, dfdv;
+    struct tangent_lanes tangent;
+    wide depth;  // struct resolved
+    wide_bits stale;
+
+    wide flexibility, coupling, per_coupling;
+    wide constant[ENSEMBLE_CONSTANTS];
+    const struct contact_law *law;  // in all lanes
+    int index;                      // of the contact
+    int building[2];                // at its ends; WALL
+    int from[2], to[2];             // floors there that feel its force: in all lanes
+    bool apart;                     // solved for run by run
+};
+
+struct ensemble_contacts {
+    struct closed_contact *contact;  // (n_contact)
+    unsigned *runs;                  // (n_contact) in which it is live, a bit each
+    unsigned active;                 // runs whose links are here, a bit each
+    unsigned solved;                 // those whose forces have been found in the step under way
+    int n_acting, *acting;           // (n_contact) live in some lane, in ascending order
+    wide tolerance;
+    wide_bits alone;          // only one contact is live
+    wide work;                // [F L] on all links so far
+    wide_bits steps, sweeps;  // since the run has been here
+    wide_bits count;          // sweeps of the step under way
+};
+
 struct ensemble_lanes;
 
-// Steps of the floors of all runs at once; `base` is the ground acceleration at its end.
+// Steps of all runs at once; `base` is the ground acceleration at the end. They are made for
+// processors whose registers hold all lanes or half of them.
 struct ensemble_steps {
     // Takes up to `n` steps, the first of them number `first`, but stops before one in which a
     // contact closes or a number grows too large. Their ground accelerations are in `base`. Returns
@@ -113,23 +177,26 @@ struct ensemble_steps {
     // Computes one step with the forces that live links begin it with.
     void (*move)(struct ensemble_lanes *e, const wide *base);
 
-    // Solves for the forces of contacts in lanes: see ensemble_contacts.h. NULL: none ever are.
-    void (*solve)(struct ensemble_lanes *e);
-
     // Computes it again for buildings that links have pushed, by their corrections.
     void (*move_pushed)(struct ensemble_lanes *e, const wide *base);
 
+    // Lists the contacts that it has pressed beyond their limits in active lanes.
+    void (*press)(struct ensemble_lanes *e);
+
     // Takes the last step into works and peaks, where that is still owing.
     void (*catch_up)(struct ensemble_lanes *e);
+
+    // Adds up the energies of all lanes (WIDE_RUNS).
+    void (*sum)(const struct ensemble_lanes *e, struct energy_sums *sums);
+
+    bool solves;  // contacts may be in lanes
 };
-extern const struct ensemble_steps ensemble_whole;  // for registers that hold all lanes
-extern const struct ensemble_steps ensemble_half;   // for those that hold half of them
+extern const struct ensemble_steps ensemble_whole, ensemble_half;
 
 struct ensemble_lanes {
     // The shape, and the steps: those of the first model.
     int n_building, n_floor, n_contact;
-    double h;
-    struct ensemble_factors *factors;
+    struct ensemble_scheme scheme;
 
     long long active[WIDE_RUNS];         // all bits of the lanes that a run is in
     struct ensemble_building *building;  // (n_building)
@@ -171,15 +238,38 @@ static inline int ensemble_next(unsigned runs, int k) {
 #define ENSEMBLE_PENETRATION(e, k, s)                                                              \
     ((s)[(e)->end[k][0]].u - (s)[(e)->end[k][1]].u - (e)->gap[k].width)
 
-// Is a flag negative in an active lane? By halves: compilers take lanes apart one by
-// one.
-LANES_INLINE bool ensemble_any(const long long *active, const wide_bits *flags) {
-    lanes_bits flag[2], in[2];
-    memcpy(flag, flags, sizeof flag);
-    memcpy(in, active, sizeof in);
-    const lanes_bits any = (flag[0] & in[0]) | (flag[1] & in[1]);
-    return (any[0] | any[1] | any[2] | any[3]) < 0;
+// Its penetration in one lane.
+static inline double ensemble_depth(const struct ensemble_lanes *e, int k,
+                                    const struct ensemble_state *s, int lane) {
+    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->gap[k].width[lane];
 }
+
+// Records the pressed contacts that are open, and so nearer than ever at `time`.
+static inline void ensemble_approach(const struct ensemble_lanes *e, double time) {
+    for (const struct ensemble_pressed *p = e->pressed; p < e->pressed + e->n_pressed; p++) {
+        EACH_RUN(lane, p->nearer) {
+            if (e->active[lane]) {
+                const double depth = ensemble_depth(e, p->contact, e->next, lane);
+                e->gap[p->contact].limit[lane] = depth;
+                e->nearest[p->contact].depth[lane] = depth;
+                e->nearest[p->contact].time[lane] = time;
+            }
+        }
+    }
+}
+
+// Commits the step under way, and owes its account.
+LANES_INLINE void ensemble_commit(struct ensemble_lanes *e, const wide *base, double time) {
+    struct ensemble_state *old = e->now;
+    e->works->time = time;
+    e->works->ground_2x = e->works->ground + *base;
+    e->works->ground = *base;
+    e->now = e->next;
+    e->next = old;
+    e->owing = true;
+}
+
+// In ensemble_lanes.c:
 
 // Room for the runs of models like `m`; false: no memory.
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
@@ -199,33 +289,49 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r);
 void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, double time,
                           long n_step);
 
-// The lane takes no part any more.
-void ensemble_lanes_clear(struct ensemble_lanes *e, int lane);
-
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
 
-// The active lanes whose numbers have grown too large, one bit each.
-unsigned ensemble_overflows(const struct ensemble_lanes *e);
+// Numbers that a run has, and those of its lane: n of them, there `pitch` apart.
+struct ensemble_copy {
+    wide *lanes;
+    double *own;
+    int n;
+    ptrdiff_t pitch;
+};
 
-// Finds the contacts that it has pressed beyond their limits in active lanes.
-void ensemble_press(struct ensemble_lanes *e);
+// Copies what a list says into a lane, and back to the run. False: a number is too large.
+bool ensemble_copy_in(const struct ensemble_copy *list, int n, int lane);
+void ensemble_copy_out(const struct ensemble_copy *list, int n, int lane);
 
-// Records those of them that are open, and so nearer than ever at `time`.
-void ensemble_approach(struct ensemble_lanes *e, double time);
+// In ensemble_contacts.c:
 
-// Commits it, and owes its account.
-LANES_INLINE void ensemble_commit(struct ensemble_lanes *e, const wide *base, double time) {
-    struct ensemble_state *old = e->now;
-    e->works->time = time;
-    e->works->ground_2x = e->works->ground + *base;
-    e->works->ground = *base;
-    e->now = e->next;
-    e->next = old;
-    e->owing = true;
-}
+// Room for the contacts of models like `m`; NULL: no memory.
+struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a);
 
-// The energies of all lanes (WIDE_RUNS).
-void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums);
+// Gives a lane the constants of contact k of a run.
+void ensemble_contacts_fill(struct ensemble_lanes *e, int lane, const struct model *m, int k);
+
+// Takes the links of a run that is in a lane and has committed a step into it, if they can go
+// there.
+void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct run *r);
+
+// Gives the run its links back, as they were after the last step.
+void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r);
+
+// Gives it the forces of the step under way, which it has begun, if they have been found.
+void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r);
+
+// In ensemble_sweeps.c, for registers that hold all lanes:
+
+// Guesses the forces of the step under way, with which the floors move.
+void ensemble_contacts_begin(struct ensemble_lanes *e);
+
+// Finds them in active runs, as contact_solve does for a run alone, and changes e->correction. It
+// has not for those that are not `solved` then.
+void ensemble_contacts_solve(struct ensemble_lanes *e);
+
+// Takes the step to `time`, of length h, into impacts and peaks, and commits it.
+void ensemble_contacts_commit(struct ensemble_lanes *e, double time, double h);
 
 #endif

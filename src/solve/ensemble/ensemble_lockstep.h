@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in lockstep. The floors of a run are in a lane, where all runs take a step at once, and so
-// are its contacts while they stay closed (ensemble_contacts.h). For a step that only a run alone
-// can take, and for its last one, which may be shorter, it is in its struct run. All runs are at
-// the same step, so that they share the lanes' ground motion.
+// Runs in lockstep, from step to step.
 #ifndef JOSTLE_ENSEMBLE_LOCKSTEP_H
 #define JOSTLE_ENSEMBLE_LOCKSTEP_H
 
-#include "jostle/ensemble.h"
 #include "solve/ensemble/ensemble_lanes.h"
 
 enum slot_mode {
@@ -34,7 +30,7 @@ struct lockstep {
     int n_in_lanes, n_alone;
     // Bits of runs in lanes:
     unsigned live;    // their committed states have live links,
-    unsigned acting;  // links act in the step under way,
+    unsigned acting;  // links act in the step under way outside of the lanes,
     unsigned wanted;  // and their forces are still to be solved for
     long due;         // the step after which a run has but its last one, which may be shorter
     long known;       // ground accelerations are there up to this step
