@@ -6,11 +6,10 @@
 
 #include "solve/contact/cluster.h"
 #include "solve/contact/gaps.h"
-#include "solve/excitation.h"
 #include "solve/floors/chain.h"
 #include "solve/floors/effective.h"
 #include "solve/floors/floors.h"
-#include "solve/memory.h"
+#include "solve/forcing.h"
 #include "solve/scale.h"
 #include "solve/state.h"
 

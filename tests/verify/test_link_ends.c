@@ -51,17 +51,21 @@ static void assert_same_bits(const struct model *m, const struct results *a,
 
 // Contacts and links of every kind that solvers tell apart.
 static const char *const joints[] = {
+    "link A:1 B:2 -stiffness 1e5 -dashpot 1e3\ncontact A:2 wall -gap 8mm -law linear -k 1e7\n",
     "contact A:1 B:1 -gap 4mm -law linear -k 5e6\ncontact A:2 B:2 -gap 3mm -law jankowski -k 2e8 "
     "-e 0.6\n",
     "contact A:1 B:1 -gap 4mm -law kelvin-voigt -k 5e6 -e 0.6\ncontact A:1 B:2 -gap 4mm -law "
     "linear -k 5e7\n",
     "contact A:1 B:1 -gap 4mm -law stereomechanical -e 0.95\ncontact A:3 B:2 -gap 4mm -law "
     "stereomechanical -e 0.9\n",
-    "link A:1 B:2 -stiffness 1e5 -dashpot 1e3\ncontact A:2 wall -gap 8mm -law linear -k 1e7\n",
+    "link A:1 B:2 -stiffness 1e5 -dashpot 1e3\ncontact A:2 wall -gap 8mm -law stereomechanical -e "
+    "0.95\n",
 };
 enum { N_JOINT = sizeof joints / sizeof joints[0] };
 
-// A row with one entry of weight 1 is a floor, though it goes another way through the solver.
+// A row with one entry of weight 1 is a floor, though it goes another way through the solver. The
+// contact of joint 0 stays as it is, so that free flight, which finds the force of its link in
+// another way, is possible in both runs.
 static void a_row_of_one_floor_has_the_bits_of_the_floor(void **state) {
     (void)state;
     for (int i = 0; i < N_JOINT * N_STEP; i++) {
@@ -73,7 +77,7 @@ static void a_row_of_one_floor_has_the_bits_of_the_floor(void **state) {
         struct link_entry entry[2][2];
         assert_int_equal(m->n_link, 2);
         memcpy(link, m->link, sizeof link);
-        for (int k = 0; k < 4; k++) {
+        for (int k = i / N_STEP == 0 ? 2 : 0; k < 4; k++) {
             struct link *l = &link[k / 2];
             entry[k / 2][k % 2] = (struct link_entry){l->dof[k % 2], 1.0};
             if (l->dof[k % 2] != WALL) {

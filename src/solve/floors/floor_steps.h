@@ -6,7 +6,6 @@
 #ifndef JOSTLE_FLOOR_STEPS_H
 #define JOSTLE_FLOOR_STEPS_H
 
-#include "solve/floors/effective_low.h"
 #include "solve/floors/floor_step.h"
 #include "solve/floors/floors_full.h"
 #include "solve/newmark/flight.h"
@@ -50,14 +49,14 @@ LANES_INLINE void floors_solve_block(const struct floors_pass *p, const struct w
     const ptrdiff_t bottom = e->building->first - s->first;
     double *r = p->residual + bottom;
     q += bottom;
-    for (; e < end && (are_low || effective_is_low(e)); e++) {
+    for (; e < end && (are_low || effective_has_inverse(e)); e++) {
         const int n = e->building->n_floor;
-        effective_multiply(e, r, q);
+        floors_multiply(e->inverse, n, r, q);
         r += n;
         q += n;
     }
     if (e < end) {
-        effective_solve_row(e, (int)(end - e), r, q);
+        effective_solve(e, (int)(end - e), r, q);
     }
 }
 
@@ -203,7 +202,7 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
     for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
         const struct span s = floors_span(b, few);
-        double *q = f ? w->floors.correction : w->correction + s.first;
+        double *q = f && f->n_link == 0 ? w->floors.correction : w->correction + s.first;
         floors_begin(&pass, s.first, s.n, external, &ends);
         if (!f && next->n_live > 0) {
             floors_push(w, now, next, b);
@@ -212,6 +211,9 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
             floors_full(w, b, pass.u_trial, pass.v_trial, pass.residual);
         }
         floors_solve_block(&pass, w, b, &s, f && few > 0, q);
+        if (f && f->n_link > 0) {
+            flight_join(f, now, next);
+        }
         floors_account_upto(&account, s.end + LANES_WIDTH);
         floors_finish(&pass, s.first, s.end, q, &ends);
         if (f && few == 0) {
@@ -268,6 +270,9 @@ LANES_INLINE long floors_fly_from(const struct flight *f, const struct floors_li
             floors_defer(&f->work->floors.account, from);
         } else {
             floors_account(f->work, from, to);
+        }
+        if (f->n_link > 0) {
+            flight_account_links(f, from, to);
         }
         *now = to;
         *next = from;

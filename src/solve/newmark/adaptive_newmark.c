@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newmark's method with steps as long as the tolerance allows (step_length.c), which end at events.
-#include "solve/method.h"
+#include "solve/run.h"
 
 #include "solve/account/peaks.h"
-#include "solve/event/equilibrium.h"
-#include "solve/excitation.h"
+#include "solve/event/rest.h"
+#include "solve/forcing.h"
 
 // The forcing jumps at the present state, and the accelerations with it: a step from the old ones
 // would begin with a first-order error. Rigid bodies at rest may part.

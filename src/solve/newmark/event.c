@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "solve/event/crossing.h"
-#include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
 
 // An event this close to an end of the step, relative to it, is at that end.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newmark's method with the steps of the deck: as many at a time as are in free flight, else one by
 // one, halved where they are rejected.
-#include "solve/method.h"
+#include "solve/run.h"
 
 // A run in which steps were rejected more often than this, and this often per step of the deck,
 // will not end in a reasonable time.
@@ -67,7 +67,7 @@ static int advance(struct run *r, long *n, long end) {
 }
 
 static bool alloc(struct run *r, struct arena *a) {
-    return run_step_alloc(r, a) && flight_alloc(&r->flight, &r->work, a);
+    return run_step_alloc(r, a) && flight_alloc(&r->flight, &r->work, &r->impacts, a);
 }
 
 const struct method fixed_newmark = {

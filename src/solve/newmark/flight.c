@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Linear links in flight. Let q_0 = A^-1 r be the corrections without their forces, and y = k d + c
+// v the forces at the end of the step that q_0 leads to. With D = diag(beta h^2 k + gamma h c) and
+// the flexibility S = B A^-1 B' of contact.c the links' forces are
+//     f = y - D S f,   hence   f = (I + D S)^-1 y   and   q = q_0 - A^-1 B' f.
 #include "solve/newmark/flight.h"
 
 #include <math.h>
@@ -7,9 +11,11 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
+#include "law/bilateral.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
-#include "solve/excitation.h"
+#include "solve/contact/sweep.h"
+#include "solve/forcing.h"
 
 // The runs of contacts, a vector at a time.
 static void group_contacts(struct flight *f, const struct gaps *gaps) {
@@ -51,12 +57,25 @@ static void assign_groups(struct flight *f) {
     }
 }
 
-// Are all links contacts of floors with a law of force, all storeys of straight lines, and
-// buildings with full matrices elastic?
-static bool is_possible(const struct model *m) {
-    bool possible = m->n_link == m->n_contact && (m->elastic || !m->chain.full_damping);
+// More links than this are left to the iteration of contact.c, whose effort grows with their
+// number, and not with its square.
+enum { LINKS_MAX = 100 };
+
+// Is the force of a bilateral link k d + c v?
+static bool is_linear(const struct link *l) {
+    return l->constant[BILATERAL_DASHPOT] == 0.0 || l->constant[BILATERAL_EXPONENT] == 1.0;
+}
+
+// Are all contacts those of floors with a law of force, all links linear and few, all storeys of
+// straight lines, and buildings with full matrices elastic? Floors of linked buildings are solved
+// for together.
+static bool is_possible(const struct model *m, const struct floors *floors) {
+    const int n_link = m->n_link - m->n_contact;
+    bool possible = (m->elastic || !m->chain.full_damping) && n_link <= LINKS_MAX &&
+                    (n_link == 0 || floors->n_block == 1);
     for (int k = 0; k < m->n_link; k++) {
-        possible = possible && !m->link[k].law->rebound && link_is_plain(&m->link[k]);
+        const struct link *l = &m->link[k];
+        possible = possible && (l->bilateral ? is_linear(l) : !l->law->rebound && link_is_plain(l));
     }
     for (int i = 0; i < m->n_dof; i++) {
         possible = possible && m->storey[i].law->branch;
@@ -93,17 +112,21 @@ static bool is_factorised(const struct flight *f) {
     return true;
 }
 
-bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
+bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, struct arena *a) {
     const struct model *m = w->model;
     *f = (struct flight){
         .model = m,
         .work = w,
         .account = &w->floors.account,
-        .possible = is_possible(m),
+        .impacts = impacts,
+        .possible = is_possible(m, &w->floors),
         .on_lines = !state_is_linear(m),
         .uniform = state_is_uniform(m),
     };
     size_t n = f->possible ? (size_t)m->n_contact : 0;
+    f->n_link = f->possible ? m->n_link - m->n_contact : 0;
+    f->transfer = arena_alloc(a, (size_t)f->n_link * (size_t)f->n_link, sizeof *f->transfer);
+    f->force = arena_alloc(a, (size_t)f->n_link, sizeof *f->force);
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
     f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
@@ -122,6 +145,81 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
         assign_groups(f);
     }
     return true;
+}
+
+// Replaces a matrix (n, n) by its inverse. It must be similar to a positive definite one, so that
+// any pivot is as good as another.
+LANES static void invert(double *matrix, int n) {
+    for (int k = 0; k < n; k++) {
+        double *restrict row = matrix + (ptrdiff_t)k * n;
+        const double pivot = 1.0 / row[k];
+        row[k] = 1.0;
+        for (int j = 0; j < n; j++) {
+            row[j] *= pivot;
+        }
+        for (int i = 0; i < n; i++) {
+            double *restrict other = matrix + (ptrdiff_t)i * n;
+            const double factor = other[k];
+            if (i == k || factor == 0.0) {
+                continue;
+            }
+            other[k] = 0.0;
+            for (int j = 0; j < n; j++) {
+                other[j] -= factor * row[j];
+            }
+        }
+    }
+}
+
+// Finds (I + D S)^-1 for the factors at hand. Column i of S is what links see of the accelerations
+// that a unit force of link i causes.
+static void find_transfer(struct flight *f) {
+    struct work *w = f->work;
+    struct link_scratch *link = w->link + f->model->n_contact;
+    const double unit = -1.0;
+    double *entry = f->transfer;
+    for (int i = 0; i < f->n_link; i++) {
+        memset(w->correction, 0, (size_t)f->model->n_dof * sizeof *w->correction);
+        sweep_find_columns(w, &link[i]);
+        sweep_push(w, &link[i], &unit);
+        for (int j = 0; j < f->n_link; j++, entry++) {
+            const double *c = link[j].constant;
+            const double d = w->b * c[BILATERAL_STIFFNESS] + w->g * c[BILATERAL_DASHPOT];
+            *entry = (i == j) + d * sweep_across(&link[j], w->correction);
+        }
+    }
+    invert(f->transfer, f->n_link);
+    f->factors = w->factors;
+}
+
+LANES void flight_join(const struct flight *f, const struct state *now, struct state *next) {
+    struct work *w = f->work;
+    const int first = f->model->n_contact, n = f->n_link;
+    const double *column = f->transfer;
+    double *restrict force = f->force;
+    contact_begin(w, now, next);
+    memset(force, 0, (size_t)n * sizeof *force);
+    for (int i = 0; i < n; i++, column += n) {
+        struct link_scratch *p = &w->link[first + i];
+        sweep_prepare(w, next, p);
+        const double q = sweep_across(p, w->correction);
+        const double y = p->constant[BILATERAL_STIFFNESS] * (p->d_trial + w->b * q) +
+                         p->constant[BILATERAL_DASHPOT] * (p->v_trial + w->g * q);
+        for (int j = 0; j < n; j++) {
+            force[j] += y * column[j];
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        next->link[first + i].force = force[i];
+        sweep_push(w, &w->link[first + i], &force[i]);
+    }
+}
+
+void flight_account_links(const struct flight *f, const struct state *now, struct state *next) {
+    for (int k = f->model->n_contact; k < f->model->n_link; k++) {
+        next->delta[k] = state_penetration(next, f->model, k);
+    }
+    (void)impacts_step(f->impacts, now, next, NULL);  // none opens, which alone can fail
 }
 
 // Computes what steps in flight leave out.
@@ -143,7 +241,7 @@ static bool has_yielded(const struct model *m, const struct state *before, const
 }
 
 static bool may_start(struct flight *f, const struct state *before, const struct state *s) {
-    if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt ||
+    if (!f->possible || s->n_live > f->n_link || f->work->h != f->model->dt ||
         has_yielded(f->model, before, s)) {
         return false;
     }
@@ -155,8 +253,10 @@ static bool may_start(struct flight *f, const struct state *before, const struct
 
 static void start_flight(struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
-    state_open_links(next);
-    gaps_forget(&f->work->gaps);
+    contact_begin(f->work, now, next);
+    if (f->n_link > 0 && f->factors != f->work->factors) {
+        find_transfer(f);
+    }
     memset(f->work->storeys.agree, 0, (size_t)m->n_building * sizeof *f->work->storeys.agree);
     if (f->on_lines) {
         memcpy(next->storey_history, now->storey_history,

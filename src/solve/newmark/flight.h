@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free flight: steps of the model's size in which no link acts and no storey changes its branch.
-// They need no iteration and no search, and most steps are such, so they have a way of their own
-// through the solver. It gives the same bits as newmark_step and floors_account.
+// Free flight: steps of the model's size in which no contact is closed, no storey changes its
+// branch, and the links that act are linear. They need no iteration and no search, and most steps
+// are such, so they have a way of their own through the solver. Without links it gives the same
+// bits as newmark_step and floors_account.
 #ifndef JOSTLE_FLIGHT_H
 #define JOSTLE_FLIGHT_H
 
+#include "solve/account/impacts.h"
 #include "solve/work.h"
 
 // Contacts of one run of gaps.h, LANES_WIDTH at most.
@@ -17,7 +19,8 @@ struct gap_group {
 struct flight {
     const struct model *model;  // borrowed, as are the next two
     struct work *work;
-    const struct floors_account *account;  // where works and peaks go
+    const struct floors_account *account;  // where works and peaks go,
+    struct impact_log *impacts;            // and those of links; borrowed
     bool possible;                         // with this model
     bool on_lines;                         // some storey yields, or some building is full
     bool uniform;                          // one ground moves all, and there are no loads
@@ -28,15 +31,29 @@ struct flight {
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
     int *group_end;           // by block of floors: after it, groups below this can be checked
+
+    int n_link;  // bilateral links, all linear
+    double
+        *transfer;  // (n_link, n_link) (I + D S)^-1, by columns, for the factors with this number
+    long factors;   // in struct work; 0: there is none
+    double *force;  // [F] (n_link) scratch
 };
 
 // Room for the flights of a run with this scratch, whose accounts (floors_account_to) must be set;
 // false: no memory.
-bool flight_alloc(struct flight *f, struct work *w, struct arena *a);
+bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, struct arena *a);
 
 // Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
 // step in which a link would act or a storey change its branch. Returns the step that it has
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
+
+// Finds the forces of the links at the end of the step from `now` to `next`, whose trial is in
+// struct work, from the corrections without them in work.correction; and adds to those what the
+// forces do.
+void flight_join(const struct flight *f, const struct state *now, struct state *next);
+
+// Takes the step from `now` to `next` into the works and peaks of the links.
+void flight_account_links(const struct flight *f, const struct state *now, struct state *next);
 
 #endif

@@ -66,6 +66,7 @@ void run_step_complete(struct run *r) {
 
 void run_step_resume(struct run *r) {
     work_resume(&r->work);
+    r->flight.factors = 0;
 }
 
 // Takes `next` as the new committed state.
