@@ -14,10 +14,10 @@
 typedef wide lane_number;
 typedef wide_bits lane_mask;
 #define LANE_INLINE LANES_WHOLE_INLINE
-#define ABSOLUTE(x) ((wide)((wide_bits)(x)&INT64_MAX))
-#define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
-#define LESS(a, b) ((wide_bits)((a) < (b)))
-#define AT_MOST(a, b) ((wide_bits)((a) <= (b)))
+#define ABSOLUTE(x) WIDE_ABSOLUTE(x)
+#define CHOOSE(mask, a, b) WIDE_CHOOSE(mask, a, b)
+#define LESS(a, b) WIDE_LESS(a, b)
+#define AT_MOST(a, b) WIDE_AT_MOST(a, b)
 #define IS_EQUAL(a, b) ((wide_bits)((a) == (b)))
 #define AND &
 #define OR |

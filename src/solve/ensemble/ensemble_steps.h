@@ -167,13 +167,13 @@ LANES_INLINE void ensemble_substitute(const struct floors_pass *pass, const doub
     floor_lanes below = MOTION_AT(r, 0);
     FLOORS_SET(q, 0) = below;
     for (ptrdiff_t i = 1; i < n; i++) {
-        below = MOTION_AT(r, i) - FACTOR_AT(i - 1, OFF) * below;
+        below = FORWARD(MOTION_AT(r, i), FACTOR_AT(i - 1, OFF), below);
         FLOORS_SET(q, i) = below;
     }
     floor_lanes above = below * FACTOR_AT(top, PIVOT), change = 0.0 + above;
     ensemble_correct(pass, top, &change, q);
     for (ptrdiff_t i = top - 1; i >= 0; i--) {
-        above = FLOORS_AT(q, i) * FACTOR_AT(i, PIVOT) - FACTOR_AT(i, OFF) * above;
+        above = BACKWARD(FLOORS_AT(q, i), FACTOR_AT(i, PIVOT), FACTOR_AT(i, OFF), above);
         change = 0.0 + above;
         ensemble_correct(pass, i, &change, q);
     }
