@@ -4,7 +4,7 @@
 
 #include "core/arena.h"
 #include "solve/contact/sweep.h"
-#include "solve/ensemble/ensemble_lanes.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 
 struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {
     struct ensemble_contacts *s = lanes_wide_array(a, 1, sizeof *s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/ensemble/ensemble_lanes.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-#include "solve/ensemble/ensemble_lanes.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 #include "solve/floors/floor_step.h"
 
 // Buildings that are taken through a step together. While the processor waits in the substitution

@@ -8,7 +8,7 @@
 // happens gives up, and its run is solved alone from the start of the step.
 #define LANES_OF_RUNS
 #include "core/masks.h"
-#include "solve/ensemble/ensemble_lanes.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 
 // As struct progress, and what runs have in common.
 struct progress_lanes {
@@ -88,20 +88,6 @@ LANES_WHOLE void ensemble_contacts_begin(struct ensemble_lanes *e) {
     }
 }
 
-// Evaluates the laws in lanes `which`.
-LANE_INLINE void ensemble_evaluate(const struct ensemble_lanes *e, const wide_bits *which,
-                                   struct progress_lanes *s) {
-    for (int i = 0; i < e->contacts->n_acting; i++) {
-        struct closed_contact *p = ensemble_acting(e, i);
-        const wide_bits here = p->live & *which;
-        wide_bits safe;
-        wide x;
-        sweep_see(e, p, &x);
-        sweep_evaluate(e, p, &x, &here, s, &safe);
-        s->going &= ~here | safe;
-    }
-}
-
 // Where the contacts are without corrections.
 LANE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct progress_lanes *s) {
     s->largest = s->feedback = EVERYWHERE(0.0);
@@ -118,25 +104,33 @@ LANE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct progress
     }
 }
 
-LANE_INLINE void ensemble_sweep(const struct ensemble_lanes *e, struct progress_lanes *s) {
-    for (int i = 0; i < e->contacts->n_acting; i++) {
+// A sweep, in lanes that are iterating. Laws are evaluated before it in lanes `which`. Lanes that
+// converge do not iterate any more.
+LANE_INLINE void ensemble_sweep(const struct ensemble_lanes *e, const wide_bits *which,
+                                struct progress_lanes *s) {
+    struct ensemble_contacts *all = e->contacts;
+    for (int i = 0; ANY(*which) && i < all->n_acting; i++) {
+        struct closed_contact *p = ensemble_acting(e, i);
+        const wide_bits here = p->live & *which;
+        wide_bits safe;
+        wide x;
+        sweep_see(e, p, &x);
+        sweep_evaluate(e, p, &x, &here, s, &safe);
+        s->going &= ~here | safe;
+    }
+    for (int i = 0; i < all->n_acting; i++) {
         struct closed_contact *p = ensemble_acting(e, i);
         const wide_bits here = p->live & s->iterating & s->going;
         wide_bits safe = here;
         sweep_visit(e, p, &safe, s);
         s->going &= ~here | safe;
     }
-}
-
-// Ends the sweeps in lanes that have converged.
-LANE_INLINE void ensemble_converge(const struct ensemble_lanes *e, struct progress_lanes *s) {
-    const wide *tolerance = &e->contacts->tolerance;
     const wide most = SMALLER(s->feedback, EVERYWHERE(1.0));
-    const wide feedback = CHOOSE(e->contacts->alone, EVERYWHERE(0.0), most);
+    const wide feedback = CHOOSE(all->alone, EVERYWHERE(0.0), most);
     wide_bits settled, measured;
-    sweep_settled(s, tolerance, &feedback, &settled);
-    sweep_measured(s, tolerance, &measured);
-    e->contacts->count -= s->iterating;
+    sweep_settled(s, &all->tolerance, &feedback, &settled);
+    sweep_measured(s, &all->tolerance, &measured);
+    all->count -= s->iterating;
     s->iterating &= s->going & ~(settled & measured);
 }
 
@@ -179,11 +173,7 @@ LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
         } else {
             sweep_tighten(&s, &which);
         }
-        if (ANY(which)) {
-            ensemble_evaluate(e, &which, &s);
-        }
-        ensemble_sweep(e, &s);
-        ensemble_converge(e, &s);
+        ensemble_sweep(e, &which, &s);
     }
     s.going &= ~s.iterating;
     ensemble_resolve(e, &s);
