@@ -50,46 +50,57 @@ static void ensemble_reach(struct closed_contact *g, const struct model *m,
     }
 }
 
-// Is closed contact k one that lanes can hold? It has been closed for some steps, and how its ends
-// yield is known.
-static bool ensemble_contact_suits(struct ensemble_lanes *e, const struct run *r, int k) {
-    struct closed_contact *g = &e->contacts->contact[k];
-    const struct link_state *l = &r->now->link[k];
+// How the ends of contact k yield, unless that has stayed. False: it is not known, or lanes cannot
+// hold it.
+static bool ensemble_yields(struct closed_contact *g, int lane, const struct run *r, int k) {
     const struct link_scratch *q = &r->work.link[k];
-    if (!(l->t_close < r->now->time) || l->n_past == 0 || g->apart ||
-        r->memory.resolved[k].step != r->work.h || q->factors != r->work.factors) {
-        return false;
+    if (g->factors[lane] != r->work.factors && q->factors == r->work.factors) {
+        g->factors[lane] = q->factors;
+        g->flexibility[lane] = q->flexibility;
+        g->coupling[lane] = q->coupling;
+        g->per_coupling[lane] = q->per_coupling;
+        ensemble_reach(g, r->model, q);
     }
-    ensemble_reach(g, r->model, q);
-    return !g->apart;
+    return g->factors[lane] == r->work.factors && !g->apart;
 }
 
-enum { CONTACT_NUMBERS = 16 };
+// Is closed contact k one that lanes can hold? It has been closed for some steps.
+static bool ensemble_contact_suits(const struct ensemble_lanes *e, int lane, const struct run *r,
+                                   int k) {
+    struct closed_contact *g = &e->contacts->contact[k];
+    const struct link_state *l = &r->now->link[k];
+    return l->t_close < r->now->time && l->n_past > 0 && !g->apart &&
+           r->memory.resolved[k].step == r->work.h && ensemble_yields(g, lane, r, k);
+}
 
-// What the lanes hold of contact k of a run that changes there, and how its ends yield.
+// Numbers of a contact in lanes, and where its run has them.
+struct contact_number {
+    wide *lanes;
+    double *own;
+};
+enum { CONTACT_NUMBERS = 12 + PAST_STEPS };
+
 static void ensemble_contact_list(struct closed_contact *j, const struct run *r, int k,
-                                  struct ensemble_copy *list) {
+                                  struct contact_number *list) {
     struct link_state *l = &r->now->link[k];
     struct link_peak *p = &r->results->link[k];
     struct impact *i = &r->results->impact[r->impacts.open[k]];
-    struct link_scratch *q = &r->work.link[k];
-    const struct ensemble_copy all[CONTACT_NUMBERS] = {
-        {&j->before, &l->force, 1, 1},
-        {j->past, l->past, PAST_STEPS, 1},
-        {&j->link.impulse, &p->impulse, 1, 1},
-        {&j->link.dissipated, &p->dissipated, 1, 1},
-        {&j->link.force, &p->force, 1, 1},
-        {&j->link.force_time, &p->force_time, 1, 1},
-        {&j->deepest, &r->results->deepest[k], 1, 1},
-        {&j->deepest_time, &r->results->deepest_time[k], 1, 1},
-        {&j->impact.impulse, &i->impulse, 1, 1},
-        {&j->impact.dissipated, &i->dissipated, 1, 1},
-        {&j->impact.peak_force, &i->peak_force, 1, 1},
-        {&j->impact.max_penetration, &i->max_penetration, 1, 1},
-        {&j->depth, &r->memory.resolved[k].depth, 1, 1},
-        {&j->flexibility, &q->flexibility, 1, 1},
-        {&j->coupling, &q->coupling, 1, 1},
-        {&j->per_coupling, &q->per_coupling, 1, 1},
+    const struct contact_number all[CONTACT_NUMBERS] = {
+        {&j->before, &l->force},
+        {&j->past[0], &l->past[0]},
+        {&j->past[1], &l->past[1]},
+        {&j->past[2], &l->past[2]},
+        {&j->link.impulse, &p->impulse},
+        {&j->link.dissipated, &p->dissipated},
+        {&j->link.force, &p->force},
+        {&j->link.force_time, &p->force_time},
+        {&j->deepest, &r->results->deepest[k]},
+        {&j->deepest_time, &r->results->deepest_time[k]},
+        {&j->impact.impulse, &i->impulse},
+        {&j->impact.dissipated, &i->dissipated},
+        {&j->impact.peak_force, &i->peak_force},
+        {&j->impact.max_penetration, &i->max_penetration},
+        {&j->depth, &r->memory.resolved[k].depth},
     };
     memcpy(list, all, sizeof all);
 }
@@ -112,7 +123,7 @@ void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct ru
     int n_closed = 0;
     for (int i = 0; all && i < now->n_live; i++) {
         const bool closed = now->link[now->live[i]].closed;
-        all = !closed || ensemble_contact_suits(e, r, now->live[i]);
+        all = !closed || ensemble_contact_suits(e, lane, r, now->live[i]);
         n_closed += closed;
     }
     if (!all || n_closed == 0 || n_closed > SWEEP_GROUP) {
@@ -122,9 +133,11 @@ void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct ru
         const int k = now->live[i];
         if (now->link[k].closed) {
             struct closed_contact *j = &s->contact[k];
-            struct ensemble_copy list[CONTACT_NUMBERS];
+            struct contact_number list[CONTACT_NUMBERS];
             ensemble_contact_list(j, r, k, list);
-            ensemble_copy_in(list, CONTACT_NUMBERS, lane);
+            for (int q = 0; q < CONTACT_NUMBERS; q++) {
+                (*list[q].lanes)[lane] = *list[q].own;
+            }
             j->live[lane] = -1;
             j->n_past[lane] = now->link[k].n_past;
             s->runs[k] |= 1U << lane;
@@ -148,9 +161,11 @@ void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) 
         const int k = s->acting[i];
         if (ensemble_has(s->runs[k], lane)) {
             struct closed_contact *j = &s->contact[k];
-            struct ensemble_copy list[CONTACT_NUMBERS];
+            struct contact_number list[CONTACT_NUMBERS];
             ensemble_contact_list(j, r, k, list);
-            ensemble_copy_out(list, CONTACT_NUMBERS, lane);
+            for (int q = 0; q < CONTACT_NUMBERS; q++) {
+                *list[q].own = (*list[q].lanes)[lane];
+            }
             j->live[lane] = 0;
             r->now->link[k].n_past = (int)j->n_past[lane];
             r->results->impact[r->impacts.open[k]].steps += s->steps[lane];

@@ -151,25 +151,13 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
     }
 }
 
-bool ensemble_copy_in(const struct ensemble_copy *list, int n, int lane) {
-    bool small = true;
-    for (const struct ensemble_copy *x = list; x < list + n; x++) {
-        for (int i = 0; i < x->n; i++) {
-            x->lanes[i * x->pitch][lane] = x->own[i];
-            small &= ensemble_is_small(x->own[i]);
-        }
-    }
-    return small;
-}
-
-void ensemble_copy_out(const struct ensemble_copy *list, int n, int lane) {
-    for (const struct ensemble_copy *x = list; x < list + n; x++) {
-        for (int i = 0; i < x->n; i++) {
-            x->own[i] = x->lanes[i * x->pitch][lane];
-        }
-    }
-}
-
+// Numbers that a run has, and those of its lane: n of them, there `pitch` apart.
+struct ensemble_copy {
+    wide *lanes;
+    double *own;
+    int n;
+    ptrdiff_t pitch;
+};
 enum { FLOOR_ARRAYS = 6, STATE_PITCH = sizeof(struct ensemble_state) / sizeof(wide) };
 
 // What the lanes hold of the floors of a run.
@@ -191,7 +179,13 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r) {
     struct ensemble_copy list[FLOOR_ARRAYS];
     e->steps->catch_up(e);
     ensemble_floor_list(e, r, list);
-    const bool small = ensemble_copy_in(list, FLOOR_ARRAYS, lane);
+    bool small = true;
+    for (const struct ensemble_copy *x = list; x < list + FLOOR_ARRAYS; x++) {
+        for (int i = 0; i < x->n; i++) {
+            x->lanes[i * x->pitch][lane] = x->own[i];
+            small &= ensemble_is_small(x->own[i]);
+        }
+    }
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_nearest *p = &e->nearest[k];
         const double depth = fmin(r->work.gaps.nearest[k], 0.0);
@@ -213,7 +207,11 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
     struct ensemble_copy list[FLOOR_ARRAYS];
     e->steps->catch_up(e);
     ensemble_floor_list(e, r, list);
-    ensemble_copy_out(list, FLOOR_ARRAYS, lane);
+    for (const struct ensemble_copy *x = list; x < list + FLOOR_ARRAYS; x++) {
+        for (int i = 0; i < x->n; i++) {
+            x->own[i] = x->lanes[i * x->pitch][lane];
+        }
+    }
     for (int i = 0; i < e->n_floor; i++) {
         t->speed = number_max(t->speed, e->peak[i].of[PEAK_VELOCITY][lane]);
     }

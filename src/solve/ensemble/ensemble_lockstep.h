@@ -145,6 +145,7 @@ struct closed_contact {
     wide flexibility, coupling, per_coupling;
     wide constant[ENSEMBLE_CONSTANTS];
     const struct contact_law *law;  // in all lanes
+    long factors[WIDE_RUNS];        // work.factors of the run that flexibility is of; 0: none yet
     int index;                      // of the contact
     int building[2];                // at its ends; WALL
     int from[2], to[2];             // floors there that feel its force: in all lanes
@@ -291,18 +292,6 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
 
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
-
-// Numbers that a run has, and those of its lane: n of them, there `pitch` apart.
-struct ensemble_copy {
-    wide *lanes;
-    double *own;
-    int n;
-    ptrdiff_t pitch;
-};
-
-// Copies what a list says into a lane, and back to the run. False: a number is too large.
-bool ensemble_copy_in(const struct ensemble_copy *list, int n, int lane);
-void ensemble_copy_out(const struct ensemble_copy *list, int n, int lane);
 
 // In ensemble_contacts.c:
 
