@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/account/energy.h"
+#include "solve/account/impact_step.h"
 #include "solve/account/peaks.h"
 #include "solve/event/crossing.h"
 
@@ -104,9 +104,21 @@ static void impacts_end_between(struct impact_log *log, const struct state *now,
     impacts_end(log, k, now->time + way, rate);
 }
 
+void impacts_add(const struct impact_log *log, int k, const struct impact_share *share) {
+    struct results *r = log->results;
+    const bool hits = k < log->model->n_contact && log->open[k] >= 0;
+    struct impact *impact = hits ? &r->impact[log->open[k]] : NULL;
+    impact_add_share(&r->link[k], impact, share);
+    if (impact) {
+        impact->steps += share->steps;
+    }
+}
+
 // Where the grounds of a link's ends move differently, its force works on them too.
-static double impacts_ground_work(const struct link *l, const struct model *m, double mean,
-                                  const struct state *now, const struct state *next) {
+static double impacts_ground_work(const struct model *m, int k, const struct state *now,
+                                  const struct state *next) {
+    const struct link *l = &m->link[k];
+    double mean = (now->link[k].force + next->link[k].force) / 2.0;
     double relative =
         state_gap(l, m, next->u, next->ground_u) - state_gap(l, m, now->u, now->ground_u);
     double own = link_across(l, next->u) - link_across(l, now->u);
@@ -127,18 +139,13 @@ int impacts_step(struct impact_log *log, const struct state *now, const struct s
         if (!now->link[k].closed && impacts_open(log, next, k, e) != STATUS_OK) {
             return e->status;
         }
-        double mean = (now->link[k].force + next->link[k].force) / 2.0;  // by the trapezoidal rule
-        struct impact_share share = {
-            .impulse = mean * h,
-            .work = mean * (next->delta[k] - now->delta[k]),
-            .force = next->link[k].force,
-            .penetration = next->delta[k],
-            .steps = next->link[k].closed,
-        };
+        struct impact_share share = {.steps = next->link[k].closed};
+        impact_find_share(&now->link[k].force, &next->link[k].force, &now->delta[k],
+                          &next->delta[k], h, &share);
         impacts_add(log, k, &share);
         contact += share.work;
         if (m->n_ground > 1 && m->link[k].moving_ground) {
-            log->energy->input += impacts_ground_work(&m->link[k], m, mean, now, next);
+            log->energy->input += impacts_ground_work(m, k, now, next);
         }
         if (!next->link[k].closed) {
             impacts_end_between(log, now, next, k);

@@ -3,7 +3,6 @@
 #ifndef JOSTLE_IMPACTS_H
 #define JOSTLE_IMPACTS_H
 
-#include "core/number.h"
 #include "solve/account/energy.h"
 
 struct impact_log {
@@ -36,21 +35,8 @@ int impacts_start(struct impact_log *log, const struct state *s, struct error *e
 int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
                  struct error *e);
 
-// Adds to the totals of link k and, if one is under way, to its impact. In line for impacts_step.
-static inline void impacts_add(const struct impact_log *log, int k,
-                               const struct impact_share *share) {
-    struct results *r = log->results;
-    r->link[k].impulse += share->impulse;
-    r->link[k].dissipated += share->work;
-    if (k < log->model->n_contact && log->open[k] >= 0) {
-        struct impact *i = &r->impact[log->open[k]];
-        i->impulse += share->impulse;
-        i->dissipated += share->work;
-        i->peak_force = number_max(i->peak_force, share->force);
-        i->max_penetration = number_max(i->max_penetration, share->penetration);
-        i->steps += share->steps;
-    }
-}
+// Adds to the totals of link k and, if one is under way, to its impact.
+void impacts_add(const struct impact_log *log, int k, const struct impact_share *share);
 
 // Takes the forces of `s`, which have jumped, into the peaks of the impacts under way.
 void impacts_jump(struct impact_log *log, const struct state *s);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contact sweep, written once for two lane counts: one link of one run (sweep.c, contact.c,
-// contact_step.c), and one contact of eight runs, a run a lane (ensemble_sweeps.c, which
-// defines SWEEP_OF_RUNS). With one lane a mask is true or false, and a choice is a branch. Both
-// agree to the bit because these are the same operations in the same order.
+// The contact sweep, written once for the lane counts of core/masks.h: one link of one run
+// (sweep.c, contact.c, contact_step.c), and one contact of eight runs (ensemble_sweeps.c).
 //
 // With the corrections q of the accelerations, a link has x = q_left - q_right, and
 //     d = d_trial + b x,   v = v_trial + g x,   F = F(d, v),   b = beta h^2,   g = gamma h.
@@ -21,43 +19,31 @@
 #include <float.h>
 #include <math.h>
 
-#include "core/lanes.h"
+#include "core/masks.h"
 #include "core/number.h"
 #include "solve/floors/floor_terms.h"
 
 // Whether the law of a link must be evaluated again.
 enum knowledge { LAW_KNOWN, LAW_UNKNOWN };
 
-// What differs with the lane count: types, masks, and these functions, which are declared before
-// this header is included. Numbers are passed by address (core/lanes.h).
+// What differs with the lane count: structs, and these functions, which are declared before this
+// header is included.
 //     sweep_see(w, p, &x)             x of link p
 //     sweep_law(p, &d, &v, &law)      what its law says at d and v
 //     sweep_sizes(w, p, &u, &v, &q)   sizes of the trial displacements (with the gap), of the trial
 //                                     velocities and of the corrections at its ends
 //     sweep_push(w, p, &df)           the change of q by a change df of its force
-#ifdef SWEEP_OF_RUNS
-typedef wide sweep_number;
-typedef wide_bits sweep_mask;
-#define SWEEP_INLINE LANES_WHOLE_INLINE
+#ifdef LANES_OF_RUNS
 #define SWEEP_RUN struct ensemble_lanes
-#define SWEEP_SCHEME(w) ((w)->factors)
+#define SWEEP_SCHEME(w) (&(w)->scheme)
 #define SWEEP_LINK struct closed_contact
 #define SWEEP_PROGRESS struct progress_lanes
 #define SWEEP_RESPONSE struct response_lanes
-#define ABSOLUTE(x) WIDE_ABSOLUTE(x)
-#define CHOOSE(mask, a, b) WIDE_CHOOSE(mask, a, b)
-#define LESS(a, b) WIDE_LESS(a, b)
-#define AT_MOST(a, b) WIDE_AT_MOST(a, b)
-#define IS_EQUAL(a, b) ((wide_bits)((a) == (b)))
-#define AND &
-#define OR |
-#define NOT(mask) (~(mask))
-#define ANY(mask) wide_any(&(mask))
 #define IS_SAFE_AT(p, d) LESS(0.0, d)
 #define SAFE_RANGE(p, range) (range)
 #define DEPTH(p) (&(p)->depth)
 
-SWEEP_INLINE void sweep_root(sweep_number *x) {
+LANE_INLINE void sweep_root(lane_number *x) {
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
         (*x)[lane] = sqrt((*x)[lane]);
     }
@@ -65,35 +51,19 @@ SWEEP_INLINE void sweep_root(sweep_number *x) {
 #else
 #include "solve/contact/sweep.h"
 
-typedef double sweep_number;
-typedef bool sweep_mask;
-#define SWEEP_INLINE LANES_INLINE
 #define SWEEP_RUN struct work
 #define SWEEP_SCHEME(w) (w)
 #define SWEEP_LINK struct link_scratch
 #define SWEEP_PROGRESS struct progress
 #define SWEEP_RESPONSE struct contact_response
-#define ABSOLUTE(x) fabs(x)
-#define CHOOSE(mask, a, b) ((mask) ? (a) : (b))
-#define LESS(a, b) ((a) < (b))
-#define AT_MOST(a, b) ((a) <= (b))
-#define IS_EQUAL(a, b) ((a) == (b))
-#define AND &&
-#define OR ||
-#define NOT(mask) (!(mask))
-#define ANY(mask) (mask)
 #define IS_SAFE_AT(p, d) ((p)->trusted && ((d) > 0.0 || (p)->bilateral))
 #define SAFE_RANGE(p, range) ((p)->bilateral ? INFINITY : (range))
 #define DEPTH(p) (&(p)->resolved->depth)
 
-SWEEP_INLINE void sweep_root(sweep_number *x) {
+LANE_INLINE void sweep_root(lane_number *x) {
     *x = sqrt(*x);
 }
 #endif
-
-#define LARGER(a, b) CHOOSE(LESS(b, a), a, b)
-#define SMALLER(a, b) CHOOSE(LESS(a, b), a, b)
-#define EVERYWHERE(x) ((x) - (sweep_number){0.0})  // a number, in all lanes
 
 // A Newton step is safe if it changes force and penetration by no more than this share, and if the
 // slope of the law times the flexibility of the link, S_ll t, is no more than this.
@@ -126,23 +96,23 @@ static const double SWEEP_DEEPER = 2.0;
 // Takes the tangent of the law of a link, evaluated at x, where S_ll t is `share`, in lanes
 // `which`. Where steps may lead as far as `range` from there. A law that is not smooth has no
 // reach: it is evaluated in each step.
-SWEEP_INLINE void sweep_linearise(const SWEEP_RUN *w, SWEEP_LINK *p, const SWEEP_PROGRESS *s,
-                                  const sweep_number *x, const sweep_number *v,
-                                  const sweep_number *range, const SWEEP_RESPONSE *law,
-                                  const sweep_number *slope, const sweep_number *share,
-                                  const sweep_mask *which) {
-    const sweep_number steepness = ABSOLUTE(SWEEP_SCHEME(w)->b * law->dfdd) +
-                                   ABSOLUTE(SWEEP_SCHEME(w)->g * law->dfdv) + DBL_MIN;
-    const sweep_number inverse = 1.0 / ((1.0 + *share) * steepness);  // one division for both
-    const sweep_number damped = inverse * steepness, rate = *slope * damped,
-                       base = (law->force - p->force) * damped;
-    sweep_number bend = SWEEP_STRAIGHT * s->tolerance * ABSOLUTE(law->force);
+LANE_INLINE void sweep_linearise(const SWEEP_RUN *w, SWEEP_LINK *p, const SWEEP_PROGRESS *s,
+                                 const lane_number *x, const lane_number *v,
+                                 const lane_number *range, const SWEEP_RESPONSE *law,
+                                 const lane_number *slope, const lane_number *share,
+                                 const lane_mask *which) {
+    const lane_number steepness = ABSOLUTE(SWEEP_SCHEME(w)->b * law->dfdd) +
+                                  ABSOLUTE(SWEEP_SCHEME(w)->g * law->dfdv) + DBL_MIN;
+    const lane_number inverse = 1.0 / ((1.0 + *share) * steepness);  // one division for both
+    const lane_number damped = inverse * steepness, rate = *slope * damped,
+                      base = (law->force - p->force) * damped;
+    lane_number bend = SWEEP_STRAIGHT * s->tolerance * ABSOLUTE(law->force);
     sweep_root(&bend);
-    const sweep_number straight = bend * inverse * (1.0 + *share);
-    const sweep_number turn = ABSOLUTE(*v) * SWEEP_SCHEME(w)->per_g;
-    const sweep_number nearer = SMALLER(*range, turn);
-    const sweep_number smooth = SMALLER(nearer, straight), none = EVERYWHERE(-1.0);
-    const sweep_number reach = p->law->traits & CONTACT_SMOOTH ? smooth : none;
+    const lane_number straight = bend * inverse * (1.0 + *share);
+    const lane_number turn = ABSOLUTE(*v) * SWEEP_SCHEME(w)->per_g;
+    const lane_number nearer = SMALLER(*range, turn);
+    const lane_number smooth = SMALLER(nearer, straight), none = EVERYWHERE(-1.0);
+    const lane_number reach = p->law->traits & CONTACT_SMOOTH ? smooth : none;
     p->tangent.origin = CHOOSE(*which, *x, p->tangent.origin);
     p->tangent.range = CHOOSE(*which, *range, p->tangent.range);
     p->tangent.damped = CHOOSE(*which, damped, p->tangent.damped);
@@ -154,10 +124,10 @@ SWEEP_INLINE void sweep_linearise(const SWEEP_RUN *w, SWEEP_LINK *p, const SWEEP
 }
 
 // Evaluates the law of a link at x in lanes `which`; *safe: in those a Newton step may start there.
-SWEEP_INLINE void sweep_evaluate(const SWEEP_RUN *w, SWEEP_LINK *p, const sweep_number *x,
-                                 const sweep_mask *which, SWEEP_PROGRESS *s, sweep_mask *safe) {
-    const sweep_number d = END(p->d_trial, SWEEP_SCHEME(w)->b, *x);
-    const sweep_number v = END(p->v_trial, SWEEP_SCHEME(w)->g, *x);
+LANE_INLINE void sweep_evaluate(const SWEEP_RUN *w, SWEEP_LINK *p, const lane_number *x,
+                                const lane_mask *which, SWEEP_PROGRESS *s, lane_mask *safe) {
+    const lane_number d = END(p->d_trial, SWEEP_SCHEME(w)->b, *x);
+    const lane_number v = END(p->v_trial, SWEEP_SCHEME(w)->g, *x);
     p->stale = p->stale OR * which;
     *safe = *which AND IS_SAFE_AT(p, d);
     if (!ANY(*safe)) {
@@ -165,39 +135,39 @@ SWEEP_INLINE void sweep_evaluate(const SWEEP_RUN *w, SWEEP_LINK *p, const sweep_
     }
     SWEEP_RESPONSE law;
     sweep_law(p, &d, &v, &law);
-    const sweep_number slope = SWEEP_SCHEME(w)->b * law.dfdd + SWEEP_SCHEME(w)->g * law.dfdv;
-    const sweep_number share = p->flexibility * slope;
+    const lane_number slope = SWEEP_SCHEME(w)->b * law.dfdd + SWEEP_SCHEME(w)->g * law.dfdv;
+    const lane_number share = p->flexibility * slope;
     *safe = *safe AND AT_MOST(0.0, share) AND AT_MOST(share, SWEEP_STEEPEST);
     if (!ANY(*safe)) {
         return;
     }
-    const sweep_number range = SAFE_RANGE(p, SWEEP_NEAR * d * SWEEP_SCHEME(w)->per_b);
+    const lane_number range = SAFE_RANGE(p, SWEEP_NEAR * d * SWEEP_SCHEME(w)->per_b);
     sweep_linearise(w, p, s, x, &v, &range, &law, &slope, &share, safe);
     p->stale = p->stale AND NOT(*safe);
-    const sweep_number feedback = share * p->coupling;
+    const lane_number feedback = share * p->coupling;
     s->feedback = CHOOSE(*safe AND LESS(s->feedback, feedback), feedback, s->feedback);
 }
 
 // Takes lanes out of `which` in which a change of that size of the force is no more than the
 // rounding of d and v makes of it.
-SWEEP_INLINE void sweep_without_rounding(const SWEEP_RUN *w, const SWEEP_LINK *p,
-                                         const sweep_number *size, sweep_mask *which) {
-    sweep_number u, v, q;
+LANE_INLINE void sweep_without_rounding(const SWEEP_RUN *w, const SWEEP_LINK *p,
+                                        const lane_number *size, lane_mask *which) {
+    lane_number u, v, q;
     sweep_sizes(w, p, &u, &v, &q);
-    const sweep_number d_size = u + SWEEP_SCHEME(w)->b * q, v_size = v + SWEEP_SCHEME(w)->g * q;
-    const sweep_number rounding = 4.0 * DBL_EPSILON *
-                                  (ABSOLUTE(p->dfdd) * d_size + ABSOLUTE(p->dfdv) * v_size) *
-                                  p->tangent.damped;
+    const lane_number d_size = u + SWEEP_SCHEME(w)->b * q, v_size = v + SWEEP_SCHEME(w)->g * q;
+    const lane_number rounding = 4.0 * DBL_EPSILON *
+                                 (ABSOLUTE(p->dfdd) * d_size + ABSOLUTE(p->dfdv) * v_size) *
+                                 p->tangent.damped;
     *which = *which AND NOT(AT_MOST(*size, rounding));
 }
 
 // Records changes df of a force in lanes `which`, by whether the law must be evaluated again.
-SWEEP_INLINE void sweep_note(const SWEEP_RUN *w, const SWEEP_LINK *p, const sweep_number *df,
-                             const sweep_mask *which, SWEEP_PROGRESS *s) {
-    const sweep_number size = ABSOLUTE(*df);
-    sweep_number *known = &s->moved[LAW_KNOWN], *unknown = &s->moved[LAW_UNKNOWN];
-    const sweep_number most = CHOOSE(p->stale, *unknown, *known);
-    sweep_mask matters = *which AND LESS(s->tolerance, size) AND LESS(most, size);
+LANE_INLINE void sweep_note(const SWEEP_RUN *w, const SWEEP_LINK *p, const lane_number *df,
+                            const lane_mask *which, SWEEP_PROGRESS *s) {
+    const lane_number size = ABSOLUTE(*df);
+    lane_number *known = &s->moved[LAW_KNOWN], *unknown = &s->moved[LAW_UNKNOWN];
+    const lane_number most = CHOOSE(p->stale, *unknown, *known);
+    lane_mask matters = *which AND LESS(s->tolerance, size) AND LESS(most, size);
     if (ANY(matters)) {
         sweep_without_rounding(w, p, &size, &matters);
         *unknown = CHOOSE(matters AND p->stale, size, *unknown);
@@ -207,19 +177,18 @@ SWEEP_INLINE void sweep_note(const SWEEP_RUN *w, const SWEEP_LINK *p, const swee
 
 // A link that is `far` from the origin of its tangent stays within its reach as long as the forces
 // of others change by no more than this.
-SWEEP_INLINE void sweep_limit(const SWEEP_LINK *p, const sweep_number *far, const sweep_mask *which,
-                              SWEEP_PROGRESS *s) {
-    const sweep_number left = p->tangent.reach - *far;
-    const sweep_number margin = LARGER(left, EVERYWHERE(0.0)) * p->per_coupling;
+LANE_INLINE void sweep_limit(const SWEEP_LINK *p, const lane_number *far, const lane_mask *which,
+                             SWEEP_PROGRESS *s) {
+    const lane_number left = p->tangent.reach - *far;
+    const lane_number margin = LARGER(left, EVERYWHERE(0.0)) * p->per_coupling;
     s->margin = CHOOSE(*which AND LESS(margin, s->margin), margin, s->margin);
 }
 
 // Changes the force of a link by df in lanes `which`, which leads it `far` from the origin of its
 // tangent.
-SWEEP_INLINE void sweep_change(const SWEEP_RUN *w, SWEEP_LINK *p, const sweep_number *df,
-                               const sweep_number *far, const sweep_mask *which,
-                               SWEEP_PROGRESS *s) {
-    const sweep_number done = CHOOSE(*which, *df, EVERYWHERE(0.0));
+LANE_INLINE void sweep_change(const SWEEP_RUN *w, SWEEP_LINK *p, const lane_number *df,
+                              const lane_number *far, const lane_mask *which, SWEEP_PROGRESS *s) {
+    const lane_number done = CHOOSE(*which, *df, EVERYWHERE(0.0));
     p->force = CHOOSE(*which, p->force + *df, p->force);
     p->tangent.base -= p->tangent.damped * done;
     p->stale = (*which AND NOT(AT_MOST(*far, p->tangent.reach)))OR(NOT(*which) AND p->stale);
@@ -230,20 +199,20 @@ SWEEP_INLINE void sweep_change(const SWEEP_RUN *w, SWEEP_LINK *p, const sweep_nu
 
 // A Newton step of a link at x in lanes `which`, of which those stay in which it is safe. It is not
 // made where it does not matter.
-SWEEP_INLINE void sweep_step(const SWEEP_RUN *w, SWEEP_LINK *p, const sweep_number *x,
-                             sweep_mask *which, SWEEP_PROGRESS *s) {
-    const sweep_number dx = *x - p->tangent.origin, size = ABSOLUTE(dx);
-    const sweep_number df = p->tangent.base + p->tangent.rate * dx;
-    const sweep_mask idle = *which AND AT_MOST(ABSOLUTE(df), SWEEP_NEGLECTED * s->tolerance)
-                                AND AT_MOST(size, p->tangent.reach);
-    sweep_mask moves = *which AND NOT(idle);
+LANE_INLINE void sweep_step(const SWEEP_RUN *w, SWEEP_LINK *p, const lane_number *x,
+                            lane_mask *which, SWEEP_PROGRESS *s) {
+    const lane_number dx = *x - p->tangent.origin, size = ABSOLUTE(dx);
+    const lane_number df = p->tangent.base + p->tangent.rate * dx;
+    const lane_mask idle = *which AND AT_MOST(ABSOLUTE(df), SWEEP_NEGLECTED * s->tolerance)
+                               AND AT_MOST(size, p->tangent.reach);
+    lane_mask moves = *which AND NOT(idle);
     if (ANY(idle)) {
         sweep_limit(p, &size, &idle, s);
     }
     if (!ANY(moves)) {
         return;
     }
-    const sweep_number far = ABSOLUTE(dx - p->flexibility * df);
+    const lane_number far = ABSOLUTE(dx - p->flexibility * df);
     moves = moves AND AT_MOST(far, p->tangent.range)
         AND AT_MOST(ABSOLUTE(df), SWEEP_NEAR * ABSOLUTE(p->force));
     *which = idle OR moves;
@@ -253,27 +222,27 @@ SWEEP_INLINE void sweep_step(const SWEEP_RUN *w, SWEEP_LINK *p, const sweep_numb
 }
 
 // The turn of a link in lanes `which`, of which those stay in which a Newton step is safe.
-SWEEP_INLINE void sweep_visit(const SWEEP_RUN *w, SWEEP_LINK *p, sweep_mask *which,
-                              SWEEP_PROGRESS *s) {
-    sweep_number x;
+LANE_INLINE void sweep_visit(const SWEEP_RUN *w, SWEEP_LINK *p, lane_mask *which,
+                             SWEEP_PROGRESS *s) {
+    lane_number x;
     sweep_see(w, p, &x);
-    const sweep_number far = ABSOLUTE(x - p->tangent.origin);
-    const sweep_mask on_tangent = AT_MOST(far, p->tangent.reach) OR AT_MOST(far, 0.0);
-    const sweep_mask known = *which AND NOT(p->stale) AND on_tangent;
-    const sweep_mask unknown = *which AND NOT(known);
+    const lane_number far = ABSOLUTE(x - p->tangent.origin);
+    const lane_mask on_tangent = AT_MOST(far, p->tangent.reach) OR AT_MOST(far, 0.0);
+    const lane_mask known = *which AND NOT(p->stale) AND on_tangent;
+    const lane_mask unknown = *which AND NOT(known);
     *which = known;
     if (ANY(unknown)) {
-        sweep_mask safe;
+        lane_mask safe;
         sweep_evaluate(w, p, &x, &unknown, s, &safe);
         *which = known OR safe;
     }
     sweep_step(w, p, &x, which, s);
-    const sweep_number size = ABSOLUTE(p->force);
+    const lane_number size = ABSOLUTE(p->force);
     s->largest = CHOOSE(*which AND LESS(s->largest, size), size, s->largest);
 }
 
 // Turns the progress of the last sweep, or of the guess, into that of a sweep about to begin.
-SWEEP_INLINE void sweep_renew(const sweep_number *tolerance, SWEEP_PROGRESS *s) {
+LANE_INLINE void sweep_renew(const lane_number *tolerance, SWEEP_PROGRESS *s) {
     s->tolerance = *tolerance * s->largest;
     s->largest = s->moved[LAW_KNOWN] = s->moved[LAW_UNKNOWN] = EVERYWHERE(0.0);
     s->margin = EVERYWHERE(INFINITY);
@@ -281,7 +250,7 @@ SWEEP_INLINE void sweep_renew(const sweep_number *tolerance, SWEEP_PROGRESS *s) 
 
 // In which lanes of `which` has the tolerance become so much tighter that all laws must be
 // evaluated again? That is taken for done.
-SWEEP_INLINE void sweep_tighten(SWEEP_PROGRESS *s, sweep_mask *which) {
+LANE_INLINE void sweep_tighten(SWEEP_PROGRESS *s, lane_mask *which) {
     *which = *which AND LESS(SWEEP_LOOSER * s->tolerance, s->law_tolerance);
     s->law_tolerance =
         CHOOSE(*which OR LESS(s->law_tolerance, s->tolerance), s->tolerance, s->law_tolerance);
@@ -290,18 +259,18 @@ SWEEP_INLINE void sweep_tighten(SWEEP_PROGRESS *s, sweep_mask *which) {
 // After a sweep, would another one change no force by more than the tolerance, a share of the
 // largest? Changes of forces on their tangents count by the share `feedback` that comes back from
 // the other links.
-SWEEP_INLINE void sweep_settled(const SWEEP_PROGRESS *s, const sweep_number *tolerance,
-                                const sweep_number *feedback, sweep_mask *settled) {
-    const sweep_number allowed = *tolerance * s->largest;
+LANE_INLINE void sweep_settled(const SWEEP_PROGRESS *s, const lane_number *tolerance,
+                               const lane_number *feedback, lane_mask *settled) {
+    const lane_number allowed = *tolerance * s->largest;
     *settled = AT_MOST(s->moved[LAW_UNKNOWN], allowed)
         AND AT_MOST(*feedback * s->moved[LAW_KNOWN], allowed)
             AND NOT(LESS(s->margin, s->moved[LAW_KNOWN]));
 }
 
 // Was the tolerance by which the sweep measured changes not much looser than it is now?
-SWEEP_INLINE void sweep_measured(const SWEEP_PROGRESS *s, const sweep_number *tolerance,
-                                 sweep_mask *measured) {
-    const sweep_number allowed = *tolerance * s->largest;
+LANE_INLINE void sweep_measured(const SWEEP_PROGRESS *s, const lane_number *tolerance,
+                                lane_mask *measured) {
+    const lane_number allowed = *tolerance * s->largest;
     *measured = AT_MOST(s->tolerance, SWEEP_LOOSER * allowed);
 }
 
@@ -311,24 +280,24 @@ SWEEP_INLINE void sweep_measured(const SWEEP_PROGRESS *s, const sweep_number *to
 
 // Is a step of length h short enough for its spring at penetrations d in lanes `which`, of which
 // those stay in which it is? Its tangents there are in `law`. Keeps how deep the answer holds.
-SWEEP_INLINE void sweep_fit_spring(SWEEP_LINK *p, double h, const SWEEP_RESPONSE *law,
-                                   const sweep_number *d, sweep_mask *which) {
-    const sweep_mask deeper = *which AND NOT(AT_MOST(*d, *DEPTH(p)));
+LANE_INLINE void sweep_fit_spring(SWEEP_LINK *p, double h, const SWEEP_RESPONSE *law,
+                                  const lane_number *d, lane_mask *which) {
+    const lane_mask deeper = *which AND NOT(AT_MOST(*d, *DEPTH(p)));
     if (!ANY(deeper)) {
         return;
     }
-    const sweep_mask simple = IS_EQUAL(law->dfdv, 0.0) AND LESS(0.0, law->dfdd);
-    const sweep_number still = EVERYWHERE(0.0);
-    const sweep_mask other = deeper AND NOT(simple);
-    sweep_number stiffness = law->dfdd;
+    const lane_mask simple = IS_EQUAL(law->dfdv, 0.0) AND LESS(0.0, law->dfdd);
+    const lane_number still = EVERYWHERE(0.0);
+    const lane_mask other = deeper AND NOT(simple);
+    lane_number stiffness = law->dfdd;
     if (ANY(other)) {
         SWEEP_RESPONSE at_rest;
         sweep_law(p, d, &still, &at_rest);
         stiffness = CHOOSE(simple, stiffness, at_rest.dfdd);
     }
-    const sweep_number coarse = stiffness * p->flexibility * h * h;
+    const lane_number coarse = stiffness * p->flexibility * h * h;
     const double deepest = p->law->traits & CONTACT_SMOOTH ? SWEEP_DEEPER : 0.0;
-    const sweep_number depth =
+    const lane_number depth =
         CHOOSE(AT_MOST(SWEEP_STIFFER * coarse, SWEEP_COARSEST_SPRING), deepest * *d, still);
     *DEPTH(p) = CHOOSE(deeper, depth, *DEPTH(p));
     *which = *which AND(NOT(deeper) OR AT_MOST(coarse, SWEEP_COARSEST_SPRING));

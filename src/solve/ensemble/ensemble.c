@@ -9,7 +9,6 @@
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "solve/ensemble/ensemble_contacts.h"
 #include "solve/ensemble/ensemble_lockstep.h"
 
 static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
@@ -59,63 +58,49 @@ bool ensemble_alike(const struct model *a, const struct model *b) {
     return alike;
 }
 
-static bool same_signal(const struct signal *a, const struct signal *b) {
-    if (a->start != b->start || a->end != b->end || !a->value != !b->value) {
-        return false;
-    }
-    if (!a->value) {
-        return a->amplitude == b->amplitude && a->omega == b->omega && a->phase == b->phase;
-    }
-    return a->n == b->n && a->dt == b->dt &&
-           memcmp(a->value, b->value, a->n * sizeof *a->value) == 0;
-}
-
-static bool same_ground(const struct ground *a, const struct ground *b) {
+static bool ensemble_same_ground(const struct ground *a, const struct ground *b) {
     bool same = a->n_signal == b->n_signal;
     for (int i = 0; same && i < a->n_signal; i++) {
-        same = same_signal(&a->signal[i], &b->signal[i]);
+        const struct signal *x = &a->signal[i], *y = &b->signal[i];
+        same = x->start == y->start && x->end == y->end && x->n == y->n && x->dt == y->dt &&
+               x->amplitude == y->amplitude && x->omega == y->omega && x->phase == y->phase &&
+               (x->n == 0 || memcmp(x->value, y->value, x->n * sizeof *x->value) == 0);
     }
     return same;
 }
 
-// The ground accelerations of a run from step n on, for its lane.
-static void compute_ground(struct lockstep *l, int k, long n) {
-    const struct model *m = l->slot[k].run.model;
-    const struct ground *g = &m->ground[0];
-    double time[ENSEMBLE_STRETCH], value[ENSEMBLE_STRETCH] = {0.0};
-    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
-        time[i] = (double)(n + i) * m->dt;
-    }
-    for (int i = 0; i < g->n_signal; i++) {
-        signal_add_values(&g->signal[i], ENSEMBLE_STRETCH, time, value);
-    }
-    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
-        l->lanes.base[i][k] = value[i];
-    }
-}
-
-// The ground accelerations of the steps from n on.
-static void compute_grounds(struct lockstep *l, long n) {
+// The ground accelerations of the steps from n on. Runs whose grounds move in the same way share
+// them.
+static void ensemble_compute_grounds(struct lockstep *l, long n) {
     for (int k = 0; k < l->n; k++) {
+        const struct model *m = l->slot[k].run.model;
+        const struct ground *g = &m->ground[0];
         const int same = l->slot[k].ground;
-        if (same == k) {
-            compute_ground(l, k, n);
+        double time[ENSEMBLE_STRETCH], value[ENSEMBLE_STRETCH] = {0.0};
+        for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+            time[i] = (double)(n + i) * m->dt;
         }
-        for (int i = 0; i < ENSEMBLE_STRETCH && same < k; i++) {
-            l->lanes.base[i][k] = l->lanes.base[i][same];
+        for (int i = 0; same == k && i < g->n_signal; i++) {
+            signal_add_values(&g->signal[i], ENSEMBLE_STRETCH, time, value);
+        }
+        for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+            l->lanes.base[i][k] = same == k ? value[i] : l->lanes.base[i][same];
         }
     }
     l->known = n + ENSEMBLE_STRETCH - 1;
 }
 
 // The energies of a row of runs in lanes.
-static void balance(struct lockstep *l) {
+static void ensemble_balance(struct lockstep *l) {
     struct energy_sums sums[WIDE_RUNS];
-    ensemble_sums(&l->lanes, sums);
+    l->lanes.steps->catch_up(&l->lanes);
+    l->lanes.steps->sum(&l->lanes, sums);
     for (int k = 0; k < l->n; k++) {
         struct run *r = &l->slot[k].run;
         if (l->slot[k].mode == SLOT_IN_LANES) {
-            ensemble_contacts_work(&l->lanes, k, &r->energy);
+            if (ensemble_has(l->lanes.contacts->active, k)) {
+                r->energy.contact = l->lanes.contacts->work[k];
+            }
             energy_close(&r->energy, &sums[k], r->results->energy);
             int status = analysis_note_energies(r);
             if (status != STATUS_OK) {
@@ -125,7 +110,7 @@ static void balance(struct lockstep *l) {
     }
 }
 
-static void poll(struct lockstep *l, double time) {
+static void ensemble_poll(struct lockstep *l, double time) {
     const struct observer *o = l->observer;
     for (int k = 0; o && o->poll && k < l->n; k++) {
         struct slot *slot = &l->slot[k];
@@ -138,7 +123,7 @@ static void poll(struct lockstep *l, double time) {
 }
 
 // Step n of runs that are alone, some of which enter their lanes then.
-static void step_alone(struct lockstep *l, long n) {
+static void ensemble_step_alone(struct lockstep *l, long n) {
     for (int k = 0; l->n_alone > 0 && k < l->n; k++) {
         struct slot *slot = &l->slot[k];
         if (slot->mode != SLOT_ALONE && slot->mode != SLOT_STAYS_ALONE) {
@@ -153,71 +138,58 @@ static void step_alone(struct lockstep *l, long n) {
     }
 }
 
-// The last step of a run, which it takes alone.
-static void take_last_step(struct lockstep *l, int k) {
-    struct slot *slot = &l->slot[k];
-    const long last = slot->run.model->n_step;
-    if (slot->mode == SLOT_IN_LANES) {
-        ensemble_lockstep_leave(l, k, last - 1);
-    }
-    ensemble_lanes_merge(&l->lanes, k, slot->run.results);
-    ensemble_lockstep_end(l, k, analysis_step(&slot->run, last));
-}
-
-// Ends the runs that have but one step left after step n, and looks for the next that will.
-static void end_due(struct lockstep *l, long n) {
+// Ends the runs that have but one step left after step n, and looks for the next that will. The
+// last step may be shorter: a run takes it alone.
+static void ensemble_end_due(struct lockstep *l, long n) {
     if (n < l->due) {
         return;
     }
     l->due = LONG_MAX;
     for (int k = 0; k < l->n; k++) {
-        const struct slot *slot = &l->slot[k];
-        const long due = slot->run.model->n_step - 1;
-        if (slot->mode != SLOT_ENDED && due == n) {
-            take_last_step(l, k);
+        struct slot *slot = &l->slot[k];
+        const long last = slot->run.model->n_step;
+        if (slot->mode != SLOT_ENDED && last - 1 > n) {
+            l->due = number_least(l->due, last - 1);
         } else if (slot->mode != SLOT_ENDED) {
-            l->due = number_least(l->due, due);
+            if (slot->mode == SLOT_IN_LANES) {
+                ensemble_lockstep_leave(l, k, n);
+            }
+            ensemble_lanes_merge(&l->lanes, k, slot->run.results);
+            ensemble_lockstep_end(l, k, analysis_step(&slot->run, last));
         }
     }
 }
 
-static void lockstep(struct lockstep *l) {
+static void ensemble_lockstep(struct lockstep *l) {
     const double dt = l->slot[0].run.model->dt;
-    end_due(l, 0);
+    ensemble_end_due(l, 0);
     for (long n = 1; l->n_in_lanes + l->n_alone > 0; n++) {
         if (n > l->known) {
-            compute_grounds(l, n);
+            ensemble_compute_grounds(l, n);
             if (n % POLL_STEPS == 1) {
-                poll(l, (double)(n - 1) * dt);
+                ensemble_poll(l, (double)(n - 1) * dt);
             }
         }
         n = ensemble_lockstep_advance(l, n);
         if (n % l->every == 0 && l->n_in_lanes > 0) {
-            balance(l);
+            ensemble_balance(l);
         }
-        step_alone(l, n);
-        end_due(l, n);
+        ensemble_step_alone(l, n);
+        ensemble_end_due(l, n);
     }
-}
-
-static int first_with_ground(const struct lockstep *l, const struct model *m) {
-    int k = 0;
-    while (k < l->n && !same_ground(l->slot[k].run.model->ground, m->ground)) {
-        k++;
-    }
-    return k;
 }
 
 // Starts a run, in a lane if it can go there.
-static void start(struct lockstep *l, struct ensemble_member *member) {
+static void ensemble_start(struct lockstep *l, struct ensemble_member *member) {
     const struct model *m = member->model;
-    const int k = l->n;
+    const int k = l->n++;
     struct slot *slot = &l->slot[k];
     slot->member = member;
-    member->results = NULL;
-    slot->ground = first_with_ground(l, m);
+    slot->run.model = m;
+    while (!ensemble_same_ground(l->slot[slot->ground].run.model->ground, m->ground)) {
+        slot->ground++;
+    }
     slot->mode = SLOT_STAYS_ALONE;
-    l->n++;
     l->n_alone++;
     int status = analysis_begin(&slot->run, m, l->observer, &member->error);
     if (status != STATUS_OK) {
@@ -229,39 +201,31 @@ static void start(struct lockstep *l, struct ensemble_member *member) {
     }
 }
 
-// Runs the `n` members of models alike in lockstep. STATUS_SYSTEM: no memory.
-static int run_alike(const struct ensemble_steps *steps, struct ensemble_member **member, int n,
-                     const struct observer *observer, struct arena *a, struct error *e) {
+// Runs the `n` members of models alike in lockstep.
+static void ensemble_run_alike(const struct ensemble_steps *steps, struct ensemble_member **member,
+                               int n, const struct observer *observer) {
     const struct model *m = member[0]->model;
-    struct lockstep *l = a ? arena_alloc(a, 1, sizeof *l) : NULL;
-    if (!l || !ensemble_lanes_alloc(&l->lanes, m, steps, a)) {
-        return error_no_memory(e);
-    }
-    l->observer = observer;
-    l->every = observer ? m->output.every : INT_MAX;
-    for (int k = 0; k < n; k++) {
-        start(l, member[k]);
-    }
-    ensemble_lanes_share(&l->lanes, n);
-    lockstep(l);
-    return STATUS_OK;
-}
-
-static void run_together(const struct ensemble_steps *steps, struct ensemble_member **member, int n,
-                         const struct observer *observer) {
-    struct error e;
     struct arena *a = arena_create();
-    int status = run_alike(steps, member, n, observer, a, &e);
-    for (int k = 0; status != STATUS_OK && k < n; k++) {
-        member[k]->status = status;
-        member[k]->error = e;
+    struct lockstep *l = a ? arena_alloc(a, 1, sizeof *l) : NULL;
+    if (l && ensemble_lanes_alloc(&l->lanes, m, steps, a)) {
+        l->observer = observer;
+        l->every = observer ? m->output.every : INT_MAX;
+        for (int k = 0; k < n; k++) {
+            ensemble_start(l, member[k]);
+        }
+        ensemble_lanes_share(&l->lanes, n);
+        ensemble_lockstep(l);
+    } else {
+        for (int k = 0; k < n; k++) {
+            member[k]->status = error_no_memory(&member[k]->error);
+        }
     }
     arena_free(a);
 }
 
 // Takes member k and those behind it that are alike out of `left`; returns how many.
-static int take_alike(struct ensemble_member *member, int n, int k, bool *left,
-                      struct ensemble_member **alike) {
+static int ensemble_take_alike(struct ensemble_member *member, int n, int k, bool *left,
+                               struct ensemble_member **alike) {
     int n_alike = 0;
     for (int i = k; i < n; i++) {
         if (left[i] && (i == k || ensemble_alike(member[k].model, member[i].model))) {
@@ -279,14 +243,17 @@ void ensemble_run_by(const struct ensemble_steps *steps, struct ensemble_member 
     for (int k = 0; k < n; k++) {
         struct ensemble_member *alike[ENSEMBLE_MAX];
         const bool alone = (observer && observer->row) || !ensemble_suits(member[k].model);
-        const int n_alike = left[k] ? take_alike(member, alone ? k + 1 : n, k, left, alike) : 0;
+        const int n_alike =
+            left[k] ? ensemble_take_alike(member, alone ? k + 1 : n, k, left, alike) : 0;
+        for (int i = 0; i < n_alike; i++) {
+            alike[i]->results = NULL;
+        }
         if (n_alike >= RUNS_LEAST) {
-            run_together(steps, alike, n_alike, observer);
+            ensemble_run_alike(steps, alike, n_alike, observer);
             continue;
         }
         for (int i = 0; i < n_alike; i++) {
             struct ensemble_member *m = alike[i];
-            m->results = NULL;
             m->status = analysis_run(m->model, observer, &m->results, &m->error);
         }
     }

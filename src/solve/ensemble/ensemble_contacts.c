@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/ensemble/ensemble_contacts.h"
-
-#include <assert.h>
+// Contacts on their way into lanes and back.
 #include <math.h>
-#include <string.h>
 
 #include "core/arena.h"
 #include "solve/contact/sweep.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 
 struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {
     struct ensemble_contacts *s = lanes_wide_array(a, 1, sizeof *s);
@@ -14,7 +12,6 @@ struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct
         s->contact = lanes_wide_array(a, m->n_contact, sizeof *s->contact);
         s->runs = arena_alloc(a, (size_t)m->n_contact, sizeof *s->runs);
         s->acting = arena_alloc(a, (size_t)m->n_contact, sizeof *s->acting);
-        s->touched = arena_alloc(a, (size_t)m->n_building, sizeof *s->touched);
     }
     return arena_failed(a) ? NULL : s;
 }
@@ -37,118 +34,84 @@ void ensemble_contacts_fill(struct ensemble_lanes *e, int lane, const struct mod
     }
 }
 
-// Finds the floors that feel the force of a contact; false: those of other runs differ.
-static bool ensemble_reaches(struct closed_contact *g, const struct ensemble_building *building,
-                             const struct link_scratch *q) {
-    bool same = true;
+// Finds the floors that feel the force of a contact. It stays apart where those of other runs
+// differ.
+static void ensemble_reach(struct closed_contact *g, const struct model *m,
+                           const struct link_scratch *q) {
     for (int i = 0; i < 2; i++) {
         if (g->building[i] != WALL) {
-            const struct building *b = building[g->building[i]].shape;
+            const struct building *b = &m->building[g->building[i]];
             const int from = q->first[i] - b->first, beyond = from + q->lanes[i];
             const int to = beyond < b->n_floor ? beyond : b->n_floor;
-            same = same && (g->to[i] == 0 || (g->from[i] == from && g->to[i] == to));
+            g->apart |= g->to[i] != 0 && (g->from[i] != from || g->to[i] != to);
             g->from[i] = from;
             g->to[i] = to;
         }
     }
-    return same;
 }
 
-// How the ends of contact k yield, unless that has stayed; false: it is not known.
-static bool ensemble_yields(struct ensemble_lanes *e, int k, int lane, const struct work *w) {
-    struct closed_contact *g = &e->contacts->contact[k];
-    const struct link_scratch *q = &w->link[k];
-    if (g->factors[lane] != w->factors && q->factors == w->factors) {
-        g->factors[lane] = w->factors;
+// How the ends of contact k yield, unless that has stayed. False: it is not known, or lanes cannot
+// hold it.
+static bool ensemble_yields(struct closed_contact *g, int lane, const struct run *r, int k) {
+    const struct link_scratch *q = &r->work.link[k];
+    if (g->factors[lane] != r->work.factors && q->factors == r->work.factors) {
+        g->factors[lane] = q->factors;
         g->flexibility[lane] = q->flexibility;
         g->coupling[lane] = q->coupling;
         g->per_coupling[lane] = q->per_coupling;
-        g->apart |= !ensemble_reaches(g, e->building, q);
+        ensemble_reach(g, r->model, q);
     }
-    return g->factors[lane] == w->factors && !g->apart;
+    return g->factors[lane] == r->work.factors && !g->apart;
 }
 
-// Is live contact k one that lanes can hold?
-static bool ensemble_contact_suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
+// Is closed contact k one that lanes can hold? It has been closed for some steps.
+static bool ensemble_contact_suits(const struct ensemble_lanes *e, int lane, const struct run *r,
+                                   int k) {
+    struct closed_contact *g = &e->contacts->contact[k];
     const struct link_state *l = &r->now->link[k];
-    return l->t_close < r->now->time && l->n_past > 0 && !e->contacts->contact[k].apart &&
-           r->memory.resolved[k].step == r->work.h && ensemble_yields(e, k, lane, &r->work);
+    return l->t_close < r->now->time && l->n_past > 0 && !g->apart &&
+           r->memory.resolved[k].step == r->work.h && ensemble_yields(g, lane, r, k);
 }
 
 // Numbers of a contact in lanes, and where its run has them.
-struct lane_number {
+struct contact_number {
     wide *lanes;
     double *own;
 };
 enum { CONTACT_NUMBERS = 12 + PAST_STEPS };
 
-static void ensemble_contact_numbers(struct closed_contact *j, const struct run *r, int k,
-                                     struct lane_number *number) {
+static void ensemble_contact_list(struct closed_contact *j, const struct run *r, int k,
+                                  struct contact_number *list) {
     struct link_state *l = &r->now->link[k];
     struct link_peak *p = &r->results->link[k];
     struct impact *i = &r->results->impact[r->impacts.open[k]];
-    const struct lane_number all[] = {
+    const struct contact_number all[CONTACT_NUMBERS] = {
         {&j->before, &l->force},
         {&j->past[0], &l->past[0]},
         {&j->past[1], &l->past[1]},
         {&j->past[2], &l->past[2]},
-        {&j->impulse, &p->impulse},
-        {&j->work, &p->dissipated},
-        {&j->peak_force, &p->force},
-        {&j->peak_force_time, &p->force_time},
+        {&j->link.impulse, &p->impulse},
+        {&j->link.dissipated, &p->dissipated},
+        {&j->link.force, &p->force},
+        {&j->link.force_time, &p->force_time},
         {&j->deepest, &r->results->deepest[k]},
         {&j->deepest_time, &r->results->deepest_time[k]},
-        {&j->impact_impulse, &i->impulse},
-        {&j->impact_work, &i->dissipated},
-        {&j->impact_force, &i->peak_force},
-        {&j->impact_depth, &i->max_penetration},
+        {&j->impact.impulse, &i->impulse},
+        {&j->impact.dissipated, &i->dissipated},
+        {&j->impact.peak_force, &i->peak_force},
+        {&j->impact.max_penetration, &i->max_penetration},
         {&j->depth, &r->memory.resolved[k].depth},
     };
-    static_assert(sizeof all / sizeof all[0] == CONTACT_NUMBERS, "all of them");
-    memcpy(number, all, sizeof all);
+    memcpy(list, all, sizeof all);
 }
 
-static void ensemble_put_in(struct closed_contact *j, int lane, const struct run *r, int k) {
-    struct lane_number number[CONTACT_NUMBERS];
-    ensemble_contact_numbers(j, r, k, number);
-    for (int i = 0; i < CONTACT_NUMBERS; i++) {
-        (*number[i].lanes)[lane] = *number[i].own;
-    }
-    j->live[lane] = -1;
-    j->n_past[lane] = r->now->link[k].n_past;
-}
-
-static void ensemble_take_out(struct closed_contact *j, int lane, const struct run *r, int k,
-                              long n_step) {
-    struct lane_number number[CONTACT_NUMBERS];
-    ensemble_contact_numbers(j, r, k, number);
-    for (int i = 0; i < CONTACT_NUMBERS; i++) {
-        *number[i].own = (*number[i].lanes)[lane];
-    }
-    j->live[lane] = 0;
-    r->now->link[k].n_past = (int)j->n_past[lane];
-    r->results->impact[r->impacts.open[k]].steps += n_step;
-}
-
-static void ensemble_touch(struct ensemble_contacts *s, int building) {
-    int i = 0;
-    while (i < s->n_touched && s->touched[i] != building) {
-        i++;
-    }
-    if (building != WALL && i == s->n_touched) {
-        s->touched[s->n_touched++] = building;
-    }
-}
-
-// Lists contacts that are live in some lane, and their buildings.
-static void ensemble_list_acting(struct ensemble_lanes *e) {
+// Lists the contacts that are live in some lane.
+static void ensemble_list_acting(const struct ensemble_lanes *e) {
     struct ensemble_contacts *s = e->contacts;
-    s->n_acting = s->n_touched = 0;
+    s->n_acting = 0;
     for (int k = 0; k < e->n_contact; k++) {
         if (s->runs[k] != 0) {
             s->acting[s->n_acting++] = k;
-            ensemble_touch(s, e->contacts->contact[k].building[0]);
-            ensemble_touch(s, e->contacts->contact[k].building[1]);
         }
     }
 }
@@ -156,7 +119,7 @@ static void ensemble_list_acting(struct ensemble_lanes *e) {
 void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
     struct ensemble_contacts *s = e->contacts;
     const struct state *now = r->now;
-    bool all = e->steps->solve && r->model->iterations >= ENSEMBLE_SWEEPS;
+    bool all = e->steps->solves && r->model->iterations >= ENSEMBLE_SWEEPS;
     int n_closed = 0;
     for (int i = 0; all && i < now->n_live; i++) {
         const bool closed = now->link[now->live[i]].closed;
@@ -169,7 +132,14 @@ void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct ru
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
         if (now->link[k].closed) {
-            ensemble_put_in(&s->contact[k], lane, r, k);
+            struct closed_contact *j = &s->contact[k];
+            struct contact_number list[CONTACT_NUMBERS];
+            ensemble_contact_list(j, r, k, list);
+            for (int q = 0; q < CONTACT_NUMBERS; q++) {
+                (*list[q].lanes)[lane] = *list[q].own;
+            }
+            j->live[lane] = -1;
+            j->n_past[lane] = now->link[k].n_past;
             s->runs[k] |= 1U << lane;
             e->gap[k].limit[lane] = INFINITY;
         }
@@ -187,11 +157,18 @@ void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) 
     if (!ensemble_has(s->active, lane)) {
         return;
     }
-    const struct state *now = r->now;
-    for (int i = 0; i < now->n_live; i++) {
-        const int k = now->live[i];
-        if (now->link[k].closed) {
-            ensemble_take_out(&s->contact[k], lane, r, k, s->steps[lane]);
+    for (int i = 0; i < s->n_acting; i++) {
+        const int k = s->acting[i];
+        if (ensemble_has(s->runs[k], lane)) {
+            struct closed_contact *j = &s->contact[k];
+            struct contact_number list[CONTACT_NUMBERS];
+            ensemble_contact_list(j, r, k, list);
+            for (int q = 0; q < CONTACT_NUMBERS; q++) {
+                *list[q].own = (*list[q].lanes)[lane];
+            }
+            j->live[lane] = 0;
+            r->now->link[k].n_past = (int)j->n_past[lane];
+            r->results->impact[r->impacts.open[k]].steps += s->steps[lane];
             s->runs[k] &= ~(1U << lane);
         }
     }
@@ -214,8 +191,4 @@ void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r) {
     r->results->totals.iterations += s->count[lane];
     r->results->totals.fast++;
     s->solved &= ~(1U << lane);
-}
-
-void ensemble_contacts_work(const struct ensemble_lanes *e, int lane, struct energy_account *a) {
-    a->contact = ensemble_has(e->contacts->active, lane) ? e->contacts->work[lane] : a->contact;
 }

@@ -2,6 +2,5 @@
 // Steps of an ensemble where a register holds half of the lanes.
 #define FLOORS_OF_RUNS
 #define STEPS ensemble_half
-#define SOLVE NULL
 
 #include "solve/ensemble/ensemble_steps.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/ensemble/ensemble_lanes.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -7,25 +7,9 @@
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "solve/ensemble/ensemble_contacts.h"
 
-static void alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
-    e->gap = lanes_wide_array(a, m->n_contact, sizeof *e->gap);
-    e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
-    e->contacts = ensemble_contacts_create(m, a);
-    e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
-    e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
-    e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
-    e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
-    for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
-        for (int i = 0; i < 2; i++) {
-            e->end[k][i] = state_end(&m->link[k], m, i);
-        }
-        e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never enter too
-    }
-}
-
-static void alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
+static void ensemble_alloc_building(struct ensemble_building *b, const struct building *g,
+                                    struct arena *a) {
     const int n = g->n_floor;
     const bool low = n <= INVERSE_FLOORS_MAX;
     *b = (struct ensemble_building){
@@ -36,27 +20,16 @@ static void alloc_building(struct ensemble_building *b, const struct building *g
     };
 }
 
-static void fill_factors(struct ensemble_factors *f, const struct model *m) {
-    const wide none = {0.0};
-    const double h = m->dt, b = m->beta * h * h, g = m->gamma * h;
-    *f = (struct ensemble_factors){.h = h - none,
-                                   .half = h * h / 2.0 - none,
-                                   .b = b - none,
-                                   .g = g - none,
-                                   .per_b = 1.0 / b - none,
-                                   .per_g = 1.0 / g - none};
-}
-
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
                           const struct ensemble_steps *steps, struct arena *a) {
-    const int n = m->n_dof;
+    const int n = m->n_dof, n_contact = m->n_contact;
+    const double h = m->dt, b = m->beta * h * h, g = m->gamma * h;
     *e = (struct ensemble_lanes){
         .steps = steps,
         .n_building = m->n_building,
         .n_floor = n,
-        .n_contact = m->n_contact,
-        .h = m->dt,
-        .factors = lanes_wide_array(a, 1, sizeof *e->factors),
+        .n_contact = n_contact,
+        .scheme = {h, h * h / 2.0, b, g, 1.0 / b, 1.0 / g},
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
         .trial = lanes_wide_array(a, n, sizeof *e->trial),
@@ -67,56 +40,49 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
         .building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building),
+        .gap = lanes_wide_array(a, n_contact, sizeof *e->gap),
+        .nearest = lanes_wide_array(a, n_contact, sizeof *e->nearest),
+        .contacts = ensemble_contacts_create(m, a),
+        .force = lanes_wide_array(a, n_contact, sizeof *e->force),
+        .acts = arena_alloc(a, (size_t)n_contact, sizeof *e->acts),
+        .pressed = arena_alloc(a, (size_t)n_contact, sizeof *e->pressed),
+        .end = arena_alloc(a, (size_t)n_contact, sizeof *e->end),
     };
-    alloc_contacts(e, m, a);
     for (int k = 0; e->building && k < m->n_building; k++) {
-        alloc_building(&e->building[k], &m->building[k], a);
+        ensemble_alloc_building(&e->building[k], &m->building[k], a);
     }
     if (arena_failed(a)) {
         return false;
     }
-    fill_factors(e->factors, m);
+    for (int k = 0; k < n_contact; k++) {
+        e->end[k][0] = state_end(&m->link[k], m, 0);
+        e->end[k][1] = state_end(&m->link[k], m, 1);
+        e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never enter too
+    }
     return true;
 }
 
-static bool is_small(double x) {
+static bool ensemble_is_small(double x) {
     return fabs(x) <= ENSEMBLE_LARGEST;
 }
 
-// Sets a number of a lane; false: it is too large.
-static bool put(wide *to, int lane, double x) {
-    (*to)[lane] = x;
-    return is_small(x);
-}
-
 // Number i of all lanes.
-static double *lanes_of(double *x, int i) {
+static double *ensemble_lanes_of(double *x, int i) {
     return x + (ptrdiff_t)i * WIDE_RUNS;
 }
 
-// The same for number i of `to`.
-static bool put_at(double *to, int i, int lane, double x) {
-    lanes_of(to, i)[lane] = x;
-    return is_small(x);
+// Sets number i of a lane. False: it is too large.
+static bool ensemble_put(double *to, int i, int lane, double x) {
+    ensemble_lanes_of(to, i)[lane] = x;
+    return ensemble_is_small(x);
 }
 
-static bool fill_inverse(double *inverse, int lane, struct effective *home) {
-    const int n = home->building->n_floor;
+static bool ensemble_fill_building(struct ensemble_building *b, int lane, const struct chain *c,
+                                   struct effective *home) {
     bool small = true;
-    for (int i = 0; i < n; i++) {
-        const double *column = effective_column(home, i);
-        for (int j = 0; j < n; j++) {
-            small &= put_at(inverse, i * n + j, lane, column[j]);
-        }
-    }
-    return small;
-}
-
-static bool fill_building(struct ensemble_building *b, int lane, const struct chain *c,
-                          struct effective *home) {
-    bool small = true;
+    const int n = b->shape->n_floor;
     b->multiplies = b->inverse && effective_prefers_inverse(home);
-    for (int i = 0; i < b->shape->n_floor; i++) {
+    for (int i = 0; i < n; i++) {
         const int j = b->shape->first + i;
         const ptrdiff_t at = (ptrdiff_t)i * EFFECTIVE_ABREAST;
         const double number[NUMBER_COUNT] = {
@@ -125,47 +91,45 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
             [NUMBER_ABOVE] = c->damping_above[j],
         };
         for (int q = 0; q < NUMBER_COUNT; q++) {
-            small &= put_at(b->number, i * NUMBER_COUNT + q, lane, number[q]);
+            small &= ensemble_put(b->number, i * NUMBER_COUNT + q, lane, number[q]);
         }
-        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[at]);
-        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[at]);
+        small &= ensemble_put(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[at]);
+        small &= ensemble_put(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[at]);
+        const double *column = b->inverse ? effective_column(home, i) : NULL;
+        for (int k = 0; column && k < n; k++) {
+            small &= ensemble_put(b->inverse, i * n + k, lane, column[k]);
+        }
     }
-    return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
+    return small;
 }
 
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
     const struct model *m = r->model;
     const struct ground *g = &m->ground[0];
-    bool small = is_small(e->h);
+    bool small = ensemble_is_small(e->scheme.h);
     for (int k = 0; k < e->n_contact; k++) {
-        small &= put(&e->gap[k].width, lane, m->link[k].gap);
+        small &= ensemble_put((double *)&e->gap[k].width, 0, lane, m->link[k].gap);
         ensemble_contacts_fill(e, lane, m, k);
     }
     for (int i = 0; i < g->n_signal; i++) {
-        small &= is_small(g->n_signal * signal_peak(&g->signal[i]));
+        small &= ensemble_is_small(g->n_signal * signal_peak(&g->signal[i]));
     }
     for (int k = 0; k < e->n_building; k++) {
-        small &= fill_building(&e->building[k], lane, &m->chain, &r->work.home[k]);
+        small &= ensemble_fill_building(&e->building[k], lane, &m->chain, &r->work.home[k]);
     }
     return small;
 }
 
 // Are all n_number numbers of x the same in the first n lanes?
-static bool are_same(double *x, int n_number, int n) {
+static bool ensemble_are_same(double *x, int n_number, int n) {
     bool same = true;
     for (int i = 0; same && i < n_number; i++) {
-        const double *of = lanes_of(x, i);
+        const double *of = ensemble_lanes_of(x, i);
         for (int lane = 1; lane < n; lane++) {
             same &= number_bits(of[lane]) == number_bits(of[0]);
         }
     }
     return same;
-}
-
-static void hold_once(double *x, int n_number) {
-    for (int i = 0; i < n_number; i++) {
-        x[i] = *lanes_of(x, i);
-    }
 }
 
 void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
@@ -175,47 +139,51 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
         double *array[] = {b->number, b->factor, b->inverse};
         const int size[] = {n_floor * NUMBER_COUNT, n_floor * FACTOR_COUNT,
                             b->inverse ? n_floor * n_floor : 0};
-        bool same = true;
+        b->once = true;
         for (int i = 0; i < 3; i++) {
-            same = same && are_same(array[i], size[i], n);
+            b->once = b->once && ensemble_are_same(array[i], size[i], n);
         }
-        b->held = same ? HELD_ONCE : HELD_BY_EACH;
-        for (int i = 0; same && i < 3; i++) {
-            hold_once(array[i], size[i]);
+        for (int i = 0; b->once && i < 3; i++) {
+            for (int j = 0; j < size[i]; j++) {
+                array[i][j] = *ensemble_lanes_of(array[i], j);
+            }
         }
     }
 }
 
-// What is copied between a run and its lane.
-struct lane_array {
-    wide *lanes;  // (n), `pitch` apart
-    double *run;  // (n)
+// Numbers that a run has, and those of its lane: n of them, there `pitch` apart.
+struct ensemble_copy {
+    wide *lanes;
+    double *own;
     int n;
     ptrdiff_t pitch;
 };
-enum { LANE_ARRAYS = 6 };
+enum { FLOOR_ARRAYS = 6, STATE_PITCH = sizeof(struct ensemble_state) / sizeof(wide) };
 
-static void lane_arrays(const struct ensemble_lanes *e, struct state *s, struct energy_account *a,
-                        struct lane_array array[LANE_ARRAYS]) {
-    const struct lane_array all[LANE_ARRAYS] = {
-        {&e->now->u, s->u, e->n_floor, sizeof *e->now / sizeof(wide)},
-        {&e->now->v, s->v, e->n_floor, sizeof *e->now / sizeof(wide)},
-        {&e->now->a, s->a, e->n_floor, sizeof *e->now / sizeof(wide)},
-        {e->works->input_2x, a->input_2x, LANES_WIDTH, 1},
-        {e->works->damping_2x, a->damping_2x, LANES_WIDTH, 1},
+// What the lanes hold of the floors of a run.
+static void ensemble_floor_list(const struct ensemble_lanes *e, struct run *r,
+                                struct ensemble_copy *list) {
+    const struct state *s = r->now;
+    const struct ensemble_copy all[FLOOR_ARRAYS] = {
+        {&e->now->u, s->u, e->n_floor, STATE_PITCH},
+        {&e->now->v, s->v, e->n_floor, STATE_PITCH},
+        {&e->now->a, s->a, e->n_floor, STATE_PITCH},
+        {e->works->input_2x, r->energy.input_2x, LANES_WIDTH, 1},
+        {e->works->damping_2x, r->energy.damping_2x, LANES_WIDTH, 1},
         {&e->works->ground, s->ground_a, 1, 1},
     };
-    memcpy(array, all, sizeof all);
+    memcpy(list, all, sizeof all);
 }
 
 bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r) {
-    struct lane_array array[LANE_ARRAYS];
-    bool small = true;
+    struct ensemble_copy list[FLOOR_ARRAYS];
     e->steps->catch_up(e);
-    lane_arrays(e, r->now, &r->energy, array);
-    for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
+    ensemble_floor_list(e, r, list);
+    bool small = true;
+    for (const struct ensemble_copy *x = list; x < list + FLOOR_ARRAYS; x++) {
         for (int i = 0; i < x->n; i++) {
-            small &= put(&x->lanes[i * x->pitch], lane, x->run[i]);
+            x->lanes[i * x->pitch][lane] = x->own[i];
+            small &= ensemble_is_small(x->own[i]);
         }
     }
     for (int k = 0; k < e->n_contact; k++) {
@@ -236,32 +204,28 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
                           long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
-    struct lane_array array[LANE_ARRAYS];
+    struct ensemble_copy list[FLOOR_ARRAYS];
     e->steps->catch_up(e);
-    lane_arrays(e, s, &r->energy, array);
-    for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
+    ensemble_floor_list(e, r, list);
+    for (const struct ensemble_copy *x = list; x < list + FLOOR_ARRAYS; x++) {
         for (int i = 0; i < x->n; i++) {
-            x->run[i] = x->lanes[i * x->pitch][lane];
+            x->own[i] = x->lanes[i * x->pitch][lane];
         }
     }
     for (int i = 0; i < e->n_floor; i++) {
         t->speed = number_max(t->speed, e->peak[i].of[PEAK_VELOCITY][lane]);
     }
     for (int k = 0; k < e->n_contact; k++) {
-        s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->gap[k].width[lane];
+        s->delta[k] = ensemble_depth(e, k, e->now, lane);
     }
     s->time = time;
     t->steps += n_step;
     t->iterations += n_step;
-    ensemble_lanes_clear(e, lane);
-}
-
-void ensemble_lanes_clear(struct ensemble_lanes *e, int lane) {
     e->active[lane] = 0;
 }
 
 // The larger of two peaks, and of equal ones the earlier.
-static void merge(double *peak, double *time, double other, double other_time) {
+static void ensemble_merge(double *peak, double *time, double other, double other_time) {
     if (other > *peak || (other == *peak && other_time < *time)) {
         *peak = other;
         *time = other_time;
@@ -271,12 +235,12 @@ static void merge(double *peak, double *time, double other, double other_time) {
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r) {
     for (int q = 0; q < PEAK_COUNT; q++) {
         for (int i = 0; i < e->n_floor; i++) {
-            merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
-                  e->peak_time[i].of[q][lane]);
+            ensemble_merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
+                           e->peak_time[i].of[q][lane]);
         }
     }
     for (int k = 0; k < e->n_contact; k++) {
-        const struct ensemble_nearest *n = &e->nearest[k];
-        merge(&r->deepest[k], &r->deepest_time[k], n->depth[lane], n->time[lane]);
+        const struct ensemble_nearest *p = &e->nearest[k];
+        ensemble_merge(&r->deepest[k], &r->deepest_time[k], p->depth[lane], p->time[lane]);
     }
 }

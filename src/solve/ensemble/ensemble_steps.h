@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of struct ensemble_steps, by the loops of floor_step.h on vectors of runs: STEPS is
-// their name, and SOLVE their function for contacts. Each lane goes through the operations of a run
-// alone in the same order, so its bits are the same. Vectors that hold half of the lanes take one
-// part after the other, number p.
+// their name. Each lane goes through the operations of a run alone in the same order, so its bits
+// are the same. Vectors that hold half of the lanes take one part after the other, number p.
 //
 // A few buildings are taken through the whole step before the next ones, while their numbers are at
 // hand. Works and peaks of a step are taken by the next one, as floors.h says.
 #ifndef JOSTLE_ENSEMBLE_STEPS_H
 #define JOSTLE_ENSEMBLE_STEPS_H
 
-#include <stddef.h>
 #include <string.h>
 
-#include "solve/ensemble/ensemble_lanes.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 #include "solve/floors/floor_step.h"
 
 // Buildings that are taken through a step together. While the processor waits in the substitution
 // of one, where each floor needs the one before, it goes on with the next.
 enum { TOGETHER = 2 };
 
-// Floors whose corrections are computed together, so that as many sums are under way at once; those
-// left over at the end join the last group.
-enum { ROWS = 4, ROWS_MOST = 2 * ROWS - 1 };
-#define EACH_ROW(c, n) _Pragma("GCC unroll 8") for (int c = 0; c < (n); c++)
+// Most floors whose corrections are computed together, so that as many sums are under way at once.
+enum { ROWS = 4 };
+#define EACH_ROW(c, n) _Pragma("GCC unroll 4") for (int c = 0; c < (n); c++)
 
 #define APART FLOORS_CLONES __attribute__((noinline)) static
 
@@ -68,7 +65,7 @@ LANES_INLINE struct floors_pass ensemble_pass(const struct ensemble_lanes *e,
                                               const struct ensemble_building *b, bool once, int p,
                                               const wide *ground, ptrdiff_t trial) {
     const int first = b->shape->first;
-    const struct ensemble_factors *f = e->factors;
+    const struct ensemble_scheme *f = &e->scheme;
     struct ensemble_trial *t = &e->trial[trial];
     return (struct floors_pass){
         .chain = ensemble_chain(b, once, p),
@@ -76,10 +73,10 @@ LANES_INLINE struct floors_pass ensemble_pass(const struct ensemble_lanes *e,
         .now = ensemble_motion(e->now + first, p),
         .next = ensemble_motion(e->next + first, p),
         .ground = FLOORS_AT((const double *)ground + (ptrdiff_t)p * FLOORS_VECTOR, 0),
-        .h = f->h[0],
-        .half = f->half[0],
-        .b = f->b[0],
-        .g = f->g[0],
+        .h = f->h,
+        .half = f->half,
+        .b = f->b,
+        .g = f->g,
         .residual = ensemble_part(&t->residual, p),
         .u_trial = ensemble_part(&t->u, p),
         .v_trial = ensemble_part(&t->v, p),
@@ -131,7 +128,7 @@ LANES_INLINE void ensemble_correct(const struct floors_pass *pass, ptrdiff_t i,
 // columns.
 LANES_INLINE void ensemble_multiply_rows(const struct floors_pass *pass, const double *inverse,
                                          int n, int j, int count, double *q) {
-    floor_lanes sum[ROWS_MOST];
+    floor_lanes sum[ROWS];
     EACH_ROW(c, count) {
         sum[c] = none;
     }
@@ -145,25 +142,18 @@ LANES_INLINE void ensemble_multiply_rows(const struct floors_pass *pass, const d
     }
 }
 
-#define CASE_OF_ROWS(count)                                                                        \
-    case count:                                                                                    \
-        ensemble_multiply_rows(pass, inverse, n, j, count, q);                                     \
-        break
-
 LANES_INLINE void ensemble_multiply(const struct floors_pass *pass, const double *inverse, int n,
                                     double *q) {
     int j = 0;
-    for (; j + ROWS_MOST < n; j += ROWS) {
+    for (; j + ROWS <= n; j += ROWS) {
         ensemble_multiply_rows(pass, inverse, n, j, ROWS, q);
     }
-    switch (n - j) {
-        CASE_OF_ROWS(1);
-        CASE_OF_ROWS(2);
-        CASE_OF_ROWS(3);
-        CASE_OF_ROWS(4);
-        CASE_OF_ROWS(5);
-        CASE_OF_ROWS(6);
-        CASE_OF_ROWS(ROWS_MOST);
+    if (j + 2 <= n) {
+        ensemble_multiply_rows(pass, inverse, n, j, 2, q);
+        j += 2;
+    }
+    if (j < n) {
+        ensemble_multiply_rows(pass, inverse, n, j, 1, q);
     }
 }
 
@@ -177,13 +167,13 @@ LANES_INLINE void ensemble_substitute(const struct floors_pass *pass, const doub
     floor_lanes below = MOTION_AT(r, 0);
     FLOORS_SET(q, 0) = below;
     for (ptrdiff_t i = 1; i < n; i++) {
-        below = MOTION_AT(r, i) - FACTOR_AT(i - 1, OFF) * below;
+        below = FORWARD(MOTION_AT(r, i), FACTOR_AT(i - 1, OFF), below);
         FLOORS_SET(q, i) = below;
     }
     floor_lanes above = below * FACTOR_AT(top, PIVOT), change = 0.0 + above;
     ensemble_correct(pass, top, &change, q);
     for (ptrdiff_t i = top - 1; i >= 0; i--) {
-        above = FLOORS_AT(q, i) * FACTOR_AT(i, PIVOT) - FACTOR_AT(i, OFF) * above;
+        above = BACKWARD(FLOORS_AT(q, i), FACTOR_AT(i, PIVOT), FACTOR_AT(i, OFF), above);
         change = 0.0 + above;
         ensemble_correct(pass, i, &change, q);
     }
@@ -215,24 +205,43 @@ LANES_INLINE void ensemble_end_by(const struct ensemble_lanes *e, const struct e
 // one. Each stays a function: compilers mix up what is in others.
 APART void ensemble_begin(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                           const wide *ground, ptrdiff_t trial) {
-    b->held == HELD_ONCE ? ensemble_begin_by(e, b, true, p, ground, trial)
-                         : ensemble_begin_by(e, b, false, p, ground, trial);
+    b->once ? ensemble_begin_by(e, b, true, p, ground, trial)
+            : ensemble_begin_by(e, b, false, p, ground, trial);
 }
 
 APART void ensemble_end(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                         const wide *ground, ptrdiff_t trial) {
-    b->held == HELD_ONCE ? ensemble_end_by(e, b, true, p, ground, trial)
-                         : ensemble_end_by(e, b, false, p, ground, trial);
+    b->once ? ensemble_end_by(e, b, true, p, ground, trial)
+            : ensemble_end_by(e, b, false, p, ground, trial);
 }
 
-// Computes `next` of part p, with few trials at a time.
-LANES_INLINE void ensemble_step(const struct ensemble_lanes *e, int p, const wide *ground) {
+// Adds the forces that live links begin the step with to the residuals, link by link as a run alone
+// does.
+LANES_INLINE void ensemble_push(const struct ensemble_lanes *e, int p) {
+    double *residual = ensemble_part(&e->trial->residual, p);
+    for (int k = 0; k < e->n_contact; k++) {
+        if (e->acts[k]) {
+            const floor_lanes force = FLOORS_AT(ensemble_part(e->force, p), k);
+            MOTION_SET(residual, e->end[k][0]) -= force;
+            MOTION_SET(residual, e->end[k][1]) += force;
+        }
+    }
+}
+
+// Computes `next` of part p. In free flight few buildings at a time go through the whole step, and
+// use the same trials.
+LANES_INLINE void ensemble_step(const struct ensemble_lanes *e, int p, const wide *ground,
+                                bool in_flight) {
     const struct ensemble_building *b = e->building;
-    for (int first = 0; first < e->n_building; first += TOGETHER) {
-        const int last = first + TOGETHER < e->n_building ? first + TOGETHER : e->n_building;
+    const int together = in_flight ? TOGETHER : e->n_building;
+    for (int first = 0; first < e->n_building; first += together) {
+        const int last = first + together < e->n_building ? first + together : e->n_building;
         const int floor = b[first].shape->first;
         for (int k = first; k < last; k++) {
             ensemble_begin(e, &b[k], p, ground, b[k].shape->first - floor);
+        }
+        if (!in_flight) {
+            ensemble_push(e, p);
         }
         for (int k = first; k < last; k++) {
             ensemble_end(e, &b[k], p, ground, b[k].shape->first - floor);
@@ -240,16 +249,45 @@ LANES_INLINE void ensemble_step(const struct ensemble_lanes *e, int p, const wid
     }
 }
 
-// What contacts of `next` ask for: negative where one is closed, and where one is nearer than ever.
-LANES_INLINE void ensemble_near(const struct ensemble_lanes *e, int p, floor_bits *closed,
+// Penetrations of contact k in `next`, and what it asks for: negative where it is closed, and where
+// it is closed or nearer than ever.
+LANES_INLINE void ensemble_near(const struct ensemble_lanes *e, int k, int p, floor_bits *closed,
                                 floor_bits *nearer) {
     const double *u = ensemble_part(&e->next->u, p);
+    struct ensemble_gap *c = &e->gap[k];
+    const floor_lanes d = MOTION_AT(u, e->end[k][0]) - MOTION_AT(u, e->end[k][1]) -
+                          FLOORS_AT(ensemble_part(&c->width, p), 0);
+    *closed |= (floor_bits)(0.0 - d);
+    *nearer |= (floor_bits)(FLOORS_AT(ensemble_part(&c->limit, p), 0) - d);
+}
+
+// The runs of part p in which flags are negative, a bit each.
+LANES_INLINE unsigned ensemble_runs(int p, const floor_bits *flags) {
+    unsigned runs = 0;
+    for (int lane = 0; lane < FLOORS_VECTOR; lane++) {
+        runs |= ((*flags)[lane] < 0 ? 1U : 0U) << (p * FLOORS_VECTOR + lane);
+    }
+    return runs;
+}
+
+FLOORS_CLONES static void ensemble_press(struct ensemble_lanes *e) {
+    e->n_pressed = 0;
     for (int k = 0; k < e->n_contact; k++) {
-        struct ensemble_gap *c = &e->gap[k];
-        const floor_lanes d = MOTION_AT(u, e->end[k][0]) - MOTION_AT(u, e->end[k][1]) -
-                              FLOORS_AT(ensemble_part(&c->width, p), 0);
-        *closed |= (floor_bits)(0.0 - d);
-        *nearer |= (floor_bits)(FLOORS_AT(ensemble_part(&c->limit, p), 0) - d);
+        unsigned runs = 0, inside = 0;
+        for (int p = 0; p < FLOORS_PARTS; p++) {
+            floor_bits active, closed = {0}, nearer = {0};
+            ensemble_part_active(e, p, &active);
+            ensemble_near(e, k, p, &closed, &nearer);
+            nearer &= active;
+            if (floors_any(&nearer)) {
+                runs |= ensemble_runs(p, &nearer);
+                inside |= ensemble_runs(p, &closed);
+            }
+        }
+        if (runs != 0) {
+            e->pressed[e->n_pressed++] =
+                (struct ensemble_pressed){k, runs & inside, runs & ~inside};
+        }
     }
 }
 
@@ -260,8 +298,10 @@ FLOORS_CLONES static int ensemble_march(struct ensemble_lanes *e, const wide *ba
         for (int p = 0; p < FLOORS_PARTS; p++) {
             floor_bits active, closed = {0}, nearer = {0};
             ensemble_part_active(e, p, &active);
-            ensemble_step(e, p, base + i);
-            ensemble_near(e, p, &closed, &nearer);
+            ensemble_step(e, p, base + i, true);
+            for (int k = 0; k < e->n_contact; k++) {
+                ensemble_near(e, k, p, &closed, &nearer);
+            }
             ends |= (closed | ((const floor_bits *)&e->works->beyond)[p]) & active;
             nears |= nearer & active;
         }
@@ -269,7 +309,7 @@ FLOORS_CLONES static int ensemble_march(struct ensemble_lanes *e, const wide *ba
         if (floors_any(&ends)) {
             return i;
         }
-        const double time = (double)(first + i) * e->h;
+        const double time = (double)(first + i) * e->scheme.h;
         if (floors_any(&nears)) {
             ensemble_press(e);
             ensemble_approach(e, time);
@@ -279,29 +319,17 @@ FLOORS_CLONES static int ensemble_march(struct ensemble_lanes *e, const wide *ba
     return n;
 }
 
-// The forces that live links begin the step with, link by link as a run alone takes them.
-LANES_INLINE void ensemble_push(struct ensemble_lanes *e) {
-    for (int k = 0; k < e->n_contact; k++) {
-        if (e->acts[k]) {
-            e->trial[e->end[k][0]].residual -= e->force[k];
-            e->trial[e->end[k][1]].residual += e->force[k];
-            e->force[k] = (wide){0.0};
-        }
-        e->acts[k] = false;
-    }
-}
-
 FLOORS_CLONES static void ensemble_move(struct ensemble_lanes *e, const wide *base) {
-    for (int k = 0; k < e->n_building * FLOORS_PARTS; k++) {
-        const struct ensemble_building *b = &e->building[k / FLOORS_PARTS];
-        ensemble_begin(e, b, k % FLOORS_PARTS, base, b->shape->first);
-    }
-    ensemble_push(e);
-    for (int k = 0; k < e->n_building * FLOORS_PARTS; k++) {
-        const struct ensemble_building *b = &e->building[k / FLOORS_PARTS];
-        ensemble_end(e, b, k % FLOORS_PARTS, base, b->shape->first);
+    for (int p = 0; p < FLOORS_PARTS; p++) {
+        ensemble_step(e, p, base, false);
     }
     e->owing = false;
+    for (int k = 0; k < e->n_contact; k++) {
+        if (e->acts[k]) {
+            e->force[k] = (wide){0.0};
+            e->acts[k] = false;
+        }
+    }
 }
 
 FLOORS_CLONES static void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base) {
@@ -322,22 +350,50 @@ FLOORS_CLONES static void ensemble_catch_up(struct ensemble_lanes *e) {
     if (!e->owing) {
         return;
     }
-    for (int k = 0; k < e->n_building; k++) {
-        const struct ensemble_building *b = &e->building[k];
-        for (int p = 0; p < FLOORS_PARTS; p++) {
-            b->held == HELD_ONCE ? ensemble_account(e, b, true, p)
-                                 : ensemble_account(e, b, false, p);
-        }
+    for (int k = 0; k < e->n_building * FLOORS_PARTS; k++) {
+        const struct ensemble_building *b = &e->building[k / FLOORS_PARTS];
+        b->once ? ensemble_account(e, b, true, k % FLOORS_PARTS)
+                : ensemble_account(e, b, false, k % FLOORS_PARTS);
     }
     e->owing = false;
+}
+
+FLOORS_CLONES static void ensemble_sum(const struct ensemble_lanes *e, struct energy_sums *sums) {
+    for (int p = 0; p < FLOORS_PARTS; p++) {
+        floor_lanes kinetic_2x = none, elastic = none, input = none, damping = none;
+        for (const struct ensemble_building *b = e->building; b < e->building + e->n_building;
+             b++) {
+            const struct chain c = ensemble_chain(b, b->once, p);
+            const struct floors_motion s = ensemble_motion(e->now + b->shape->first, p);
+            floor_lanes under = none;
+            for (ptrdiff_t i = 0; i < b->shape->n_floor; i++) {
+                const floor_lanes u = MOTION_AT(s.u, i), v = MOTION_AT(s.v, i), drift = u - under;
+                kinetic_2x += HELD_AT(b->once, c.mass, i * CHAIN_PITCH) * v * v;
+                elastic += HELD_AT(b->once, c.stiffness, i * CHAIN_PITCH) * drift * drift / 2.0;
+                under = u;
+            }
+        }
+        for (int i = 0; i < LANES_WIDTH; i++) {
+            input += FLOORS_AT(ensemble_part(e->works->input_2x, p), i);
+            damping += FLOORS_AT(ensemble_part(e->works->damping_2x, p), i);
+        }
+        for (int lane = 0; lane < FLOORS_VECTOR; lane++) {
+            *sums++ = (struct energy_sums){.kinetic = kinetic_2x[lane] / 2.0,
+                                           .elastic = elastic[lane],
+                                           .input_2x = input[lane],
+                                           .damping_2x = damping[lane]};
+        }
+    }
 }
 
 const struct ensemble_steps STEPS = {
     .march = ensemble_march,
     .move = ensemble_move,
-    .solve = SOLVE,
     .move_pushed = ensemble_move_pushed,
+    .press = ensemble_press,
     .catch_up = ensemble_catch_up,
+    .sum = ensemble_sum,
+    .solves = FLOORS_PARTS == 1,
 };
 
 #endif

@@ -6,9 +6,9 @@
 // Only the usual case is here: contacts that were closed, whose forces Newton steps find within a
 // few sweeps, and for which steps are short enough (contact.c). A lane in which anything else
 // happens gives up, and its run is solved alone from the start of the step.
-#include <math.h>
-
-#include "solve/ensemble/ensemble_contacts.h"
+#define LANES_OF_RUNS
+#include "core/masks.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 
 // As struct progress, and what runs have in common.
 struct progress_lanes {
@@ -18,14 +18,14 @@ struct progress_lanes {
 };
 
 // What sweep_step.h asks for with eight lanes.
-LANES_WHOLE_INLINE void sweep_see(const struct ensemble_lanes *e, const struct closed_contact *p,
-                                  wide *x) {
+LANE_INLINE void sweep_see(const struct ensemble_lanes *e, const struct closed_contact *p,
+                           wide *x) {
     const int *end = e->end[p->index];
     *x = e->correction[end[0]] - e->correction[end[1]];
 }
 
-LANES_WHOLE_INLINE void sweep_law(const struct closed_contact *p, const wide *d, const wide *v,
-                                  struct response_lanes *law) {
+LANE_INLINE void sweep_law(const struct closed_contact *p, const wide *d, const wide *v,
+                           struct response_lanes *law) {
     struct contact_lanes all;
     p->law->force_lanes((const double *)p->constant, (const double *)d, (const double *)v, &all);
     law->force = (wide)LANES_AT(all.force, 0);
@@ -33,48 +33,47 @@ LANES_WHOLE_INLINE void sweep_law(const struct closed_contact *p, const wide *d,
     law->dfdv = (wide)LANES_AT(all.dfdv, 0);
 }
 
-LANES_WHOLE_INLINE void sweep_sizes(const struct ensemble_lanes *e, const struct closed_contact *p,
-                                    wide *u, wide *v, wide *q) {
+LANE_INLINE void sweep_sizes(const struct ensemble_lanes *e, const struct closed_contact *p,
+                             wide *u, wide *v, wide *q) {
     const int *end = e->end[p->index];
     const struct ensemble_trial *left = &e->trial[end[0]], *right = &e->trial[end[1]];
-    *u = WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->gap[p->index].width;
-    *v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v);
-    *q = WIDE_ABSOLUTE(e->correction[end[0]]) + WIDE_ABSOLUTE(e->correction[end[1]]);
+    *u = ABSOLUTE(left->u) + ABSOLUTE(right->u) + e->gap[p->index].width;
+    *v = ABSOLUTE(left->v) + ABSOLUTE(right->v);
+    *q = ABSOLUTE(e->correction[end[0]]) + ABSOLUTE(e->correction[end[1]]);
 }
 
 // q += f times column `floor` of A^-1, from floor `from` on.
-LANES_WHOLE_INLINE void ensemble_push_as(wide *q, const struct ensemble_building *b,
-                                         enum ensemble_held held, int floor, int from, int to,
-                                         const wide *f) {
+LANE_INLINE void ensemble_add_column(wide *q, const struct ensemble_building *b, bool once,
+                                     int floor, int from, int to, const wide *f) {
     for (int i = from, at = floor * b->shape->n_floor; i < to; i++) {
         q[i] += *f * ENSEMBLE_AT(b->inverse, at + i);
     }
 }
 
-LANES_WHOLE_INLINE void ensemble_push(const struct ensemble_lanes *e,
-                                      const struct closed_contact *p, int side, const wide *f) {
+LANE_INLINE void ensemble_push(const struct ensemble_lanes *e, const struct closed_contact *p,
+                               int side, const wide *f) {
     if (p->building[side] != WALL) {
         const struct ensemble_building *b = &e->building[p->building[side]];
         const int floor = e->end[p->index][side] - b->shape->first;
         const int from = p->from[side], to = p->to[side];
         wide *q = e->correction + b->shape->first;
-        b->held == HELD_ONCE ? ensemble_push_as(q, b, HELD_ONCE, floor, from, to, f)
-                             : ensemble_push_as(q, b, HELD_BY_EACH, floor, from, to, f);
+        b->once ? ensemble_add_column(q, b, true, floor, from, to, f)
+                : ensemble_add_column(q, b, false, floor, from, to, f);
     }
 }
 
-LANES_WHOLE_INLINE void sweep_push(const struct ensemble_lanes *e, const struct closed_contact *p,
-                                   const wide *df) {
+LANE_INLINE void sweep_push(const struct ensemble_lanes *e, const struct closed_contact *p,
+                            const wide *df) {
     const wide reaction = -*df;
     ensemble_push(e, p, 0, &reaction);
     ensemble_push(e, p, 1, df);
 }
 
-#define SWEEP_OF_RUNS
+#include "solve/account/impact_step.h"
 #include "solve/contact/sweep_step.h"
 
 // Number i of the contacts that are live in some lane.
-LANES_WHOLE_INLINE struct closed_contact *ensemble_acting(const struct ensemble_lanes *e, int i) {
+LANE_INLINE struct closed_contact *ensemble_acting(const struct ensemble_lanes *e, int i) {
     return &e->contacts->contact[e->contacts->acting[i]];
 }
 
@@ -89,22 +88,8 @@ LANES_WHOLE void ensemble_contacts_begin(struct ensemble_lanes *e) {
     }
 }
 
-// Evaluates the laws in lanes `which`.
-LANES_WHOLE_INLINE void ensemble_evaluate(const struct ensemble_lanes *e, const wide_bits *which,
-                                          struct progress_lanes *s) {
-    for (int i = 0; i < e->contacts->n_acting; i++) {
-        struct closed_contact *p = ensemble_acting(e, i);
-        const wide_bits here = p->live & *which;
-        wide_bits safe;
-        wide x;
-        sweep_see(e, p, &x);
-        sweep_evaluate(e, p, &x, &here, s, &safe);
-        s->going &= ~here | safe;
-    }
-}
-
 // Where the contacts are without corrections.
-LANES_WHOLE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct progress_lanes *s) {
+LANE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct progress_lanes *s) {
     s->largest = s->feedback = EVERYWHERE(0.0);
     for (int i = 0; i < e->contacts->n_acting; i++) {
         struct closed_contact *p = ensemble_acting(e, i);
@@ -119,64 +104,52 @@ LANES_WHOLE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct p
     }
 }
 
-LANES_WHOLE_INLINE void ensemble_sweep(const struct ensemble_lanes *e, struct progress_lanes *s) {
-    for (int i = 0; i < e->contacts->n_acting; i++) {
+// A sweep, in lanes that are iterating. Laws are evaluated before it in lanes `which`. Lanes that
+// converge do not iterate any more.
+LANE_INLINE void ensemble_sweep(const struct ensemble_lanes *e, const wide_bits *which,
+                                struct progress_lanes *s) {
+    struct ensemble_contacts *all = e->contacts;
+    for (int i = 0; ANY(*which) && i < all->n_acting; i++) {
+        struct closed_contact *p = ensemble_acting(e, i);
+        const wide_bits here = p->live & *which;
+        wide_bits safe;
+        wide x;
+        sweep_see(e, p, &x);
+        sweep_evaluate(e, p, &x, &here, s, &safe);
+        s->going &= ~here | safe;
+    }
+    for (int i = 0; i < all->n_acting; i++) {
         struct closed_contact *p = ensemble_acting(e, i);
         const wide_bits here = p->live & s->iterating & s->going;
         wide_bits safe = here;
         sweep_visit(e, p, &safe, s);
         s->going &= ~here | safe;
     }
-}
-
-// Ends the sweeps in lanes that have converged.
-LANES_WHOLE_INLINE void ensemble_converge(const struct ensemble_lanes *e,
-                                          struct progress_lanes *s) {
-    const wide *tolerance = &e->contacts->tolerance;
     const wide most = SMALLER(s->feedback, EVERYWHERE(1.0));
-    const wide feedback = CHOOSE(e->contacts->alone, EVERYWHERE(0.0), most);
+    const wide feedback = CHOOSE(all->alone, EVERYWHERE(0.0), most);
     wide_bits settled, measured;
-    sweep_settled(s, tolerance, &feedback, &settled);
-    sweep_measured(s, tolerance, &measured);
-    e->contacts->count -= s->iterating;
+    sweep_settled(s, &all->tolerance, &feedback, &settled);
+    sweep_measured(s, &all->tolerance, &measured);
+    all->count -= s->iterating;
     s->iterating &= s->going & ~(settled & measured);
 }
 
 // Gives up where steps are not short enough for a contact, or where its law is not known.
-LANES_WHOLE_INLINE void ensemble_resolve(const struct ensemble_lanes *e, struct progress_lanes *s) {
+LANE_INLINE void ensemble_resolve(const struct ensemble_lanes *e, struct progress_lanes *s) {
     for (int i = 0; i < e->contacts->n_acting; i++) {
         struct closed_contact *p = ensemble_acting(e, i);
         const struct response_lanes law = {.dfdd = p->dfdd, .dfdv = p->dfdv};
         wide_bits fits = p->live & s->going & ~p->stale & SWEEP_FITS_DASHPOT(e, p, p->dfdv);
         wide x;
         sweep_see(e, p, &x);
-        const wide d = p->d_trial + e->factors->b * x;
-        sweep_fit_spring(p, e->h, &law, &d, &fits);
+        const wide d = p->d_trial + e->scheme.b * x;
+        sweep_fit_spring(p, e->scheme.h, &law, &d, &fits);
         s->going &= ~p->live | fits;
     }
 }
 
-// Keeps e->correction, to restore it in lanes that give up.
-LANES_WHOLE_INLINE void ensemble_keep(struct ensemble_lanes *e) {
-    for (int i = 0; i < e->contacts->n_touched; i++) {
-        const struct building *g = e->building[e->contacts->touched[i]].shape;
-        for (int k = g->first; k < g->first + g->n_floor; k++) {
-            e->kept[k] = e->correction[k];
-        }
-    }
-}
-
-LANES_WHOLE_INLINE void ensemble_restore(struct ensemble_lanes *e, const wide_bits *which) {
-    for (int i = 0; i < e->contacts->n_touched; i++) {
-        const struct building *g = e->building[e->contacts->touched[i]].shape;
-        for (int k = g->first; k < g->first + g->n_floor; k++) {
-            e->correction[k] = CHOOSE(*which, e->correction[k], e->kept[k]);
-        }
-    }
-}
-
 // The lanes in which flags are set, a bit each.
-LANES_WHOLE_INLINE unsigned ensemble_runs_of(const wide_bits *flags) {
+LANE_INLINE unsigned ensemble_runs_of(const wide_bits *flags) {
     unsigned runs = 0;
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
         runs |= (*flags)[lane] ? 1U << lane : 0U;
@@ -187,9 +160,10 @@ LANES_WHOLE_INLINE unsigned ensemble_runs_of(const wide_bits *flags) {
 LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
     static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
     struct progress_lanes s;
-    s.iterating = s.going = (wide_bits)(((long long)e->contacts->active & bit) == bit);
+    const wide_bits began = (wide_bits)(((long long)e->contacts->active & bit) == bit);
+    s.iterating = s.going = began;
     e->contacts->count = (wide_bits){0};
-    ensemble_keep(e);
+    memcpy(e->kept, e->correction, (size_t)e->n_floor * sizeof *e->kept);
     ensemble_gather(e, &s);
     for (int i = 0; i < ENSEMBLE_SWEEPS && ANY(s.iterating); i++) {
         wide_bits which = s.iterating;
@@ -199,40 +173,43 @@ LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
         } else {
             sweep_tighten(&s, &which);
         }
-        if (ANY(which)) {
-            ensemble_evaluate(e, &which, &s);
-        }
-        ensemble_sweep(e, &s);
-        ensemble_converge(e, &s);
+        ensemble_sweep(e, &which, &s);
     }
     s.going &= ~s.iterating;
     ensemble_resolve(e, &s);
-    ensemble_restore(e, &s.going);
+    const wide_bits refused = began & ~s.going;
+    for (int i = 0; ANY(refused) && i < e->n_floor; i++) {
+        e->correction[i] = CHOOSE(s.going, e->correction[i], e->kept[i]);
+    }
     e->contacts->solved = ensemble_runs_of(&s.going);
-    for (int i = 0; e->contacts->solved && i < e->contacts->n_touched; i++) {
-        e->building[e->contacts->touched[i]].pushed = true;
+    for (int i = 0; e->contacts->solved && i < e->contacts->n_acting; i++) {
+        const int *at = ensemble_acting(e, i)->building;
+        for (int side = 0; side < 2; side++) {
+            if (at[side] != WALL) {
+                e->building[at[side]].pushed = true;
+            }
+        }
     }
 }
 
-// What impacts.c does for a live link that stays closed; *contact is the work on all of its run.
-LANES_WHOLE_INLINE void ensemble_account(const struct ensemble_lanes *e, struct closed_contact *p,
-                                         double time, double h, wide *contact) {
+// Raises a peak, and its time, to x where that is greater.
+LANE_INLINE void ensemble_raise(const wide *x, double time, wide *peak, wide *peak_time) {
+    const wide_bits more = LESS(*peak, *x);
+    *peak = CHOOSE(more, *x, *peak);
+    *peak_time = CHOOSE(more, EVERYWHERE(time), *peak_time);
+}
+
+// Takes a contact that stays closed through the step; *contact is the work on all of its run.
+LANE_INLINE void ensemble_account(const struct ensemble_lanes *e, struct closed_contact *p,
+                                  double time, double h, wide *contact) {
     const wide start = ENSEMBLE_PENETRATION(e, p->index, e->now);
     const wide end = ENSEMBLE_PENETRATION(e, p->index, e->next);
-    const wide_bits stronger = LESS(p->peak_force, p->force), deeper = LESS(p->deepest, end);
-    p->peak_force = CHOOSE(stronger, p->force, p->peak_force);
-    p->peak_force_time = CHOOSE(stronger, EVERYWHERE(time), p->peak_force_time);
-    p->deepest = CHOOSE(deeper, end, p->deepest);
-    p->deepest_time = CHOOSE(deeper, EVERYWHERE(time), p->deepest_time);
-    const wide mean = (p->before + p->force) / 2.0;
-    const wide impulse = mean * h, work = mean * (end - start);
-    p->impulse += impulse;
-    p->work += work;
-    p->impact_impulse += impulse;
-    p->impact_work += work;
-    p->impact_force = LARGER(p->impact_force, p->force);
-    p->impact_depth = LARGER(p->impact_depth, end);
-    *contact += CHOOSE(p->live, work, EVERYWHERE(0.0));
+    struct impact_share_lanes share;
+    ensemble_raise(&p->force, time, &p->link.force, &p->link.force_time);
+    ensemble_raise(&end, time, &p->deepest, &p->deepest_time);
+    impact_find_share(&p->before, &p->force, &start, &end, h, &share);
+    impact_add_share(&p->link, &p->impact, &share);
+    *contact += CHOOSE(p->live, share.work, EVERYWHERE(0.0));
 }
 
 LANES_WHOLE void ensemble_contacts_commit(struct ensemble_lanes *e, double time, double h) {
@@ -241,8 +218,9 @@ LANES_WHOLE void ensemble_contacts_commit(struct ensemble_lanes *e, double time,
     for (int i = 0; i < s->n_acting; i++) {
         struct closed_contact *p = ensemble_acting(e, i);
         ensemble_account(e, p, time, h, &contact);
-        p->past[2] = p->past[1];
-        p->past[1] = p->past[0];
+        for (int j = PAST_STEPS - 1; j > 0; j--) {
+            p->past[j] = p->past[j - 1];
+        }
         p->past[0] = p->before;
         p->before = p->force;
         p->n_past -= p->n_past < PAST_STEPS;
