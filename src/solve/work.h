@@ -25,13 +25,10 @@ enum splitting {
     SPLIT_ALWAYS,  // all
 };
 
-// Newton's iteration on the storeys, in newmark.c.
+// Newton's iteration on the storeys, in newmark.c: each is linear about its point at the trial.
 struct storeys {
-    double *drift, *shear;  // (n_dof) [L] [F] where they were linearised
-    double *rate;           // (n_dof) [L/T] the same of drift rates, of buildings with parts
-    double *residual;       // (n_dof) [F]
-    double *change;         // (n_dof) [L/T^2] of the correction
-    bool *agree;            // (n_building) a building's shears are as their tangents predicted
+    double *drift, *shear;  // (n_dof) [L] [F] shears on their tangents
+    double *rate;           // (n_dof) [L/T] of the drifts of buildings with parts
 };
 
 struct link_scratch;

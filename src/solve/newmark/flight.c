@@ -257,7 +257,6 @@ static void start_flight(struct flight *f, const struct state *now, struct state
     if (f->n_link > 0 && f->factors != f->work->factors) {
         find_transfer(f);
     }
-    memset(f->work->storeys.agree, 0, (size_t)m->n_building * sizeof *f->work->storeys.agree);
     if (f->on_lines) {
         memcpy(next->storey_history, now->storey_history,
                (size_t)m->n_storey_history * sizeof *next->storey_history);
