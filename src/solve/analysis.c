@@ -44,7 +44,8 @@ static int analysis_show_row(struct run *r) {
     const struct state *s = r->now;
     state_assert(s, r->model);
     peaks_drift_rates(r->results, r->model, s);
-    energy_balance(&r->energy, r->model, s, r->results->energy);
+    const struct energy_sums sums = energy_sums_of(&r->energy, r->model, s);
+    energy_close(&r->energy, &sums, r->results->energy);
     int status = analysis_note_energies(r);
     if (status != STATUS_OK || !o || !o->row) {
         return status;
@@ -180,7 +181,8 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
     };
     if (!results) {
         arena_free(a);
-        return error_no_memory(e);
+        error_no_memory(e);
+        return STATUS_SYSTEM;
     }
     results->arena = a;
     return analysis_alloc(r, a) ? analysis_start(r) : error_no_memory(e);

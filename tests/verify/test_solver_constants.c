@@ -156,7 +156,7 @@ static void press(struct bench *b, double k, double deep, const double *guess) {
     assert_true(state_alloc(&b->now, b->model, b->arena) &&
                 state_alloc(&b->next, b->model, b->arena) &&
                 peaks_alloc(&b->results, b->model, b->arena) &&
-                energy_alloc(&b->energy, b->model, b->arena) &&
+                fields_alloc(&energy_fields, b->model, &b->energy, b->arena) &&
                 memory_alloc(&b->memory, b->model, b->arena) &&
                 work_alloc(&b->work, b->model, &b->results, &b->memory, b->arena));
     floors_account_to(&b->work, &b->energy, &b->results);

@@ -43,8 +43,8 @@ static double energy_sum_of(const double x[LANES_WIDTH]) {
 }
 
 // Storeys with parts share shears, so that one that is not elastic makes others of all.
-static struct energy_sums energy_sums_of(const struct energy_account *a, const struct model *m,
-                                         const struct state *s) {
+struct energy_sums energy_sums_of(const struct energy_account *a, const struct model *m,
+                                  const struct state *s) {
     double kinetic_2x = 0.0, elastic = 0.0, other = 0.0, storey_2x = 0.0;
     for (int i = 0; i < m->n_dof; i++) {
         kinetic_2x += m->mass[i] * s->v[i] * s->v[i];
@@ -139,10 +139,4 @@ void energy_close(const struct energy_account *a, const struct energy_sums *sums
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -
                               energy[ENERGY_STRAIN] - energy[ENERGY_DAMPING] -
                               energy[ENERGY_HYSTERETIC] - energy[ENERGY_CONTACT];
-}
-
-void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
-                    double *energy) {
-    const struct energy_sums sums = energy_sums_of(a, m, s);
-    energy_close(a, &sums, energy);
 }

@@ -36,11 +36,10 @@ struct energy_sums {
     double input_2x, damping_2x;  // [F L] twice the work of external and damping forces so far
 };
 
+struct energy_sums energy_sums_of(const struct energy_account *a, const struct model *m,
+                                  const struct state *s);
+
 // The account with the sums of a state, into energy (ENERGY_COUNT).
 void energy_close(const struct energy_account *a, const struct energy_sums *sums, double *energy);
-
-// The account at state `s` into energy (ENERGY_COUNT).
-void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
-                    double *energy);
 
 #endif

@@ -107,21 +107,24 @@ static void residual_drift_settle(const struct model *m, const struct state *s,
     struct arena *a = arena_create();
     struct settling r = {m, b, s->storey_history, .n = n};
     double **const array[] = {&r.tangent, &r.shear, &r.change, &r.x, &r.trial, &r.still};
-    double start = 0.0, size = INFINITY;
     assert(b->n_part > 0 && b->first + b->n_floor <= m->n_dof);
     for (size_t i = 0; a && i < sizeof array / sizeof array[0]; i++) {
         *array[i] = arena_alloc(a, i == 0 ? n * n : n, sizeof(double));
     }
     r.order = a ? arena_alloc(a, n, sizeof *r.order) : NULL;
+    for (size_t i = 0; i < n; i++) {
+        out[i] = (double)NAN;
+    }
     if (a && !arena_failed(a)) {
         memcpy(r.x, s->drift + b->first, n * sizeof *r.x);
-        size = start = residual_drift_shears(&r, r.x);
+        const double start = residual_drift_shears(&r, r.x);
+        double size = start;
         for (int i = 0; i < ITERATIONS_MAX && size > 0.0 && residual_drift_improve(&r, &size);
              i++) {
         }
-    }
-    for (size_t i = 0; i < n; i++) {
-        out[i] = size <= SETTLED * start ? fabs(r.x[i]) : (double)NAN;
+        for (size_t i = 0; size <= SETTLED * start && i < n; i++) {
+            out[i] = fabs(r.x[i]);
+        }
     }
     arena_free(a);
 }

@@ -24,17 +24,14 @@ enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
 // Bodies that meet within this share of the shortest bounce meet at once.
 static const double AT_ONCE = 1e-6;
 
-static double impulse_rounding(const struct state *s, const struct model *m, int k) {
-    return rest_rounding(&m->link[k], s->v);
-}
-
 // The rebound below which contact k rests. Its bodies are pressed together by what accelerates
 // them, and by what its force at rest held up.
 static double impulse_slowest_rebound(const struct state *s, const struct model *m, int k,
                                       const struct least_bounce *least) {
     const struct link *l = &m->link[k];
     double pressing = state_pressing(s, m, k) + s->link[k].force / l->mass;
-    return fmax(fmax(least->time * pressing / 2.0, least->velocity), impulse_rounding(s, m, k));
+    return fmax(fmax(least->time * pressing / 2.0, least->velocity),
+                rest_rounding(&m->link[k], s->v));
 }
 
 // One impact; returns the velocity of the rebound.
@@ -61,7 +58,7 @@ static bool impulse_sweep(struct state *s, const struct model *m, enum rebound r
                           const struct least_bounce *least, struct meeting *meeting) {
     bool struck = false;
     for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k) && state_rate(s, m, k) > impulse_rounding(s, m, k)) {
+        if (state_rests(s, m, k) && state_rate(s, m, k) > rest_rounding(&m->link[k], s->v)) {
             impulse_strike(s, m, k, rebound, least, &meeting[k]);
             struck = true;
         }
@@ -121,7 +118,8 @@ static void impulse_hold_touching(struct state *s, const struct model *m,
     for (int k = 0; k < m->n_contact; k++) {
         double r = state_rate(s, m, k);
         bool open = !s->link[k].closed && m->link[k].law->rebound;
-        if (open && r > impulse_rounding(s, m, k) && -s->delta[k] <= AT_ONCE * least->time * r) {
+        if (open && r > rest_rounding(&m->link[k], s->v) &&
+            -s->delta[k] <= AT_ONCE * least->time * r) {
             impulse_come_to_rest(s, k, r);
         }
     }
