@@ -184,14 +184,7 @@ static void cluster_apply(struct work *w, double part) {
     }
 }
 
-static void cluster_keep(struct work *w) {
-    const struct clusters *c = &w->clusters;
-    memcpy(c->kept_q, w->correction, (size_t)w->model->n_dof * sizeof *c->kept_q);
-    for (int i = 0; i < c->n; i++) {
-        w->link[c->link[i]].kept = w->link[c->link[i]].force;
-    }
-}
-
+// Steps back to what cluster_step has kept.
 static void cluster_restore(struct work *w) {
     const struct clusters *c = &w->clusters;
     memcpy(w->correction, c->kept_q, (size_t)w->model->n_dof * sizeof *c->kept_q);
@@ -245,8 +238,12 @@ static bool cluster_part_step(struct work *w, const struct state *now, struct st
 // becomes the way of that sweep; else a part of one.
 static bool cluster_step(struct work *w, const struct state *now, struct state *next,
                          double *nearest) {
+    const struct clusters *c = &w->clusters;
     *nearest = fmin(*nearest, cluster_sweep(w, now, next));
-    cluster_keep(w);
+    memcpy(c->kept_q, w->correction, (size_t)w->model->n_dof * sizeof *c->kept_q);
+    for (int i = 0; i < c->n; i++) {
+        w->link[c->link[i]].kept = w->link[c->link[i]].force;
+    }
     for (int i = 0; i < WHOLE_STEPS && cluster_newton(w, now, next); i++) {
         cluster_apply(w, 1.0);
         double moved = cluster_sweep(w, now, next);

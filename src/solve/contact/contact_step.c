@@ -59,11 +59,20 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
     }
 }
 
-// Makes link k live, which closes in this step. Its velocity at the instant of closure is that of
-// its path without its own force; the law's history starts from it.
-static void contact_close_link(struct work *w, const struct state *now, struct state *next, int k) {
+// An open link that has just opened may stand a rounding error inside: it closes only if it goes
+// deeper. Bodies at rest move by rounding, too, relative to a scale; fixed steps know none, and are
+// too long for motions of that size to begin in. Rigid contacts close by an event.
+//
+// The velocity at the instant of closure is that of the link's path without its own force; the
+// law's history starts from it.
+bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {
+    const struct link *l = &w->model->link[k];
+    const double d0 = now->delta[k], d = next->delta[k];
+    const double rounding = w->scales ? SCALE_ROUNDING * (fabs(l->gap) + w->scales->most_u) : 0.0;
+    if (!(d > rounding && d > d0) || next->link[k].is_live || k == w->held || l->law->rebound) {
+        return false;
+    }
     struct link_scratch *p = &w->link[k];
-    const struct link *l = p->link;
     state_enliven(next, k);
     gaps_touch(&w->gaps, k);
     p->branch = BRANCH_OPEN;
@@ -72,29 +81,14 @@ static void contact_close_link(struct work *w, const struct state *now, struct s
     p->force = 0.0;
     p->history = next->link_history + l->history;
     struct equation e = exact_equation(w, now, next, k);
-    struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), e.d_free, e.v_free,
-                        w->h};
+    struct path path = {fmin(d0, 0.0), state_rate(now, w->model, k), e.d_free, e.v_free, w->h};
     double rate;
     next->link[k].t_close = now->time + crossing_find(&path, &rate);
     next->link[k].v_close = number_max(rate, 0.0);
     if (l->law->close) {
         l->law->close(l->constant, next->link[k].v_close, next->link_history + l->history);
     }
-}
-
-// An open link that has just opened may stand a rounding error inside: it closes only if it goes
-// deeper. Bodies at rest move by rounding, too, relative to a scale; fixed steps know none, and are
-// too long for motions of that size to begin in. Rigid contacts close by an event.
-bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {
-    const struct link *l = &w->model->link[k];
-    const double d = next->delta[k];
-    const double rounding = w->scales ? SCALE_ROUNDING * (fabs(l->gap) + w->scales->most_u) : 0.0;
-    bool closes = d > rounding && d > now->delta[k] && !next->link[k].is_live && k != w->held &&
-                  !l->law->rebound;
-    if (closes) {
-        contact_close_link(w, now, next, k);
-    }
-    return closes;
+    return true;
 }
 
 // The trial of a building is there already if links touched it before.

@@ -29,18 +29,15 @@ static void gaps_find_runs(struct gaps *g) {
         const struct link *l = &m->link[k];
         g->gap[k] = l->gap;
         g->limit[k] = -INFINITY;
-        if (g->n_run > 0 && gaps_continue(m, &g->run[g->n_run - 1], k)) {
-            g->run[g->n_run - 1].n++;
-            g->run_of[k] = g->n_run - 1;
-            continue;
+        if (g->n_run == 0 || !gaps_continue(m, &g->run[g->n_run - 1], k)) {
+            g->run[g->n_run++] = (struct gap_run){.first = k,
+                                                  .left = state_end(l, m, 0),
+                                                  .right = state_end(l, m, 1),
+                                                  .building = {l->building[0], l->building[1]},
+                                                  .row = link_is_plain(l) ? NULL : l};
         }
-        g->run_of[k] = g->n_run;
-        g->run[g->n_run++] = (struct gap_run){.first = k,
-                                              .n = 1,
-                                              .left = state_end(l, m, 0),
-                                              .right = state_end(l, m, 1),
-                                              .building = {l->building[0], l->building[1]},
-                                              .row = link_is_plain(l) ? NULL : l};
+        g->run[g->n_run - 1].n++;
+        g->run_of[k] = g->n_run - 1;
     }
 }
 
@@ -125,34 +122,24 @@ static inline bool gaps_is_pressed(const struct gaps *g, const struct gap_run *r
     return inside != 0;
 }
 
-// Adds the grounds' shares to the penetrations of a run.
-static void gaps_add_grounds(const struct gaps *g, const struct gap_run *r, struct state *s) {
-    for (int k = r->first; k < r->first + r->n; k++) {
-        s->delta[k] += state_ground_gap(&g->model->link[k], g->model, s->ground_u);
-    }
-}
-
-static inline bool gaps_has_moved(const struct gap_run *r, const bool *moved) {
-    return (r->building[0] != WALL && moved[r->building[0]]) ||
-           (r->building[1] != WALL && moved[r->building[1]]);
-}
-
 // The penetrations of runs at buildings that have `moved`; NULL: of all. Where grounds move
 // differently, all of them may be beyond their limits and pressed.
 LANES static void gaps_update_runs(struct gaps *g, struct state *s, const bool *moved) {
-    const bool grounds = g->model->n_ground > 1;
+    const struct model *m = g->model;
+    const bool grounds = m->n_ground > 1;
     g->n_pressed = 0;
-    for (int k = 0; k < g->n_run; k++) {
-        const struct gap_run *r = &g->run[k];
-        if (moved && !gaps_has_moved(r, moved)) {
+    for (int i = 0; i < g->n_run; i++) {
+        const struct gap_run *r = &g->run[i];
+        const int *b = r->building;
+        if (moved && !(b[0] != WALL && moved[b[0]]) && !(b[1] != WALL && moved[b[1]])) {
             continue;
         }
-        g->beyond[k] = gaps_update_run(g, r, s->u, s->delta) || grounds;
-        if (grounds) {
-            gaps_add_grounds(g, r, s);
+        g->beyond[i] = gaps_update_run(g, r, s->u, s->delta) || grounds;
+        for (int k = r->first; grounds && k < r->first + r->n; k++) {
+            s->delta[k] += state_ground_gap(&m->link[k], m, s->ground_u);
         }
-        if (grounds || (g->beyond[k] && gaps_is_pressed(g, r, s->delta))) {
-            g->pressed[g->n_pressed++] = k;
+        if (grounds || (g->beyond[i] && gaps_is_pressed(g, r, s->delta))) {
+            g->pressed[g->n_pressed++] = i;
         }
     }
 }

@@ -34,7 +34,6 @@ bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct are
         .constant = l->constant,
         .gap = l->gap,
         .bilateral = l->bilateral,
-        .moving_ground = l->moving_ground,
     };
     for (int side = 0; side < 2; side++) {
         if (l->row[side].n > 0) {
@@ -130,12 +129,9 @@ void sweep_prepare(struct work *w, const struct state *next, struct link_scratch
     p->trusted = p->branch == BRANCH_CLOSED && p->law->force && !p->clamped;
     p->open = false;
     p->stale = true;
-    p->d_trial = sweep_across(p, w->u_trial) - p->gap;
-    p->v_trial = sweep_across(p, w->v_trial);
-    if (p->moving_ground) {
-        p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
-        p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
-    }
+    p->d_trial = sweep_across(p, w->u_trial) - p->gap +
+                 state_ground_gap(p->link, w->model, next->ground_u);
+    p->v_trial = sweep_across(p, w->v_trial) + state_ground_gap(p->link, w->model, next->ground_v);
     if (p->factors != w->factors) {
         sweep_find_columns(w, p);
     }
