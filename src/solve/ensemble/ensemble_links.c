@@ -5,7 +5,6 @@
 
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
-#include "solve/newmark/event.h"
 
 // Copies the trial and the corrections of building k from the lane to the run.
 static void show_building(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
