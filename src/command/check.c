@@ -6,7 +6,7 @@
 #include "command/check_study.h"
 #include "command/deck_command.h"
 #include "command/guidance_print.h"
-#include "command/law_words.h"
+#include "command/law_print.h"
 #include "command/printer.h"
 #include "command/sweeps.h"
 #include "core/safe.h"

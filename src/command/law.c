@@ -3,11 +3,10 @@
 #include <math.h>
 
 #include "command/law_print.h"
-#include "command/law_words.h"
 #include "command/option.h"
 #include "command/picture.h"
 #include "plot/figure.h"
-#include "plot/impact_figure.h"
+#include "plot/pictures.h"
 #include "result/draft.h"
 
 static int law_command(int argc, char **argv);

@@ -2,9 +2,8 @@
 #include "command/law_print.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
-
-#include "command/law_words.h"
 
 enum { NAME_SIZE = 512, LAWS_IN_A_ROW = 4 };
 static const double ROUNDING = 1e-10;
@@ -198,4 +197,17 @@ int law_print_history(const struct law_impact *i, FILE *to) {
         printer_line(&t);
     }
     return printer_close(&t);
+}
+
+void law_words(const struct contact_law *law, const double *value, char *text, size_t size) {
+    size_t used = (size_t)snprintf(text, size, "%s", law->name);
+    for (int r = 0; r < law->n_row && used < size; r++) {
+        const struct row *row = &law->row[r];
+        if (row->kind == ROW_FILE) {
+            used += (size_t)snprintf(text + used, size - used, " -%s (%.0f points)", row->key,
+                                     value[r]);
+        } else if (!isnan(value[r])) {
+            used += (size_t)snprintf(text + used, size - used, " -%s %.6g", row->key, value[r]);
+        }
+    }
 }

@@ -3,8 +3,11 @@
 #ifndef JOSTLE_LAW_PRINT_H
 #define JOSTLE_LAW_PRINT_H
 
+#include <stddef.h>
+
 #include "command/law_impacts.h"
 #include "command/printer.h"
+#include "jostle/contact_law.h"
 
 // "25000 kg at 0.5 m/s against 40000 kg".
 void law_print_bodies(const struct law_impacts *l, char *text, size_t size);
@@ -23,5 +26,9 @@ int law_print(const struct law_impacts *l, enum printer_form form, FILE *to);
 
 // The points of one impact as TSV. Returns as law_print.
 int law_print_history(const struct law_impact *i, FILE *to);
+
+// A law and the values of its rows as a deck would give them, "hertz -k 2.75e+09 -n 1.5", cut where
+// `text` ends.
+void law_words(const struct contact_law *law, const double *value, char *text, size_t size);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/load.h"
 
-#include "model/damping_warn.h"
+#include "model/guidance.h"
 
 static void print_diagnostics(const struct deck *deck, bool quiet) {
     const struct diagnostics *d = &deck->diagnostics;

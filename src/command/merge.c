@@ -5,7 +5,7 @@
 #include "command/option.h"
 #include "command/output_name.h"
 #include "command/show_study.h"
-#include "command/study_end.h"
+#include "command/study_progress.h"
 #include "jostle/study_merge.h"
 
 static int merge_command(int argc, char **argv);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/periods.h"
+#include "command/spectrum.h"
 
 #include <math.h>
 #include <string.h>

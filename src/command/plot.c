@@ -5,9 +5,8 @@
 
 #include "command/option.h"
 #include "command/picture.h"
-#include "command/plot_names.h"
-#include "command/plot_study.h"
 #include "command/progress.h"
+#include "command/suite_options.h"
 #include "core/safe.h"
 #include "core/text.h"
 #include "plot/figure.h"
@@ -23,6 +22,8 @@ const struct command command_plot = {
     .run = plot_command,
 };
 
+enum { PLOT_PATH_SIZE = 4096 };
+
 struct request {
     const char *result, *other;
     const struct figure *figure;  // NULL: the first that the files have the data for
@@ -33,6 +34,113 @@ struct request {
     char default_output[PLOT_PATH_SIZE];
 };
 #define AT(member) offsetof(struct request, member)
+
+// FILE.h5 -> FILE-KIND.png, FILE.h5#7 -> FILE-7-KIND.png, without its folder, into `name`
+// (PLOT_PATH_SIZE); returns it.
+static const char *name_output(const char *result, const char *kind, char *name) {
+    size_t n;
+    const char *stem = text_stem(result, &n);
+    const char *run = strchr(stem + n, '#');
+    snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", (int)n, stem, run ? "-" : "",
+             run ? run + 1 : "", kind);
+    return name;
+}
+
+struct study_request {
+    const struct command *command;
+    const char *path;  // the study
+    const char *kind;  // NULL: what shows it best
+    struct suite_options *options;
+    struct picture_options picture;
+};
+
+struct job {
+    const struct study_request *request;
+    const struct study_figure *figure;  // NULL: what shows the suite best
+    struct study_picture picture;
+    char output[PLOT_PATH_SIZE];
+};
+
+static void print_study_kinds(void) {
+    printf("\nOf a study KIND is one of\n");
+    for (int i = 0; i < n_study_figure; i++) {
+        printf("  %-10s %s\n", study_figures[i]->name, study_figures[i]->doc);
+    }
+    printf(
+        "\nWithout KIND it is ida, where an intensity and records are swept, else response.\n\n");
+}
+
+// EXIT_DONE with the figure asked for, or EXIT_INPUT.
+static int find_figure(struct job *j) {
+    const struct study_request *q = j->request;
+    if (!q->kind || (j->figure = study_figure_find(q->kind)) != NULL) {
+        return EXIT_DONE;
+    }
+    if (figure_find(q->kind)) {
+        return command_usage(q->command,
+                             "%s is for single runs; %s is a study; name a run of it, such as "
+                             "%s#1",
+                             q->kind, q->path, q->path);
+    }
+    const char *known[8];
+    int n = 0;
+    for (; n < n_study_figure && n < 8; n++) {
+        assert(study_figures[n]);
+        known[n] = study_figures[n]->name;
+    }
+    return command_unknown(q->command, "figure of studies", q->kind, known, n);
+}
+
+static int write_study_figure(void *context, const struct figure_files *to, struct error *e) {
+    const struct job *j = context;
+    return study_figure_write(j->figure, &j->picture, to, e);
+}
+
+static int draw(struct job *j, const struct suite *s, struct error *e) {
+    const struct study_request *q = j->request;
+    double *limit = NULL;
+    j->picture.suite = s;
+    j->figure = j->figure ? j->figure : study_figure_default(s);
+    int status = suite_options_limits(q->options, s, &limit, &j->picture.n_limit, e);
+    j->picture.limit = limit;
+    if (status != STATUS_OK) {
+        return status;
+    }
+    suite_options_warn(s);
+    struct picture_request picture = {
+        .options = q->picture, .name = j->figure->name, .write = write_study_figure, .context = j};
+    if (!picture_is_wanted(&q->picture)) {
+        picture.options.output = name_output(q->path, j->figure->name, j->output);
+    }
+    status = picture_make(&picture, e);
+    if (status == STATUS_OK && picture.options.output) {
+        safe_line(stdout, "%s", picture.options.output);
+    }
+    return status;
+}
+
+static int plot_study(const struct study_request *q) {
+    struct job j = {.request = q};
+    struct study_file *f;
+    struct suite *s;
+    struct error e;
+    int status = find_figure(&j);
+    if (status != EXIT_DONE) {
+        return status;
+    }
+    if (study_file_open(q->path, &f, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    struct suite_request request = *suite_options_request(q->options);
+    request.guess = j.figure ? j.figure->guess : SUITE_ANY;
+    status = suite_create(f, &request, &s, &e);
+    if (status == STATUS_OK) {
+        status = draw(&j, s, &e);
+        suite_free(s);
+    }
+    study_file_close(f);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
 
 static void print_kinds(void) {
     printf("KIND is one of\n");
@@ -51,15 +159,6 @@ static int unknown_figure(const char *word) {
         known[n] = figures[n]->name;
     }
     return command_unknown(&command_plot, "figure", word, known, n);
-}
-
-const char *plot_name_output(const char *result, const char *kind, char *name) {
-    size_t n;
-    const char *stem = text_stem(result, &n);
-    const char *run = strchr(stem + n, '#');
-    snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", (int)n, stem, run ? "-" : "",
-             run ? run + 1 : "", kind);
-    return name;
 }
 
 static int write_figure(void *context, const struct figure_files *to, struct error *e) {
@@ -83,7 +182,7 @@ static int make(struct request *q, const struct result_file *first,
         q->figure = figure_default(&q->runs);
     }
     if (!picture_is_wanted(&q->picture)) {
-        q->picture.output = plot_name_output(q->result, q->figure->name, q->default_output);
+        q->picture.output = name_output(q->result, q->figure->name, q->default_output);
     }
     const struct picture_request picture = {
         .options = q->picture,
@@ -144,11 +243,11 @@ static int plot_suite(struct request *q) {
         return command_usage(&command_plot, "--compare is for single runs; %s is a study",
                              q->result);
     }
-    const struct plot_study_request study = {.command = &command_plot,
-                                             .path = q->result,
-                                             .kind = q->kind,
-                                             .options = &q->study,
-                                             .picture = q->picture};
+    const struct study_request study = {.command = &command_plot,
+                                        .path = q->result,
+                                        .kind = q->kind,
+                                        .options = &q->study,
+                                        .picture = q->picture};
     return plot_study(&study);
 }
 
@@ -197,7 +296,7 @@ static int plot_command(int argc, char **argv) {
         {.print = print_kinds},
         {.row = rows},
         {.row = option_help},
-        {.print = plot_study_print_kinds},
+        {.print = print_study_kinds},
         {.row = study_rows, .first = AT(study.first)},
         {.row = suite_options_rows, .at = AT(study), .first = AT(study.first)},
         {0}};

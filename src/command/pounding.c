@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle spectrum --pounding: the pounding force spectrum of a deck, as a table or a map.
-#include "command/pounding.h"
+#include "command/spectrum.h"
 
 #include <assert.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "core/arena.h"
 #include "core/safe.h"
 #include "core/text.h"
-#include "plot/pounding_map.h"
+#include "plot/pictures.h"
 #include "study/force_map.h"
 
 struct pounding {

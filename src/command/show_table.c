@@ -3,6 +3,7 @@
 // is a floor, or the number of an impact; the time is that of a peak, or of an impact's start; hit
 // is 1 for the acceleration of a floor that was hit, and 0 for that of any other floor.
 #include <math.h>
+#include <string.h>
 
 #include "command/show.h"
 #include "result/layout.h"
@@ -13,22 +14,30 @@ struct table {
     const char *name;  // of the table
 };
 
-static void open_row(const struct table *t, const char *name, const char *quantity, long location) {
+// One row for value `i` of a column; texts are left out, and arrays that are not there.
+static void row(const struct table *t, const struct column_table *of, int c, const void *base,
+                size_t i, const char *name, long location, double time, int hit) {
+    const struct column *column = &of->column[c];
+    const void *at = layout_at(of, c, base, i);
+    char unit[64] = "1";
+    if (!at || column->kind == COLUMN_TEXT) {
+        return;
+    }
     printer_text(t->printer, t->name);
     printer_text(t->printer, name);
-    printer_text(t->printer, quantity);
+    printer_text(t->printer, column->name);
     if (location > 0) {
         printer_whole(t->printer, location);
     } else {
         printer_empty(t->printer);
     }
-}
-
-static void close_row(const struct table *t, const struct dimension *dimension, double time,
-                      int hit) {
-    char unit[64] = "1";
-    if (dimension) {
-        unit_text(&t->r->units, *dimension, unit, sizeof unit);
+    if (column->kind == COLUMN_DOUBLE || column->kind == COLUMN_ARRAY) {
+        printer_number(t->printer, layout_number(column, at));
+    } else {
+        printer_whole(t->printer, layout_whole(column, at));
+    }
+    if (column->dimension) {
+        unit_text(&t->r->units, *column->dimension, unit, sizeof unit);
     }
     printer_text(t->printer, unit);
     if (isnan(time)) {
@@ -40,64 +49,48 @@ static void close_row(const struct table *t, const struct dimension *dimension, 
     printer_line(t->printer);
 }
 
-static void row(const struct table *t, const char *name, const char *quantity, long location,
-                double value, const struct dimension *dimension, double time) {
-    open_row(t, name, quantity, location);
-    printer_number(t->printer, value);
-    close_row(t, dimension, time, -1);
+// The column with the times of the peaks in column `c`: the next one, "NAME_time"; -1: there is
+// none.
+static int time_column(const struct column_table *t, int c) {
+    const size_t n = strlen(t->column[c].name);
+    const bool is = c + 1 < t->n_column &&
+                    strncmp(t->column[c + 1].name, t->column[c].name, n) == 0 &&
+                    strcmp(t->column[c + 1].name + n, "_time") == 0;
+    return is ? c + 1 : -1;
 }
 
-static void peak(const struct table *t, const struct report_building *b, int p, int i) {
-    const bool hit = report_floor_was_hit(t->r, b->name, i + 1);
-    open_row(t, b->name, peak_names[p], i + 1);
-    printer_number(t->printer, b->peak[p][i]);
-    close_row(t, layout_peak[p].dimension, b->peak_time[p][i], p == PEAK_ACCELERATION ? hit : -1);
-}
-
-static void building(const struct table *t, const struct report_building *b) {
-    for (int c = 0; c < layout_building.n_column; c++) {
-        const struct column *column = &layout_building.column[c];
-        const double *const *value = layout_at(&layout_building, c, b, 0);
+// The columns over the floors of a building, peaks with their times.
+static void building(const struct table *t, const struct report_building *b,
+                     const struct column_table *of) {
+    for (int c = 0, at; c < of->n_column; c = at < 0 ? c + 1 : at + 1) {
+        const bool acceleration = strcmp(of->column[c].name, peak_names[PEAK_ACCELERATION]) == 0;
+        at = time_column(of, c);
         for (int i = 0; i < b->n_floor; i++) {
-            row(t, b->name, column->name, i + 1, (*value)[i], column->dimension, NAN);
+            const double time =
+                at < 0 ? (double)NAN : *(const double *)layout_at(of, at, b, (size_t)i);
+            row(t, of, c, b, (size_t)i, b->name, i + 1, time,
+                acceleration ? report_floor_was_hit(t->r, b->name, i + 1) : -1);
         }
     }
-    for (int p = 0; p < PEAK_COUNT; p++) {
-        for (int i = 0; i < b->n_floor; i++) {
-            peak(t, b, p, i);
-        }
-    }
-    for (int i = 0; b->residual_drift && i < b->n_floor; i++) {
-        row(t, b->name, layout_residual_drift_name, i + 1, b->residual_drift[i],
-            layout_residual_drift.dimension, NAN);
-    }
 }
 
-// One row a numeric member of a struct; texts are left out.
-static void members(const struct table *t, const struct column_table *c, const char *name,
+// One row for each member of a struct.
+static void members(const struct table *t, const struct column_table *of, const char *name,
                     const void *base, long location, double time) {
-    for (int i = 0; i < c->n_column; i++) {
-        const struct column *column = &c->column[i];
-        const void *at = layout_at(c, i, base, 0);
-        if (column->kind == COLUMN_DOUBLE) {
-            row(t, name, column->name, location, *(const double *)at, column->dimension, time);
-        } else if (column->kind != COLUMN_TEXT) {
-            open_row(t, name, column->name, location);
-            printer_whole(t->printer, layout_whole(column, at));
-            close_row(t, column->dimension, time, -1);
-        }
+    for (int c = 0; c < of->n_column; c++) {
+        row(t, of, c, base, 0, name, location, time, -1);
     }
 }
 
 // The peaks of a contact, each with its time where it has one.
-static void contact_peak(const struct table *t, const struct report_link *c) {
-    const struct link_peak *p = &c->peak;
-    row(t, c->name, "force", 0, p->force, &dimension_force,
-        p->impacts > 0 ? p->force_time : (double)NAN);
-    row(t, c->name, "penetration", 0, p->penetration, &dimension_length, p->penetration_time);
-    row(t, c->name, "impulse", 0, p->impulse, &dimension_impulse, NAN);
-    row(t, c->name, "impacts", 0, (double)p->impacts, NULL, NAN);
-    row(t, c->name, "dissipated", 0, p->dissipated, &dimension_energy, NAN);
+static void contact_peaks(const struct table *t, const struct report_link *l) {
+    const struct column_table *of = &layout_contact;
+    for (int c = 0, at; c < of->n_column; c = at < 0 ? c + 1 : at + 1) {
+        at = time_column(of, c);
+        const bool never = c == 0 && l->peak.impacts == 0;  // the force
+        row(t, of, c, l, 0, l->name, 0,
+            at < 0 || never ? (double)NAN : *(const double *)layout_at(of, at, l, 0), -1);
+    }
 }
 
 int show_table(const struct report *r, enum printer_form form, FILE *to) {
@@ -111,11 +104,12 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
     PRINTER_ADD(&c, columns);
     printer_head(&c);
     for (int i = 0; i < r->n_building; i++) {
-        building(&buildings, &r->building[i]);
+        building(&buildings, &r->building[i], &layout_building);
+        building(&buildings, &r->building[i], &layout_peak);
     }
     for (int i = 0; i < r->n_contact; i++) {
         members(&contacts, &layout_link, r->contact[i].name, &r->contact[i], 0, NAN);
-        contact_peak(&contacts, &r->contact[i]);
+        contact_peaks(&contacts, &r->contact[i]);
     }
     for (int i = 0; i < r->n_link; i++) {
         members(&links, &layout_link, r->link[i].name, &r->link[i], 0, NAN);
@@ -125,11 +119,10 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
         members(&impacts, &layout_impact, r->contact[r->impact[i].contact].name, &r->impact[i],
                 i + 1, r->impact[i].t_start);
     }
-    for (int i = 0; i < ENERGY_COUNT; i++) {
-        row(&energy, "", energy_names[i], 0, r->energy[i], &dimension_energy, r->duration);
+    for (int i = 0; i < layout_energy.n_column; i++) {
+        const double time = i < ENERGY_COUNT ? r->duration : i == ENERGY_COUNT ? 0.0 : (double)NAN;
+        row(&energy, &layout_energy, i, r, 0, "", 0, time, -1);
     }
-    row(&energy, "", "initial", 0, r->initial_energy, &dimension_energy, 0.0);
-    row(&energy, "", "residual_peak", 0, r->residual_peak, &dimension_energy, NAN);
-    members(&totals, &layout_totals, "", &r->totals, 0, NAN);
+    members(&totals, &layout_totals, "", r, 0, NAN);
     return printer_close(&c);
 }

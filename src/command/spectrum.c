@@ -5,12 +5,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/pounding.h"
 #include "command/progress.h"
 #include "core/arena.h"
 #include "core/safe.h"
 #include "core/text.h"
-#include "plot/response.h"
+#include "plot/pictures.h"
 
 const struct command command_spectrum = {
     .name = "spectrum",

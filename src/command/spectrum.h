@@ -3,15 +3,30 @@
 #ifndef JOSTLE_COMMAND_SPECTRUM_H
 #define JOSTLE_COMMAND_SPECTRUM_H
 
+#include "command/command.h"
 #include "command/load.h"
-#include "command/periods.h"
 #include "command/picture.h"
 #include "command/printer.h"
 #include "jostle/intensity.h"
 #include "jostle/record.h"
 #include "jostle/spectrum.h"
-#include "motion/match.h"
 #include "motion/target.h"
+
+// Periods on the command line: FROM:TO:N, evenly spaced by their logarithms, or a list.
+
+struct periods {
+    const double *value;  // (n) [s] ascending, 0 or 0.001 to 1000; NULL: none are given
+    int n;
+};
+
+// Reads the value of `option`. What these two make is from `a`; they return EXIT_DONE or, after a
+// message, the exit status.
+int periods_parse(const struct command *c, const char *option, const char *text, struct arena *a,
+                  struct periods *out);
+
+// n >= 2 periods between two > 0.
+int periods_range(const struct command *c, double from, double to, int n, struct arena *a,
+                  struct periods *out);
 
 enum { SPECTRUM_DECK = FORM_JSON + 1 };  // a further form: lines of a deck
 enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
@@ -74,5 +89,11 @@ void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum
 
 // Prints the tables to stdout. Returns EXIT_DONE or, after a message, the exit status.
 int spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);
+
+// jostle spectrum --pounding: the pounding force spectrum of a deck.
+
+// Runs the deck for every pair of periods, and prints or draws the largest contact forces. Returns
+// the exit status.
+int pounding_run(const struct spectrum_request *q, struct arena *a);
 
 #endif

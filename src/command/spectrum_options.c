@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "command/deck_command.h"
-#include "command/periods.h"
 #include "command/quantity_word.h"
 #include "command/spectrum.h"
 #include "core/arena.h"

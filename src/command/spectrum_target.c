@@ -74,7 +74,7 @@ int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spe
                         .period = q->match.value};
     int status = spectrum_compute(&s, set->ground, a, e);
     if (status == STATUS_OK) {
-        status = match_compute(&set->match, &s, set->goal, a, e);
+        status = target_match(&set->match, &s, set->goal, a, e);
     }
     for (int r = 0; status == STATUS_OK && r < q->n_record; r++) {
         struct signal *g = &set->ground[r];

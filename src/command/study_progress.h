@@ -4,6 +4,7 @@
 #ifndef JOSTLE_STUDY_PROGRESS_H
 #define JOSTLE_STUDY_PROGRESS_H
 
+#include "command/command.h"
 #include "jostle/study.h"
 
 enum display { DISPLAY_NOTHING, DISPLAY_PROGRESS };
@@ -20,5 +21,9 @@ struct study_display {
 void study_display_start(struct study_display *d, enum display display);
 void study_display_show(struct study_display *d, const struct study_progress *p);
 void study_display_end(struct study_display *d);
+
+// The exit status of a study whose file is written; says on stderr if runs have failed. `first` is
+// the message of the first of them, "" where it is not known.
+int study_end(long n_failed, long n_run, const char *path, const char *first);
 
 #endif

@@ -7,7 +7,7 @@
 #include "core/checksum.h"
 #include "core/text.h"
 #include "deck/parameter.h"
-#include "deck/statement.h"
+#include "deck/reader.h"
 
 void deck_free(struct deck *d) {
     if (!d) {

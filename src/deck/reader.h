@@ -138,4 +138,11 @@ static inline void reader_noted_sweeps(struct deck *d, bool before) {
     d->reader->swept = d->reader->swept || before;
 }
 
+// Statements: how they are split into words, and how those of the language itself are carried out.
+
+// The next statement of the file in `f`; false at its end. Wrong lines are reported and left out.
+bool scan_statement(struct deck *d, struct frame *f, struct statement *out);
+// Carries out a statement of the language itself; false: `s` is another statement.
+bool statement_run(struct deck *d, const struct statement *s);
+
 #endif

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "core/text.h"
-#include "deck/statement.h"
+#include "deck/reader.h"
 
 struct scan {
     struct deck *deck;

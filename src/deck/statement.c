@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "deck/definition.h"
 #include "deck/expression.h"
-#include "deck/statement.h"
+#include "deck/reader.h"
 #include "deck/sweep.h"
 
 const struct deck_statement deck_statements[] = {

@@ -203,20 +203,6 @@ static bool parse_floors(struct builder *b, const struct word *w, const char *te
     }
 }
 
-static bool select_floors(struct builder *b, const struct word *w, const char *floors,
-                          struct selection *out) {
-    int n = builder_draft(b, out->building)->n_floor;
-    int *floor = n > 0 ? arena_alloc(b->arena, (size_t)n + 1, sizeof *floor) : NULL;
-    if (!floor) {
-        return false;
-    }
-    out->all = floors == NULL;
-    out->named = floors && strcmp(floors, "all") != 0;
-    out->floor = floor;
-    return out->named ? parse_floors(b, w, floors, floor, out)
-                      : take_floors(b, w, 1, n, floor, out);
-}
-
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out) {
     *out = (struct selection){.building = WALL, .lowest = walls == GROUND_ALLOWED ? 0 : 1};
@@ -237,5 +223,18 @@ bool builder_select(struct builder *b, const struct word *w, enum wall_use walls
         return false;
     }
     out->building = find_or_report(b, w, text, length, walls);
-    return out->building >= 0 && select_floors(b, w, colon ? colon + 1 : NULL, out);
+    if (out->building < 0) {
+        return false;
+    }
+    const char *floors = colon ? colon + 1 : NULL;
+    int n = builder_draft(b, out->building)->n_floor;
+    int *floor = n > 0 ? arena_alloc(b->arena, (size_t)n + 1, sizeof *floor) : NULL;
+    if (!floor) {
+        return false;
+    }
+    out->all = floors == NULL;
+    out->named = floors && strcmp(floors, "all") != 0;
+    out->floor = floor;
+    return out->named ? parse_floors(b, w, floors, floor, out)
+                      : take_floors(b, w, 1, n, floor, out);
 }

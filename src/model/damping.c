@@ -5,7 +5,7 @@
 // Statements add up: coefficients, dashpots of a storey and ratios of a mode are summed first, in
 // the order of the deck, and C is made once from the sums. So it is that of one statement with
 // them.
-#include "model/damping.h"
+#include "model/finish.h"
 
 #include "model/parts.h"
 
@@ -62,14 +62,6 @@ static void add_tridiagonal(const struct building_draft *d, double a0, double a1
         double above = i + 1 < d->n_floor ? dashpot[i + 1] : 0.0;
         diagonal[i] += a0 * d->mass[i] + a1 * (dashpot[i] + above);
         off[i] -= a1 * above;
-    }
-}
-
-static void warn_negative(struct builder *b, const struct building_draft *d, const struct sums *s) {
-    if (s->a0 < 0.0 || s->a1 < 0.0) {
-        deck_warning(b->deck, &s->rayleigh->word,
-                     "Rayleigh coefficient %s is negative: some modes of building %s gain energy",
-                     s->a0 < 0.0 ? "alpha" : "beta", d->name);
     }
 }
 
@@ -134,7 +126,11 @@ static bool sum_up(struct builder *b, const struct building_draft *d, const doub
             return false;
         }
     }
-    warn_negative(b, d, s);
+    if (s->a0 < 0.0 || s->a1 < 0.0) {
+        deck_warning(b->deck, &s->rayleigh->word,
+                     "Rayleigh coefficient %s is negative: some modes of building %s gain energy",
+                     s->a0 < 0.0 ? "alpha" : "beta", d->name);
+    }
     return true;
 }
 

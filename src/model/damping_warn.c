@@ -11,13 +11,12 @@
 // = 10 % the dashpot adds 8 % or more to the energy of hysteresis, so drifts are a few per cent too
 // small. J. F. Hall (2006), Problems encountered from the use (or misuse) of Rayleigh damping,
 // Earthquake Eng. Struct. Dyn. 35, 525-545.
-#include "model/damping_warn.h"
+#include "model/guidance.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include "core/arena.h"
-#include "model/floor_velocity.h"
 
 static const double SHARE_MAX = 0.1;
 
@@ -36,27 +35,21 @@ static bool isolates(const struct model *m, const struct building *g, int i) {
     return elastic;
 }
 
-// The largest share.
-static struct share largest_share(const struct model *m, const struct building *g,
-                                  const double *rate) {
-    struct share largest = {0};
+double damping_warning(const struct model *m, const struct building *g, const double *rate,
+                       const char *known, char text[DAMPING_TEXT_SIZE]) {
+    const struct unit_system *u = &m->deck->units;
+    // The largest share.
+    struct share share = {0};
     double above = 0.0;
     for (int i = g->n_floor - 1; i >= 0; i--) {
         above += g->mass[i];
         const double by_rate = rate[i] / m->storey[g->first + i].yield;
         const double mass = isolates(m, g, i) ? g->damping_alpha * above * by_rate : 0.0;
         const double all = mass + g->damping_beta * g->stiffness[i] * by_rate;
-        if (all > largest.all) {
-            largest = (struct share){i + 1, mass, all};
+        if (all > share.all) {
+            share = (struct share){i + 1, mass, all};
         }
     }
-    return largest;
-}
-
-double damping_warning(const struct model *m, const struct building *g, const double *rate,
-                       const char *known, char text[DAMPING_TEXT_SIZE]) {
-    const struct unit_system *u = &m->deck->units;
-    const struct share share = largest_share(m, g, rate);
     const bool by_mass = share.all - share.mass <= SHARE_MAX;
     if (share.all > SHARE_MAX) {
         snprintf(text, DAMPING_TEXT_SIZE,

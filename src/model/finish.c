@@ -2,34 +2,6 @@
 // From drafts to the const model: what the deck as a whole must have, and the order of the stages.
 #include "model/finish.h"
 
-static void check_deck(struct builder *b) {
-    struct deck *d = b->deck;
-    if (d->torn) {
-        return;
-    }
-    if (!b->any_building) {
-        deck_error(d, NULL, "the deck has no building");
-    }
-    if (!b->step.text) {
-        deck_error(d, NULL, "the deck has no time step; write: step fixed DT or step adaptive");
-    }
-    if (!b->duration.text && b->longest == 0.0 && !b->any_history) {
-        deck_error(d, NULL, "nothing says how long the analysis is; write: duration T");
-    }
-}
-
-static void check_resistance(struct builder *b) {
-    for (int i = 0; !b->deck->torn && i < b->buildings.n; i++) {
-        const struct building_draft *d = builder_draft(b, i);
-        if (!d->any_stiffness && !d->any_part) {
-            deck_error(b->deck, &d->word,
-                       "building %s has no stiffness; give -stiffness (0: a free body), or a "
-                       "statement matrix",
-                       d->name);
-        }
-    }
-}
-
 static int has_errors(const struct builder *b, struct error *e) {
     const struct diagnostics *found = &b->deck->diagnostics;
     if (arena_failed(b->arena) || found->out_of_memory) {
@@ -41,8 +13,27 @@ static int has_errors(const struct builder *b, struct error *e) {
 }
 
 int builder_finish(struct builder *b, struct model *m, struct error *e) {
-    check_resistance(b);
-    check_deck(b);
+    for (int i = 0; !b->deck->torn && i < b->buildings.n; i++) {
+        const struct building_draft *d = builder_draft(b, i);
+        if (!d->any_stiffness && !d->any_part) {
+            deck_error(b->deck, &d->word,
+                       "building %s has no stiffness; give -stiffness (0: a free body), or a "
+                       "statement matrix",
+                       d->name);
+        }
+    }
+    struct deck *d = b->deck;
+    if (!d->torn) {
+        if (!b->any_building) {
+            deck_error(d, NULL, "the deck has no building");
+        }
+        if (!b->step.text) {
+            deck_error(d, NULL, "the deck has no time step; write: step fixed DT or step adaptive");
+        }
+        if (!b->duration.text && b->longest == 0.0 && !b->any_history) {
+            deck_error(d, NULL, "nothing says how long the analysis is; write: duration T");
+        }
+    }
     int status = has_errors(b, e);
     if (status == STATUS_OK) {
         status = finish_buildings(b, m, e);

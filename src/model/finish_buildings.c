@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/lanes.h"
 #include "law/storey_list.h"
-#include "model/damping.h"
 #include "model/finish.h"
 #include "model/modes.h"
 #include "model/parts.h"
@@ -136,14 +136,6 @@ static int count_floors(struct builder *b) {
     return n;
 }
 
-static void copy_floors(const struct building *g, const struct building_draft *d, double *mass,
-                        double *displacement, double *velocity) {
-    size_t bytes = (size_t)g->n_floor * sizeof *mass;
-    memcpy(mass + g->first, d->mass, bytes);
-    memcpy(displacement + g->first, d->displacement, bytes);
-    memcpy(velocity + g->first, d->velocity, bytes);
-}
-
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     size_t n = (size_t)(m->n_dof = count_floors(b));
     m->n_building = b->buildings.n;
@@ -171,7 +163,11 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
             return status;
         }
         finish_storeys(b, m, &building[i], d, storey);
-        copy_floors(&building[i], d, mass, displacement, velocity);
+        const struct building *g = &building[i];
+        size_t bytes = (size_t)g->n_floor * sizeof *mass;
+        memcpy(mass + g->first, d->mass, bytes);
+        memcpy(displacement + g->first, d->displacement, bytes);
+        memcpy(velocity + g->first, d->velocity, bytes);
         first += d->n_floor;
     }
     finish_grounds(b, m, building);
@@ -181,4 +177,41 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     m->displacement = displacement;
     m->velocity = velocity;
     return arena_failed(b->arena) ? error_no_memory(e) : STATUS_OK;
+}
+
+enum { MASS, STIFFNESS, JOINT, BELOW, OWN, ABOVE, N_ARRAY };
+
+void finish_chain(struct builder *b, struct model *m) {
+    double *x[N_ARRAY];
+    for (int i = 0; i < N_ARRAY; i++) {
+        x[i] = lanes_array(b->arena, m->n_dof);
+    }
+    if (arena_failed(b->arena)) {
+        return;
+    }
+    m->chain = (struct chain){
+        .n = lanes_whole(m->n_dof),
+        .mass = x[MASS],
+        .stiffness = x[STIFFNESS],
+        .joint = x[JOINT],
+        .damping_below = x[BELOW],
+        .damping = x[OWN],
+        .damping_above = x[ABOVE],
+    };
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = 0; i < g->n_floor; i++) {
+            int j = g->first + i;
+            x[MASS][j] = g->mass[i];
+            x[STIFFNESS][j] = g->spring[i];
+            x[JOINT][j] = i > 0 ? 1.0 : 0.0;
+            if (!g->damping_full) {
+                x[OWN][j] = g->damping_diagonal[i];
+                x[BELOW][j] = i > 0 ? g->damping_off[i - 1] : 0.0;
+                x[ABOVE][j] = i + 1 < g->n_floor ? g->damping_off[i] : 0.0;
+            }
+        }
+        m->chain.full_damping |= g->damping_full != NULL;
+        m->chain.parts |= g->n_part > 0;
+    }
 }

@@ -56,15 +56,6 @@ static void scale_record(struct builder *b, const struct building *building,
         factor, s->acceleration, unit, period, b->deck->units.time_name, 100.0 * s->damping);
 }
 
-static void scale_records(struct builder *b, const struct building *building) {
-    struct ground_draft *draft = b->grounds.item;
-    for (int k = 0; k < b->grounds.n; k++) {
-        if (draft[k].scaling.acceleration > 0.0) {
-            scale_record(b, building, &draft[k]);
-        }
-    }
-}
-
 static bool acts_under(const struct ground_draft *g, int building) {
     for (int i = 0; i < g->n_building; i++) {
         if (g->building[i] == building) {
@@ -72,17 +63,6 @@ static bool acts_under(const struct ground_draft *g, int building) {
         }
     }
     return g->n_building == 0;
-}
-
-// The drafts under `building`, as a set of marks (n drafts); returns how many.
-static int mark_drafts(const struct builder *b, int building, bool *mark) {
-    const struct ground_draft *draft = b->grounds.item;
-    int n = 0;
-    for (int k = 0; k < b->grounds.n; k++) {
-        mark[k] = acts_under(&draft[k], building);
-        n += mark[k];
-    }
-    return n;
 }
 
 static void add_ground(struct builder *b, struct ground *g, const bool *mark, int n) {
@@ -100,7 +80,12 @@ static void add_ground(struct builder *b, struct ground *g, const bool *mark, in
 }
 
 void finish_grounds(struct builder *b, struct model *m, struct building *building) {
-    scale_records(b, building);
+    struct ground_draft *draft = b->grounds.item;
+    for (int k = 0; k < b->grounds.n; k++) {
+        if (draft[k].scaling.acceleration > 0.0) {
+            scale_record(b, building, &draft[k]);
+        }
+    }
     size_t n_draft = (size_t)b->grounds.n;
     bool *set = arena_alloc(b->arena, (size_t)m->n_building * n_draft, sizeof *set);
     struct ground *ground = arena_alloc(b->arena, (size_t)m->n_building, sizeof *ground);
@@ -109,7 +94,12 @@ void finish_grounds(struct builder *b, struct model *m, struct building *buildin
     }
     for (int i = 0; i < m->n_building; i++) {
         bool *mark = set + (size_t)m->n_ground * n_draft;
-        int n = mark_drafts(b, i, mark);
+        // The drafts that act under building i, as a set of marks.
+        int n = 0;
+        for (int k = 0; k < b->grounds.n; k++) {
+            mark[k] = acts_under(&draft[k], i);
+            n += mark[k];
+        }
         int same = 0;
         while (same < m->n_ground && memcmp(set + (size_t)same * n_draft, mark, n_draft) != 0) {
             same++;

@@ -93,16 +93,6 @@ static void take_repeated(struct repeated *r, const struct link_draft *twin) {
     r->draft = r->draft && r->draft < twin ? r->draft : twin;
 }
 
-static void warn_repeated(struct builder *b, const struct repeated *r) {
-    if (r->n > 0) {
-        struct text_more more;
-        deck_warning(b->deck, &r->draft->word,
-                     "contact %s%s repeats one of the same floors, gap and law, and adds to its "
-                     "force; give it a -name if that is meant",
-                     r->draft->link.name, text_more(&more, r->n));
-    }
-}
-
 static void check_names(struct builder *b) {
     size_t n = (size_t)b->links.n;
     struct link_draft *draft = b->links.item;
@@ -125,7 +115,14 @@ static void check_names(struct builder *b) {
         }
         rename_twin(b, sorted[first], sorted[i], (int)(i - first) + 1);
     }
-    warn_repeated(b, &repeated);
+    const struct repeated *r = &repeated;
+    if (r->n > 0) {
+        struct text_more more;
+        deck_warning(b->deck, &r->draft->word,
+                     "contact %s%s repeats one of the same floors, gap and law, and adds to its "
+                     "force; give it a -name if that is meant",
+                     r->draft->link.name, text_more(&more, r->n));
+    }
 }
 
 static void finish_ends(const struct model *m, struct link *l) {

@@ -31,30 +31,6 @@ static void count_steps(struct builder *b, struct model *m) {
     m->n_step = n < 1.0 ? 1 : (long)n;
 }
 
-// The rows of an adaptive analysis are its n_step.
-static void adaptive_rows(struct builder *b, struct model *m) {
-    m->output = b->out;
-    if (m->output.every > 0) {
-        deck_error(b->deck, &b->output, "-every counts fixed steps; give -interval DT");
-    }
-    m->output.every = 1;
-    m->dt = b->out_interval > 0.0
-                ? b->out_interval
-                : fmin(DEFAULT_INTERVAL / b->deck->units.time, m->duration / ADAPTIVE_ROWS);
-}
-
-static void check_interval(struct builder *b, const struct model *m, double every) {
-    const char *unit = b->deck->units.time_name;
-    if (every > OUTPUT_EVERY_MAX) {
-        deck_error(b->deck, &b->output, "the interval %.6g %s is %.3g steps; at most %.0e",
-                   b->out_interval, unit, every, (double)OUTPUT_EVERY_MAX);
-    } else if (every < 1.0 || fabs(every * m->dt - b->out_interval) > 1e-6 * m->dt) {
-        deck_error(b->deck, &b->output,
-                   "the interval %.6g %s is not a multiple of the step %.6g %s", b->out_interval,
-                   unit, m->dt, unit);
-    }
-}
-
 static void count_rows(struct builder *b, struct model *m) {
     m->output = b->out;
     if (m->output.every > 0) {
@@ -63,7 +39,15 @@ static void count_rows(struct builder *b, struct model *m) {
     double every = floor(DEFAULT_INTERVAL / b->deck->units.time / m->dt + ROUNDING);
     if (b->out_interval > 0.0) {
         every = round(b->out_interval / m->dt);
-        check_interval(b, m, every);
+        const char *unit = b->deck->units.time_name;
+        if (every > OUTPUT_EVERY_MAX) {
+            deck_error(b->deck, &b->output, "the interval %.6g %s is %.3g steps; at most %.0e",
+                       b->out_interval, unit, every, (double)OUTPUT_EVERY_MAX);
+        } else if (every < 1.0 || fabs(every * m->dt - b->out_interval) > 1e-6 * m->dt) {
+            deck_error(b->deck, &b->output,
+                       "the interval %.6g %s is not a multiple of the step %.6g %s",
+                       b->out_interval, unit, m->dt, unit);
+        }
     }
     m->output.every = (int)fmin(fmax(every, 1.0), OUTPUT_EVERY_MAX);
 }
@@ -116,14 +100,6 @@ static void check_stability(struct builder *b, struct model *m) {
     }
 }
 
-// Adaptive steps of Newmark's method are no longer than what is stable.
-static void limit_steps(struct model *m) {
-    for (int i = 0; i < m->n_building; i++) {
-        double omega = model_fastest(m, i);
-        m->control.longest = fmin(m->control.longest, stable(m) / omega);
-    }
-}
-
 // A deck that would need too many steps is refused.
 static void limit_explicit_steps(struct builder *b, struct model *m) {
     for (int i = 0; i < m->n_building; i++) {
@@ -165,16 +141,6 @@ static enum integrator choose_adaptive(struct builder *b, const struct model *m)
     return INTEGRATOR_DORMAND_PRINCE;
 }
 
-static void check_kind(struct builder *b, const struct model *m) {
-    if (!b->adaptive && m->integrator == INTEGRATOR_DORMAND_PRINCE) {
-        deck_error(b->deck, &b->step,
-                   "dormand-prince has no fixed steps; use step adaptive or integrator newmark");
-    }
-    if (m->integrator == INTEGRATOR_DORMAND_PRINCE && b->newton.text) {
-        deck_warning(b->deck, &b->newton, "dormand-prince does not iterate; newton has no effect");
-    }
-}
-
 static void check_histories(struct builder *b) {
     if (b->of_runs.text && !b->deck->sweeps) {
         deck_error(b->deck, &b->of_runs,
@@ -195,14 +161,32 @@ void finish_time(struct builder *b, struct model *m) {
     m->adaptive = b->adaptive;
     m->control = b->control;
     m->control.shortest = fmax(m->control.shortest, SHORTEST_SHARE * m->duration);
-    check_kind(b, m);
+    if (!b->adaptive && m->integrator == INTEGRATOR_DORMAND_PRINCE) {
+        deck_error(b->deck, &b->step,
+                   "dormand-prince has no fixed steps; use step adaptive or integrator newmark");
+    }
+    if (m->integrator == INTEGRATOR_DORMAND_PRINCE && b->newton.text) {
+        deck_warning(b->deck, &b->newton, "dormand-prince does not iterate; newton has no effect");
+    }
     if (m->adaptive) {
-        adaptive_rows(b, m);
+        // The rows of an adaptive analysis are its n_step.
+        m->output = b->out;
+        if (m->output.every > 0) {
+            deck_error(b->deck, &b->output, "-every counts fixed steps; give -interval DT");
+        }
+        m->output.every = 1;
+        m->dt = b->out_interval > 0.0
+                    ? b->out_interval
+                    : fmin(DEFAULT_INTERVAL / b->deck->units.time, m->duration / ADAPTIVE_ROWS);
         count_steps(b, m);
         if (m->integrator == INTEGRATOR_DORMAND_PRINCE) {
             limit_explicit_steps(b, m);
         } else {
-            limit_steps(m);
+            // Adaptive steps of Newmark's method are no longer than what is stable.
+            for (int i = 0; i < m->n_building; i++) {
+                double omega = model_fastest(m, i);
+                m->control.longest = fmin(m->control.longest, stable(m) / omega);
+            }
         }
         return;
     }

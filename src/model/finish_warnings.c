@@ -120,33 +120,6 @@ static void check_unshaken(struct builder *b, const struct model *m) {
     }
 }
 
-// An analysis that is shorter than a record may leave out what shakes most.
-static void check_duration(struct builder *b, const struct model *m, const struct signal *s) {
-    const char *unit = b->deck->units.time_name;
-    const double peak = s->value ? s->start + (double)peak_sample(s) * s->dt : 0.0;
-    if (s->start < m->duration && peak > m->duration * (1.0 + ROUNDING)) {
-        deck_warning(b->deck, &b->duration,
-                     "the analysis ends at %.6g %s, before the peak of %s at %.6g %s", m->duration,
-                     unit, s->name, peak, unit);
-    }
-}
-
-// True if a signal sets the buildings in motion.
-static bool check_signals(struct builder *b, const struct model *m) {
-    bool moves = false;
-    for (int i = 0; i < b->grounds.n; i++) {
-        const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
-        moves |= check_signal(b, m, &g->signal, &g->word);
-        check_duration(b, m, &g->signal);
-    }
-    for (int i = 0; i < b->loads.n; i++) {
-        const struct load_draft *l = (const struct load_draft *)b->loads.item + i;
-        bool same = i > 0 && same_statement(&l[-1].word, &l->word);
-        moves |= same || check_signal(b, m, &l->signal, &l->word);
-    }
-    return moves;
-}
-
 static bool starts_moving(const struct builder *b, const struct model *m) {
     bool moves = false;
     for (int i = 0; i < m->n_dof; i++) {
@@ -296,8 +269,38 @@ static void check_between(struct builder *b, const struct model *m, const struct
     }
 }
 
-// One warning of a kind for each statement.
-static void check_contacts(struct builder *b, const struct model *m) {
+void finish_warnings(struct builder *b, const struct model *m) {
+    // True if a signal sets the buildings in motion.
+    bool excited = false;
+    for (int i = 0; i < b->grounds.n; i++) {
+        const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
+        excited |= check_signal(b, m, &g->signal, &g->word);
+        // An analysis that is shorter than a record may leave out what shakes most.
+        const struct signal *s = &g->signal;
+        const char *unit = b->deck->units.time_name;
+        const double peak = s->value ? s->start + (double)peak_sample(s) * s->dt : 0.0;
+        if (s->start < m->duration && peak > m->duration * (1.0 + ROUNDING)) {
+            deck_warning(b->deck, &b->duration,
+                         "the analysis ends at %.6g %s, before the peak of %s at %.6g %s",
+                         m->duration, unit, s->name, peak, unit);
+        }
+    }
+    for (int i = 0; i < b->loads.n; i++) {
+        const struct load_draft *l = (const struct load_draft *)b->loads.item + i;
+        bool same = i > 0 && same_statement(&l[-1].word, &l->word);
+        excited |= same || check_signal(b, m, &l->signal, &l->word);
+    }
+    if (!excited && !starts_moving(b, m)) {
+        deck_warning(b->deck, NULL,
+                     "nothing moves the buildings: no ground motion, load or initial state");
+    }
+    finish_magnitudes(b, m);
+    check_periods(b, m);
+    check_repeated(b, m);
+    check_drift(b, m);
+    check_unshaken(b, m);
+    check_dampings(b, m);
+    // One warning of a kind for each statement.
     const struct link_draft *draft = b->links.item;
     for (int i = 0, n; i < b->links.n; i += n) {
         n = 1;
@@ -309,19 +312,4 @@ static void check_contacts(struct builder *b, const struct model *m) {
             check_between(b, m, &draft[i]);
         }
     }
-}
-
-void finish_warnings(struct builder *b, const struct model *m) {
-    bool excited = check_signals(b, m);
-    if (!excited && !starts_moving(b, m)) {
-        deck_warning(b->deck, NULL,
-                     "nothing moves the buildings: no ground motion, load or initial state");
-    }
-    finish_magnitudes(b, m);
-    check_periods(b, m);
-    check_repeated(b, m);
-    check_drift(b, m);
-    check_unshaken(b, m);
-    check_dampings(b, m);
-    check_contacts(b, m);
 }

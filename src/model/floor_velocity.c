@@ -9,7 +9,7 @@
 // and moves floor i by phi_i times that, and the storey below it by phi_i - phi_(i-1) times that. A
 // rigid-body mode has the largest integral of the record for its spectrum. Storeys that yield make
 // slower floors.
-#include "model/floor_velocity.h"
+#include "model/guidance.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

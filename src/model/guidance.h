@@ -4,6 +4,8 @@
 #ifndef JOSTLE_GUIDANCE_H
 #define JOSTLE_GUIDANCE_H
 
+#include <stddef.h>
+
 #include "jostle/model.h"
 
 // Only so many contacts are estimated, in the order of the deck; each takes some 0.1 ms.
@@ -48,5 +50,34 @@ void guidance_warn_storeys(const struct model *m, int n_contact,
 
 // The largest of 1, 2 and 5 times a power of ten that is not above `step` > 0.
 double guidance_round(double step);
+
+// How fast floors are likely to move, estimated before an analysis.
+
+// The likely largest velocity of the floors of building `i`, relative to its ground, alone and
+// elastic, and that of the drifts of its storeys. `velocity` and `drift_rate` are (n_floor) [L/T].
+// Errors: STATUS_SYSTEM (no memory).
+int floor_velocity(const struct model *m, int i, double *velocity, double *drift_rate,
+                   struct error *e);
+
+// Rayleigh damping of storeys that yield.
+
+enum { DAMPING_TEXT_SIZE = 512 };
+
+// The warning about the dashpots of Rayleigh's alpha M + beta K in building `g`, whose storeys have
+// the largest drift rates `rate` (n_floor) [L/T]; `known` says how the rates are known ("estimated
+// ", or ""). Returns their force over the yield force, 0 where it is too small to warn about.
+double damping_warning(const struct model *m, const struct building *g, const double *rate,
+                       const char *known, char text[DAMPING_TEXT_SIZE]);
+
+// The warning about the building whose dashpots carry most.
+struct damping_finding {
+    double share;  // 0: none
+    int building;
+    char text[DAMPING_TEXT_SIZE];
+};
+
+// Warns in the diagnostics of the model's deck, at rates estimated by floor_velocity, if
+// `warns`. Errors: STATUS_SYSTEM (no memory).
+int damping_find(const struct model *m, bool warns, struct damping_finding *most, struct error *e);
 
 #endif

@@ -203,26 +203,21 @@ bool law_choice_read(struct deck *d, const struct statement *s, const struct con
     return !flag->given || calibrate(d, &flag->key, out);
 }
 
-// The values of the rows followed by the curve; NULL after a report.
-static double *collect(struct deck *d, const struct law_choice *c) {
-    int n_row = c->law->n_row;
-    size_t n_point = (size_t)c->curve.n * CURVE_COLUMNS;
-    double *value = deck_array(d, (size_t)n_row + n_point, sizeof *value);
-    for (int r = 0; value && r < n_row; r++) {
-        bool number = c->given[r].n > 0 && c->given[r].number;
-        value[r] = number ? c->given[r].number[0] : NAN;
-    }
-    if (value && n_point > 0) {
-        value[contact_law_curve(c->law)] = c->curve.n;
-        memcpy(value + n_row, c->curve.point, n_point * sizeof *value);
-    }
-    return value;
-}
-
 bool law_choice_prepare(struct deck *d, const struct law_choice *c, double mass,
                         const double **value, const double **constant) {
     const struct contact_law *law = c->law;
-    double *v = collect(d, c);
+    // The values of the rows followed by the curve.
+    int n_row = c->law->n_row;
+    size_t n_point = (size_t)c->curve.n * CURVE_COLUMNS;
+    double *v = deck_array(d, (size_t)n_row + n_point, sizeof *v);
+    for (int r = 0; v && r < n_row; r++) {
+        bool number = c->given[r].n > 0 && c->given[r].number;
+        v[r] = number ? c->given[r].number[0] : NAN;
+    }
+    if (v && n_point > 0) {
+        v[contact_law_curve(c->law)] = c->curve.n;
+        memcpy(v + n_row, c->curve.point, n_point * sizeof *v);
+    }
     double *k = v ? deck_array(d, (size_t)contact_law_n_constant(law, v), sizeof *k) : NULL;
     if (!k) {
         return false;

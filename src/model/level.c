@@ -5,7 +5,7 @@
 // between the floors are as stiff as the storeys; one that bends on its own is not modelled.
 //
 // A link within one building has the difference of the rows of its ends.
-#include "model/level.h"
+#include "model/pairs.h"
 
 #include <string.h>
 
@@ -205,4 +205,12 @@ double level_effective_mass(struct builder *b, const struct link *l) {
         }
     }
     return inverse > 0.0 ? 1.0 / inverse : 1.0;
+}
+
+double link_end_row(const struct link_row *row, const double *x) {
+    double sum = 0.0;
+    for (int i = 0; i < row->n; i++) {
+        sum += row->entry[i].weight * x[row->entry[i].dof];
+    }
+    return sum;
 }

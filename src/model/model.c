@@ -18,7 +18,13 @@ const int n_statement_kind = sizeof statement_kinds / sizeof statement_kinds[0];
 
 static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
 
-static void report_unknown(struct builder *b, const struct word *w) {
+static void build_statement(struct builder *b, const struct statement *s) {
+    for (int i = 0; i < n_statement_kind; i++) {
+        if (strcmp(statement_kinds[i]->name, s->word[0].text) == 0) {
+            statement_kinds[i]->build(b, s);
+            return;
+        }
+    }
     b->deck->torn = true;
     int n = n_statement_kind + n_deck_statement;
     const char **known = arena_alloc(b->arena, (size_t)n, sizeof *known);
@@ -27,18 +33,8 @@ static void report_unknown(struct builder *b, const struct word *w) {
                                         : deck_statements[i - n_statement_kind].name;
     }
     if (known) {
-        deck_unknown(b->deck, w, w->text, "statement", known, n);
+        deck_unknown(b->deck, &s->word[0], s->word[0].text, "statement", known, n);
     }
-}
-
-static void build_statement(struct builder *b, const struct statement *s) {
-    for (int i = 0; i < n_statement_kind; i++) {
-        if (strcmp(statement_kinds[i]->name, s->word[0].text) == 0) {
-            statement_kinds[i]->build(b, s);
-            return;
-        }
-    }
-    report_unknown(b, &s->word[0]);
 }
 
 static int build_all(struct builder *b, struct error *e) {

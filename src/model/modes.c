@@ -9,20 +9,6 @@
 
 #include "model/parts.h"
 
-static void fill(gsl_matrix *a, int n, const double *mass, const double *stiffness) {
-    gsl_matrix_set_zero(a);
-    for (int i = 0; i < n; i++) {
-        size_t r = (size_t)i;
-        double above = i + 1 < n ? stiffness[i + 1] : 0.0;
-        gsl_matrix_set(a, r, r, (stiffness[i] + above) / mass[i]);
-        if (i + 1 < n) {
-            double off = -above / sqrt(mass[i] * mass[i + 1]);
-            gsl_matrix_set(a, r, r + 1, off);
-            gsl_matrix_set(a, r + 1, r, off);
-        }
-    }
-}
-
 // Rigid-body modes come out as zero up to rounding of the largest eigenvalue.
 static double frequency(double square, double largest) {
     double rounding = 1e-13 * largest;
@@ -63,7 +49,17 @@ int modes_solve(int n, const double *mass, const double *stiffness, const double
         status = error_no_memory(e);
         goto end;
     }
-    fill(a, n, mass, stiffness);
+    gsl_matrix_set_zero(a);
+    for (int i = 0; i < n; i++) {
+        size_t r = (size_t)i;
+        double above = i + 1 < n ? stiffness[i + 1] : 0.0;
+        gsl_matrix_set(a, r, r, (stiffness[i] + above) / mass[i]);
+        if (i + 1 < n) {
+            double off = -above / sqrt(mass[i] * mass[i + 1]);
+            gsl_matrix_set(a, r, r + 1, off);
+            gsl_matrix_set(a, r + 1, r, off);
+        }
+    }
     if (parts) {
         add_parts(a, n, mass, parts);
     }

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "model/level.h"
 
 static bool check_order(struct builder *b, struct pairs *p, enum wall_use walls) {
     int left = p->building[0];
@@ -73,21 +72,6 @@ static bool check_named(struct builder *b, const struct pairs *p, const struct s
     return true;
 }
 
-// Floor 0 is the ground of a link within the building; elsewhere there is `wall`.
-static bool check_ground(struct builder *b, const struct pairs *p, const struct selection side[2]) {
-    for (int i = 0; i < 2; i++) {
-        for (int k = 0; k < side[i].n_floor && !p->within; k++) {
-            if (side[i].floor[k] == 0) {
-                deck_error(b->deck, &p->word[i],
-                           "floor 0, the ground, joins floors of the same building only; write "
-                           "wall for a rigid wall");
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 static bool read_side(struct builder *b, struct word *w, enum wall_use walls,
                       struct selection *side, double *level) {
     const enum end_kind kind = level_kind(b, w);
@@ -105,8 +89,22 @@ static bool read_sides(struct builder *b, const struct statement *s, enum wall_u
         good &= read_side(b, &w, walls, &side[i], &out->level[i]);
         out->building[i] = side[i].building;
     }
-    return good && check_order(b, out, walls) && check_named(b, out, side) &&
-           match_floors(b, side, out->word) && check_ground(b, out, side);
+    if (!(good && check_order(b, out, walls) && check_named(b, out, side) &&
+          match_floors(b, side, out->word))) {
+        return false;
+    }
+    // Floor 0 is the ground of a link within the building; elsewhere there is `wall`.
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < side[i].n_floor && !out->within; k++) {
+            if (side[i].floor[k] == 0) {
+                deck_error(b->deck, &out->word[i],
+                           "floor 0, the ground, joins floors of the same building only; write "
+                           "wall for a rigid wall");
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,

@@ -11,18 +11,15 @@ const struct range signals_period_range = {
 const struct range signals_damping_range = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
 
-// A bare number beyond a full turn is rather in degrees.
-static void check_phase(struct builder *b, const struct argument *phase) {
+struct signal signals_sine(struct builder *b, const struct argument *a, double start) {
+    // A bare number beyond a full turn is rather in degrees.
+    const struct argument *phase = &a[SINE_PHASE];
     const double value = phase->number[0];
     const char *text = phase->given ? phase->word[0].text : "$";
     if (fabs(value) > 2.0 * M_PI && text[strspn(text, "+-.0123456789")] == '\0') {
         deck_warning(b->deck, &phase->word[0], "the phase is %g rad; write %gdeg for degrees",
                      value, value);
     }
-}
-
-struct signal signals_sine(struct builder *b, const struct argument *a, double start) {
-    check_phase(b, &a[SINE_PHASE]);
     double frequency = a[SINE_FREQUENCY].number[0];
     double end = INFINITY;
     if (a[SINE_CYCLES].given) {

@@ -60,9 +60,16 @@ static double full_entry(const struct building *g, int i, int j) {
            (g->n_part > 0 ? parts_on_floors(g->part_dashpot, n, i, j) : 0.0);
 }
 
-// A motion decays at the rate c / 2m, and c / m of one floor against the others is at least that of
-// the floor with the least.
-static void add_damping(const struct building *g, struct stability *s) {
+struct stability stability_of(const struct building *g) {
+    struct stability s = {.alone = INFINITY, .square = pow(g->omega[g->n_floor - 1], 2.0)};
+    for (int i = 0; i < g->n_floor; i++) {
+        double ratio = building_damping_ratio(g, i + 1);
+        if (g->omega[i] > 0.0) {
+            s.alone = fmin(s.alone, DECAYS * stability_limit(ratio) / g->omega[i]);
+        }
+    }
+    // A motion decays at the rate c / 2m, and c / m of one floor against the others is at least
+    // that of the floor with the least.
     double least = INFINITY;
     int n = g->n_floor;
     for (int i = 0; i < n; i++) {
@@ -74,21 +81,10 @@ static void add_damping(const struct building *g, struct stability *s) {
         if (!g->damping_full) {
             sum += fabs(g->damping_off[i]) + (i > 0 ? fabs(g->damping_off[i - 1]) : 0.0);
         }
-        s->decay = fmax(s->decay, sum / g->mass[i]);
+        s.decay = fmax(s.decay, sum / g->mass[i]);
         least = fmin(least, own / g->mass[i]);
     }
-    s->memory = 2.0 / least;
-}
-
-struct stability stability_of(const struct building *g) {
-    struct stability s = {.alone = INFINITY, .square = pow(g->omega[g->n_floor - 1], 2.0)};
-    for (int i = 0; i < g->n_floor; i++) {
-        double ratio = building_damping_ratio(g, i + 1);
-        if (g->omega[i] > 0.0) {
-            s.alone = fmin(s.alone, DECAYS * stability_limit(ratio) / g->omega[i]);
-        }
-    }
-    add_damping(g, &s);
+    s.memory = 2.0 / least;
     return s;
 }
 

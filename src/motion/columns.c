@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "motion/record_unit.h"
+#include "motion/record_format.h"
 #include "motion/table.h"
 #include "motion/values.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of Fortran output that hold several values. Rules of repeat counts and of exponents
 // without a letter: Fortran 2018, ISO/IEC 1539-1, 13.7.2.3 and 13.10.3.
-#include "motion/compound.h"
+#include "motion/lines.h"
 
 #include <string.h>
 

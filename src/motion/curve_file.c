@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "core/arena.h"
-#include "motion/record_unit.h"
+#include "motion/record_format.h"
 #include "motion/table.h"
 
 enum { FILE_SIZE_MAX = 16 << 20, POINTS_MAX = 100000 };

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "motion/record_unit.h"
+#include "motion/record_format.h"
 
 static struct piece skip_blanks(struct piece s) {
     while (s.n > 0 && (s.text[0] == ' ' || s.text[0] == '\t')) {

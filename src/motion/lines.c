@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/text.h"
-#include "motion/compound.h"
 #include "motion/record_format.h"
 
 // True for a space, tab, line feed, vertical tab, form feed and carriage return. The first test is

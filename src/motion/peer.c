@@ -14,7 +14,6 @@
 
 #include "motion/lines.h"
 #include "motion/record_format.h"
-#include "motion/record_unit.h"
 #include "motion/values.h"
 
 enum { HEADER_LINES_MAX = 64 };

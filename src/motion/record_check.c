@@ -23,7 +23,6 @@
 #include <string.h>
 
 #include "motion/record_format.h"
-#include "motion/record_unit.h"
 #include "motion/values.h"
 
 static const double G = 9.80665;

@@ -4,6 +4,7 @@
 #define JOSTLE_MOTION_RECORD_FORMAT_H
 
 #include "jostle/record.h"
+#include "jostle/units.h"
 #include "motion/lines.h"
 
 // A whole file that has been checked to be text, without byte-order mark and DOS end mark.
@@ -72,5 +73,11 @@ const char *foreign_file(const struct record_text *t);
 // plausible as an accelerogram.
 int record_check(const struct record_request *request, const struct record_text *t,
                  const struct record_content *content, struct record *out, struct error *e);
+
+// Units as record files and users write them.
+
+// Reads the whole of `text` as a unit: a unit of unit_parse, or also G, CM/S/S, cm/sec/sec,
+// cm/sec**2. False: it is not a unit.
+bool record_unit(struct piece text, double gravity, struct dimension *dimension, double *si);
 
 #endif

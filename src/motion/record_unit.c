@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units as record files and users write them: in capitals, with `sec` for s and `**` for ^; and
 // G/10, of volume 1.
-#include "motion/record_unit.h"
+#include "motion/record_format.h"
 
 #include <string.h>
 

@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "jostle/error.h"
+#include "jostle/spectrum.h"
 
 struct arena;
 
@@ -25,5 +26,25 @@ int target_read(struct arena *a, const char *path, struct target *out, struct er
 // The value at a period [m/s^2], linear between the logarithms of periods and values. After a point
 // at T = 0, which has no logarithm, it is linear between the values. NAN outside the target.
 double target_at(const struct target *t, double period);
+
+// Scale factors that fit ground motions to a target spectrum.
+
+struct arena;
+
+// A period, and the mean of the scaled spectra divided by the target there.
+struct match_ratio {
+    double period, value;
+};
+
+struct match {
+    double *factor;                     // (n_record)
+    double *misfit;                     // (n_record) root of the mean of ln(f PSA / target)^2
+    struct match_ratio least, largest;  // over all periods compared
+};
+
+// Compares the spectra of unscaled records, of the first damping ratio, with the target's values
+// `goal` (n_period) at their periods. Every PSA is > 0. Errors: STATUS_SYSTEM (no memory).
+int target_match(struct match *m, const struct spectra *s, const double *goal, struct arena *a,
+                  struct error *e);
 
 #endif

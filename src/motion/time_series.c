@@ -5,7 +5,7 @@
 
 #include "core/arena.h"
 #include "motion/lines.h"
-#include "motion/record_unit.h"
+#include "motion/record_format.h"
 #include "motion/table.h"
 
 enum { FILE_SIZE_MAX = 256 << 20, N_COLUMN = TIME_SERIES_COLUMNS };

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "core/arena.h"
-#include "motion/compound.h"
+#include "motion/lines.h"
 
 // In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
 static const double TIME_ERROR_MAX = 0.2;

@@ -7,7 +7,19 @@
 #include <stdio.h>
 
 #include "jostle/units.h"
-#include "plot/span.h"
+
+// From the smallest to the largest of some values: what an axis shows.
+
+struct span {
+    double low, high;
+};
+// Widens `r` by a value, or by another span; values that are not finite, or beyond 1e300, are
+// passed over, and those below 1e-300 are 0. Begin with span_none.
+extern const struct span span_none;
+void span_add(struct span *r, double value);
+void span_join(struct span *r, struct span other);
+// Some room at both ends, at `from` none; never empty. `from` is NAN where there is no such end.
+struct span span_with_room(struct span r, double from);
 
 // An upright rectangle [em].
 struct area {

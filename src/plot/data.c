@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Histories of a figure.
-#include "plot/data.h"
+#include "plot/runs.h"
 
 #include <assert.h>
 #include <stdlib.h>

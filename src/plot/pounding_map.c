@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A box for each pair of periods; boxes meet halfway between periods on logarithmic axes.
-#include "plot/pounding_map.h"
+#include "plot/pictures.h"
 
 #include <math.h>
 

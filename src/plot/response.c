@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plot/response.h"
+#include "plot/pictures.h"
 
 #include <math.h>
 #include <stdbool.h>

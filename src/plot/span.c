@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an axis shows.
-#include "plot/span.h"
+#include "plot/canvas.h"
 
 #include <math.h>
 

@@ -68,6 +68,11 @@ bool h5_lacks_memory(const struct h5 *h) {
     return strcmp(h->cause, no_memory) == 0;
 }
 
+int h5_damaged(const struct h5 *h, const char *path, struct error *e) {
+    return h5_lacks_memory(h) ? error_no_memory(e)
+                              : error_set(e, STATUS_INPUT, "%s is damaged: %s", path, h->cause);
+}
+
 #ifndef H5E_ID
 #define H5E_ID H5E_ATOM  // before HDF5 1.14
 #endif

@@ -97,6 +97,10 @@ void *h5_alloc(struct h5 *h, struct arena *a, size_t n, size_t size);
 char *h5_copy(struct h5 *h, struct arena *a, const char *text);
 bool h5_lacks_memory(const struct h5 *h);
 
+// The error of a file that could not be read: STATUS_INPUT ("PATH is damaged: " and the cause),
+// STATUS_SYSTEM (no memory).
+int h5_damaged(const struct h5 *h, const char *path, struct error *e);
+
 // h5_has_room, before a file is opened. It starts the library, which takes longer than reading a
 // deck, and keeps it from printing its own errors and from working at exit.
 bool h5_start(struct h5 *h);
@@ -150,35 +154,27 @@ hid_t h5_get_scale(struct h5 *h, hid_t dataset, int n_dim, int dimension);
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data);
 // Creates the dimension scale `name` with the numbers 1..n; open.
 hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *long_name, size_t n);
-// All values of an open dataset.
-void h5_put_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data);
-// Rows [first, first + n) of an open dataset of doubles, `width` values each (0: one dimension).
-void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
-                 const double *value);
-
-// A box of a dataset, and the first `width` columns of memory (n, stride) that go there.
-struct h5_block {
+// A box of a dataset: `n` values, or rows of values.
+struct h5_box {
     hsize_t start[H5_DIMENSIONS_MAX], count[H5_DIMENSIONS_MAX];
-    hsize_t n, stride, width;
+    hsize_t n;
 };
-// Write and read a box; the library converts between the types of memory and file.
-void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value);
-void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, const int *value);
-void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
-                  const char *const *text);
-
-void h5_get_block(struct h5 *h, hid_t dataset, const struct h5_block *part, double *value);
-void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, int *value);
-// References to texts.
-void h5_get_references(struct h5 *h, hid_t dataset, const struct h5_block *part,
-                       struct h5_reference *reference);
-
 // The box of a dataset with dimensions `dim` (n_dim) that starts at value `first`, in the order of
-// rows, and holds at most `most` >= 1 values that follow one another: start, count and n are set.
-struct h5_block h5_box(const hsize_t *dim, int n_dim, hsize_t first, hsize_t most);
-// Reads a box as it is, (n) values of `type`; NULL: the whole dataset.
-void h5_get_box(struct h5 *h, hid_t dataset, const struct h5_block *box, int n_dim, hid_t type,
-                void *value);
+// rows, and holds at most `most` >= 1 values that follow one another.
+struct h5_box h5_box(const hsize_t *dim, int n_dim, hsize_t first, hsize_t most);
+
+// Write and read the values of a box, NULL: all, which are of `type` in memory; the library
+// converts them.
+void h5_put_box(struct h5 *h, hid_t dataset, const struct h5_box *box, hid_t type,
+                const void *value);
+void h5_get_box(struct h5 *h, hid_t dataset, const struct h5_box *box, hid_t type, void *value);
+
+// The same where each value of the box, which has `n_front` dimensions, is a row of `width` values;
+// the rows are `stride` numbers apart in memory.
+void h5_put_columns(struct h5 *h, hid_t dataset, struct h5_box box, int n_front, size_t width,
+                    size_t stride, const double *value);
+void h5_get_columns(struct h5 *h, hid_t dataset, struct h5_box box, int n_front, size_t width,
+                    size_t stride, double *value);
 
 // What a reference refers to: *n items of `item` bytes, valid until the next call; none after a
 // failure.
@@ -191,9 +187,10 @@ void h5_heap_close(struct h5 *h);
 // The open object at a path.
 hid_t h5_open_object(struct h5 *h, hid_t parent, const char *path);
 
-// A column of an array of structs as a dataset, and a member as an attribute.
+// Column `c` of the `n` structs at `base`, as a dataset.
 void h5_put_column(struct h5 *h, hid_t parent, const struct column_table *t, int c,
                    const void *base, size_t n, hid_t scale);
+// A member as an attribute.
 void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int c,
                    const void *base);
 
@@ -220,6 +217,7 @@ size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit)
 char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
 // The `n` values of a list as doubles.
 double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
+// What h5_put_column and h5_put_member wrote.
 void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,
                    void *base, size_t n);
 void h5_get_member(struct h5 *h, struct arena *a, hid_t object, const struct column_table *t, int c,

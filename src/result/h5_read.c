@@ -201,24 +201,16 @@ size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit)
 
 // Reads the `n` values of an open list into memory.
 static void read_values(struct h5 *h, hid_t dataset, hid_t memory_type, hsize_t n, void *to) {
-    hsize_t start[H5_DIMENSIONS_MAX + 1] = {0}, count[H5_DIMENSIONS_MAX + 1];
-    hid_t file = H5Dget_space(dataset), memory = H5Screate_simple(1, &n, NULL);
-    const int n_front = H5Sget_simple_extent_ndims(file) - 1;
+    struct h5_box box = {.n = n};
+    hid_t space = H5Dget_space(dataset);
+    const int n_front = H5Sget_simple_extent_ndims(space) - 1;
+    H5Sclose(space);
     for (int i = 0; i < n_front; i++) {
-        start[i] = h->front[i];
-        count[i] = 1;
+        box.start[i] = h->front[i];
+        box.count[i] = 1;
     }
-    count[n_front < 0 ? 0 : n_front] = n;
-    if (!h5_failed(h, file) && !h5_failed(h, memory) &&
-        !h5_failed(h, H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL))) {
-        h5_failed(h, H5Dread(dataset, memory_type, memory, file, H5P_DEFAULT, to));
-    }
-    if (memory >= 0) {
-        H5Sclose(memory);
-    }
-    if (file >= 0) {
-        H5Sclose(file);
-    }
+    box.count[n_front < 0 ? 0 : n_front] = n;
+    h5_get_box(h, dataset, &box, memory_type, to);
 }
 
 static bool is_number(H5T_class_t class) {
@@ -276,14 +268,12 @@ char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *nam
     return h->failed ? NULL : text;
 }
 
-static void get_text_column(struct h5 *h, struct arena *a, hid_t parent,
-                            const struct column_table *t, int c, void *base, size_t n) {
-    char **text = h5_get_texts(h, a, parent, t->column[c].name, n);
-    for (size_t i = 0; text && i < n; i++) {
-        memcpy(layout_to(t, c, base, i), &text[i], sizeof text[i]);
-    }
+// Where value `i` of a column goes.
+static void *place(const struct column_table *t, int c, void *base, size_t i) {
+    return (char *)base + i * t->size + t->column[c].offset;
 }
 
+// Whole numbers of kind COLUMN_FLAG and COLUMN_INT.
 static void scatter_whole(struct h5 *h, const struct column_table *t, int c, void *base, size_t n,
                           const long *value) {
     const struct column *column = &t->column[c];
@@ -293,7 +283,7 @@ static void scatter_whole(struct h5 *h, const struct column_table *t, int c, voi
             h5_fail(h, "dataset '%s' has the value %ld", column->name, value[i]);
             return;
         }
-        void *to = layout_to(t, c, base, i);
+        void *to = place(t, c, base, i);
         if (column->kind == COLUMN_FLAG) {
             *(bool *)to = value[i] != 0;
         } else {
@@ -305,8 +295,16 @@ static void scatter_whole(struct h5 *h, const struct column_table *t, int c, voi
 void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,
                    void *base, size_t n) {
     const enum column_kind kind = t->column[c].kind;
+    const char *name = t->column[c].name;
+    if (kind == COLUMN_ARRAY) {
+        *(const double **)place(t, c, base, 0) = h5_get_doubles(h, a, parent, name, n);
+        return;
+    }
     if (kind == COLUMN_TEXT) {
-        get_text_column(h, a, parent, t, c, base, n);
+        char **text = h5_get_texts(h, a, parent, name, n);
+        for (size_t i = 0; text && i < n; i++) {
+            *(const char **)place(t, c, base, i) = text[i];
+        }
         return;
     }
     union {
@@ -318,13 +316,13 @@ void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct col
         h5_no_memory(h);
         return;
     }
-    const hid_t type = kind == COLUMN_DOUBLE ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LONG;
-    read_list(h, parent, t->column[c].name, type, n, data);
+    read_list(h, parent, name, kind == COLUMN_DOUBLE ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LONG, n,
+              data);
     if (!h->failed && (kind == COLUMN_INT || kind == COLUMN_FLAG)) {
         scatter_whole(h, t, c, base, n, &data->whole);
     } else if (!h->failed) {
         for (size_t i = 0; i < n; i++) {
-            memcpy(layout_to(t, c, base, i), &data[i], sizeof *data);
+            memcpy(place(t, c, base, i), &data[i], sizeof *data);
         }
     }
     free(data);
@@ -332,16 +330,16 @@ void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct col
 
 void h5_get_member(struct h5 *h, struct arena *a, hid_t object, const struct column_table *t, int c,
                    void *base) {
-    const struct column *column = &t->column[c];
-    void *to = layout_to(t, c, base, 0);
-    if (column->kind == COLUMN_TEXT) {
-        const char *text = h5_get_text(h, a, object, column->name);
-        memcpy(to, &text, sizeof text);
-    } else if (column->kind == COLUMN_DOUBLE) {
-        const double number = h5_get_double(h, object, column->name);
-        memcpy(to, &number, sizeof number);
-    } else {
-        const long number = h5_get_long(h, object, column->name);
-        memcpy(to, &number, sizeof number);
+    const char *name = t->column[c].name;
+    void *to = place(t, c, base, 0);
+    switch (t->column[c].kind) {
+        case COLUMN_TEXT:
+            *(const char **)to = h5_get_text(h, a, object, name);
+            break;
+        case COLUMN_DOUBLE:
+            *(double *)to = h5_get_double(h, object, name);
+            break;
+        default:
+            *(long *)to = h5_get_long(h, object, name);
     }
 }

@@ -151,19 +151,13 @@ hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     return dataset;
 }
 
-void h5_put_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data) {
-    if (!h->failed) {
-        h5_failed(h, H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, h->transfer, data));
-    }
-}
-
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data) {
     hid_t dataset = h5_dataset(h, parent, d);
     if (dataset < 0) {
         return;
     }
     if (d->dim[0] > 0) {
-        h5_put_all(h, dataset, d->memory_type, data);
+        h5_put_box(h, dataset, NULL, d->memory_type, data);
     }
     h5_close(h, dataset);
 }
@@ -187,32 +181,10 @@ hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *lon
     };
     hid_t scale = h5_dataset(h, parent, &d);
     if (scale >= 0 && n > 0) {
-        h5_put_all(h, scale, H5T_NATIVE_INT, number);
+        h5_put_box(h, scale, NULL, H5T_NATIVE_INT, number);
     }
     free(number);
     return scale;
-}
-
-// In spaces of the dataset's own rank: between two ranks the library goes value by value.
-void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
-                 const double *value) {
-    if (!h5_has_room(h)) {
-        return;
-    }
-    const hsize_t start[2] = {first, 0};
-    const hsize_t count[2] = {n, width};
-    hid_t file = H5Dget_space(dataset);
-    hid_t memory = H5Screate_simple(width > 0 ? 2 : 1, count, NULL);
-    if (!h5_failed(h, file) && !h5_failed(h, memory) &&
-        !h5_failed(h, H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL))) {
-        h5_failed(h, H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, value));
-    }
-    if (memory >= 0) {
-        H5Sclose(memory);
-    }
-    if (file >= 0) {
-        H5Sclose(file);
-    }
 }
 
 // Memory and file types of a kind of column.
@@ -220,6 +192,7 @@ static struct h5_dataset column_dataset(const struct h5 *h, const struct column 
     struct h5_dataset d = {.name = c->name, .quantity = {c->long_name, c->dimension}};
     switch (c->kind) {
         case COLUMN_DOUBLE:
+        case COLUMN_ARRAY:
             d.memory_type = H5T_NATIVE_DOUBLE;
             d.file_type = H5T_IEEE_F64LE;
             break;
@@ -250,28 +223,23 @@ static_assert(sizeof(union value) == sizeof(double) && sizeof(long) == sizeof(do
                   sizeof(char *) == sizeof(double),
               "an array of these is an array of any of their members");
 
-static void gather(const struct column_table *t, int c, const void *base, size_t n,
-                   union value *to) {
-    const enum column_kind kind = t->column[c].kind;
-    for (size_t i = 0; i < n; i++) {
-        const void *at = layout_at(t, c, base, i);
-        if (kind == COLUMN_DOUBLE || kind == COLUMN_TEXT) {
-            memcpy(&to[i], at, sizeof to[i]);
-        } else {
-            to[i].whole = layout_whole(&t->column[c], at);
-        }
-    }
-}
-
 void h5_put_column(struct h5 *h, hid_t parent, const struct column_table *t, int c,
                    const void *base, size_t n, hid_t scale) {
+    const struct column *column = &t->column[c];
     union value *data = calloc(n + 1, sizeof *data);
     if (!data) {
         h5_no_memory(h);
         return;
     }
-    gather(t, c, base, n, data);
-    struct h5_dataset d = column_dataset(h, &t->column[c]);
+    struct h5_dataset d = column_dataset(h, column);
+    for (size_t i = 0; i < n; i++) {
+        const void *at = layout_at(t, c, base, i);
+        if (d.memory_type == H5T_NATIVE_LONG) {
+            data[i].whole = layout_whole(column, at);
+        } else {
+            memcpy(&data[i], at, sizeof data[i]);
+        }
+    }
     d.n_dim = 1;
     d.dim[0] = n;
     d.scale[0] = scale;

@@ -2,199 +2,177 @@
 // The tables of layout.h.
 #include "result/layout.h"
 
+#include <string.h>
+
+// A row of a table of struct `type`.
+#define ROW(type, name, kind, member, dimension, long_name)                                        \
+    { name, long_name, dimension, COLUMN_##kind, offsetof(struct type, member), 0 }
+#define TABLE(columns, type)                                                                       \
+    { columns, sizeof(columns) / sizeof(columns)[0], sizeof(struct type) }
+
+#define ROOT(name, kind, member) ROW(report, name, kind, member, NULL, NULL)
 static const struct column root_column[] = {
-    {.name = "title", .kind = COLUMN_TEXT, .offset = offsetof(struct report, title)},
-    {.name = "program", .kind = COLUMN_TEXT, .offset = offsetof(struct report, program)},
-    {.name = "version", .kind = COLUMN_TEXT, .offset = offsetof(struct report, version)},
-    {.name = "created", .kind = COLUMN_TEXT, .offset = offsetof(struct report, created)},
-    {.name = "deck_file", .kind = COLUMN_TEXT, .offset = offsetof(struct report, deck_file)},
-    {.name = "deck", .kind = COLUMN_TEXT, .offset = offsetof(struct report, deck)},
-    {.name = "includes", .kind = COLUMN_TEXT, .offset = offsetof(struct report, includes)},
-    {.name = "parameters", .kind = COLUMN_TEXT, .offset = offsetof(struct report, parameters)},
-    {.name = "command_line", .kind = COLUMN_TEXT, .offset = offsetof(struct report, command_line)},
-    {.name = "duration", .kind = COLUMN_DOUBLE, .offset = offsetof(struct report, duration)},
-    {.name = "step", .kind = COLUMN_DOUBLE, .offset = offsetof(struct report, dt)},
-    {.name = "unit_force_in_N",
-     .kind = COLUMN_DOUBLE,
-     .offset = offsetof(struct report, units.force)},
-    {.name = "unit_length_in_m",
-     .kind = COLUMN_DOUBLE,
-     .offset = offsetof(struct report, units.length)},
-    {.name = "unit_time_in_s",
-     .kind = COLUMN_DOUBLE,
-     .offset = offsetof(struct report, units.time)},
-    {.name = "gravity_in_m_per_s2",
-     .kind = COLUMN_DOUBLE,
-     .offset = offsetof(struct report, units.gravity)},
+    ROOT("title", TEXT, title),
+    ROOT("program", TEXT, program),
+    ROOT("version", TEXT, version),
+    ROOT("created", TEXT, created),
+    ROOT("deck_file", TEXT, deck_file),
+    ROOT("deck", TEXT, deck),
+    ROOT("includes", TEXT, includes),
+    ROOT("parameters", TEXT, parameters),
+    ROOT("command_line", TEXT, command_line),
+    ROW(report, "duration", DOUBLE, duration, &dimension_time, "length of the analysis"),
+    ROW(report, "step", DOUBLE, dt, &dimension_time, "time step"),
+    ROOT("unit_force_in_N", DOUBLE, units.force),
+    ROOT("unit_length_in_m", DOUBLE, units.length),
+    ROOT("unit_time_in_s", DOUBLE, units.time),
+    ROOT("gravity_in_m_per_s2", DOUBLE, units.gravity),
 };
-const struct column_table layout_root = {root_column, sizeof root_column / sizeof root_column[0],
-                                         sizeof(struct report)};
+const struct column_table layout_root = TABLE(root_column, report);
 
+#define TOTAL(name, member, long_name) ROW(report, name, LONG, totals.member, NULL, long_name)
 static const struct column totals_column[] = {
-    {.name = "steps",
-     .long_name = "computed steps, split ones and shorter ones after a rejection included",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, steps)},
-    {.name = "newton_iterations",
-     .long_name = "iterations on contact and storey forces",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, iterations)},
-    {.name = "wall_seconds", .kind = COLUMN_DOUBLE, .offset = offsetof(struct totals, seconds)},
-    {.name = "steps_split",
-     .long_name = "steps split where a force jumps",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, events)},
-    {.name = "steps_cut",
-     .long_name = "rejected steps",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, rejected)},
-    {.name = "steps_unsolved",
-     .long_name = "steps taken without meeting the tolerance",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, unsolved)},
-    {.name = "contact_solves_fast",
-     .long_name = "solves of the contacts by Newton sweeps",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, fast)},
-    {.name = "contact_solves_scalar",
-     .long_name = "solves by further sweeps of exact answers",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, scalar)},
-    {.name = "contact_solves_block",
-     .long_name = "solves with Newton steps on clusters",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, block)},
-    {.name = "impacts_coarse",
-     .long_name = "impacts of fewer than 10 computed steps",
-     .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, coarse)},
+    TOTAL("steps", steps, "computed steps, split ones and shorter ones after a rejection included"),
+    TOTAL("newton_iterations", iterations, "iterations on contact and storey forces"),
+    ROOT("wall_seconds", DOUBLE, totals.seconds),
+    TOTAL("steps_split", events, "steps split where a force jumps"),
+    TOTAL("steps_cut", rejected, "rejected steps"),
+    TOTAL("steps_unsolved", unsolved, "steps taken without meeting the tolerance"),
+    TOTAL("contact_solves_fast", fast, "solves of the contacts by Newton sweeps"),
+    TOTAL("contact_solves_scalar", scalar, "solves by further sweeps of exact answers"),
+    TOTAL("contact_solves_block", block, "solves with Newton steps on clusters"),
+    TOTAL("impacts_coarse", coarse, "impacts of fewer than 10 computed steps"),
 };
-const struct column_table layout_totals = {
-    totals_column, sizeof totals_column / sizeof totals_column[0], sizeof(struct totals)};
+const struct column_table layout_totals = TABLE(totals_column, report);
 
-static const struct column link_column[] = {
-    {"name", "name", NULL, COLUMN_TEXT, offsetof(struct report_link, name), 0},
-    {"left", "building on the left, or wall", NULL, COLUMN_TEXT, offsetof(struct report_link, left),
-     0},
-    {"right", "building on the right, or wall", NULL, COLUMN_TEXT,
-     offsetof(struct report_link, right), 0},
-    {"law", "law of the force", NULL, COLUMN_TEXT, offsetof(struct report_link, law), 0},
-    {"law_constants", "constants of the law in the deck's units", NULL, COLUMN_TEXT,
-     offsetof(struct report_link, constants), 0},
-    {"left_floor", "floor of the left building, 0 is the wall", NULL, COLUMN_INT,
-     offsetof(struct report_link, left_floor), 0},
-    {"right_floor", "floor of the right building, 0 is the wall", NULL, COLUMN_INT,
-     offsetof(struct report_link, right_floor), 0},
-    {"gap", "gap at rest", &dimension_length, COLUMN_DOUBLE, offsetof(struct report_link, gap), 0},
-    {"effective_mass", "effective mass of the two bodies", &dimension_mass, COLUMN_DOUBLE,
-     offsetof(struct report_link, mass), 0},
-    {"restitution", "requested coefficient of restitution, NaN if none", NULL, COLUMN_DOUBLE,
-     offsetof(struct report_link, restitution), 0},
-    {"calibrated", "1: the damping delivers the restitution exactly, 0: as published", NULL,
-     COLUMN_FLAG, offsetof(struct report_link, calibrated), 0},
+// First those with a history, in the order of enum energy.
+#define ENERGY(name, member, long_name)                                                            \
+    ROW(report, name, DOUBLE, member, &dimension_energy, long_name)
+static const struct column energy_column[] = {
+    ENERGY("input", energy[ENERGY_INPUT], "work of the ground motion and the loads"),
+    ENERGY("kinetic", energy[ENERGY_KINETIC], "kinetic energy relative to the ground"),
+    ENERGY("strain", energy[ENERGY_STRAIN], "energy stored in the storeys"),
+    ENERGY("damping", energy[ENERGY_DAMPING], "work of the buildings' damping"),
+    ENERGY("hysteretic", energy[ENERGY_HYSTERETIC], "energy dissipated by the storeys"),
+    ENERGY("contact", energy[ENERGY_CONTACT], "work done on contacts and links"),
+    ENERGY("residual", energy[ENERGY_RESIDUAL], "what the energy account misses"),
+    ENERGY("initial", initial_energy, "kinetic and strain energy at t = 0"),
+    ENERGY("residual_peak", residual_peak, "largest absolute residual"),
 };
-const struct column_table layout_link = {link_column, sizeof link_column / sizeof link_column[0],
-                                         sizeof(struct report_link)};
+const struct column_table layout_energy = TABLE(energy_column, report);
+
+#define FLOORS(name, member, dimension, long_name)                                                 \
+    ROW(report_building, name, ARRAY, member, dimension, long_name)
+static const struct column building_column[] = {
+    FLOORS("mass", mass, &dimension_mass, "mass of the floors"),
+    FLOORS("stiffness", stiffness, &dimension_stiffness,
+           "initial stiffness of the storey below each floor"),
+    FLOORS("height", height, &dimension_length,
+           "height of the storey below each floor, 0 if not given"),
+    FLOORS("period", period, &dimension_time,
+           "periods of the building alone, elastic, longest first"),
+};
+const struct column_table layout_building = TABLE(building_column, report_building);
+
+// A peak and its time.
+#define PEAK(name, number, dimension, long_name)                                                   \
+    FLOORS(name, peak[number], dimension, long_name),                                              \
+        FLOORS(name "_time", peak_time[number], &dimension_time, "time of the " long_name)
+const char layout_residual_drift_name[] = "residual_drift";
+static const struct column peak_column[] = {
+    PEAK("displacement", PEAK_DISPLACEMENT, &dimension_length,
+         "largest displacement relative to the ground"),
+    PEAK("velocity", PEAK_VELOCITY, &dimension_velocity, "largest velocity relative to the ground"),
+    PEAK("acceleration", PEAK_ACCELERATION, &dimension_acceleration, "largest total acceleration"),
+    PEAK("drift", PEAK_DRIFT, &dimension_length, "largest drift of the storey below each floor"),
+    PEAK("storey_shear", PEAK_SHEAR, &dimension_force,
+         "largest restoring force of the storey below each floor"),
+    FLOORS(layout_residual_drift_name, residual_drift, &dimension_length,
+           "absolute drift of the storey below each floor that remains when it unloads after the "
+           "end"),
+};
+const struct column_table layout_peak = TABLE(peak_column, report_building);
+
+#define LINK(name, kind, member, dimension, long_name)                                             \
+    ROW(report_link, name, kind, member, dimension, long_name)
+static const struct column link_column[] = {
+    LINK("name", TEXT, name, NULL, "name"),
+    LINK("left", TEXT, left, NULL, "building on the left, or wall"),
+    LINK("right", TEXT, right, NULL, "building on the right, or wall"),
+    LINK("law", TEXT, law, NULL, "law of the force"),
+    LINK("law_constants", TEXT, constants, NULL, "constants of the law in the deck's units"),
+    LINK("left_floor", INT, left_floor, NULL, "floor of the left building, 0 is the wall"),
+    LINK("right_floor", INT, right_floor, NULL, "floor of the right building, 0 is the wall"),
+    LINK("gap", DOUBLE, gap, &dimension_length, "gap at rest"),
+    LINK("effective_mass", DOUBLE, mass, &dimension_mass, "effective mass of the two bodies"),
+    LINK("restitution", DOUBLE, restitution, NULL,
+         "requested coefficient of restitution, NaN if none"),
+    LINK("calibrated", FLAG, calibrated, NULL,
+         "1: the damping delivers the restitution exactly, 0: as published"),
+};
+const struct column_table layout_link = TABLE(link_column, report_link);
 
 static const struct column level_column[] = {
-    {"left_below", "floor below a level, 0 is the ground, else left_floor", NULL, COLUMN_INT,
-     offsetof(struct report_link, left_below), 0},
-    {"right_below", "floor below a level, 0 is the ground, else right_floor", NULL, COLUMN_INT,
-     offsetof(struct report_link, right_below), 0},
-    {"left_level", "level of the left end between two floors, NaN at a floor", &dimension_length,
-     COLUMN_DOUBLE, offsetof(struct report_link, left_level), 0},
-    {"left_weight", "weight of the left floor there, the floor below has the rest", NULL,
-     COLUMN_DOUBLE, offsetof(struct report_link, left_weight), 0},
-    {"right_level", "level of the right end between two floors, NaN at a floor", &dimension_length,
-     COLUMN_DOUBLE, offsetof(struct report_link, right_level), 0},
-    {"right_weight", "weight of the right floor there, the floor below has the rest", NULL,
-     COLUMN_DOUBLE, offsetof(struct report_link, right_weight), 0},
+    LINK("left_below", INT, left_below, NULL,
+         "floor below a level, 0 is the ground, else left_floor"),
+    LINK("right_below", INT, right_below, NULL,
+         "floor below a level, 0 is the ground, else right_floor"),
+    LINK("left_level", DOUBLE, left_level, &dimension_length,
+         "level of the left end between two floors, NaN at a floor"),
+    LINK("left_weight", DOUBLE, left_weight, NULL,
+         "weight of the left floor there, the floor below has the rest"),
+    LINK("right_level", DOUBLE, right_level, &dimension_length,
+         "level of the right end between two floors, NaN at a floor"),
+    LINK("right_weight", DOUBLE, right_weight, NULL,
+         "weight of the right floor there, the floor below has the rest"),
 };
-const struct column_table layout_level = {
-    level_column, sizeof level_column / sizeof level_column[0], sizeof(struct report_link)};
-
-bool layout_has_levels(const struct report_link *link, int n) {
-    bool any = false;
-    for (int i = 0; i < n; i++) {
-        any = any || link[i].left_below != link[i].left_floor ||
-              link[i].right_below != link[i].right_floor;
-    }
-    return any;
-}
+const struct column_table layout_level = TABLE(level_column, report_link);
 
 static const struct column contact_column[] = {
-    {"force", "largest contact force", &dimension_force, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.force), 0},
-    {"force_time", "time of the largest contact force", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.force_time), 0},
-    {"penetration", "largest penetration, negative if never closed", &dimension_length,
-     COLUMN_DOUBLE, offsetof(struct report_link, peak.penetration), 0},
-    {"penetration_time", "time of the largest penetration", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.penetration_time), 0},
-    {"impulse", "impulse of all impacts", &dimension_impulse, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.impulse), 0},
-    {"impacts", "number of impacts", NULL, COLUMN_LONG, offsetof(struct report_link, peak.impacts),
-     0},
-    {"dissipated", "energy dissipated in all impacts", &dimension_energy, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.dissipated), 0},
+    LINK("force", DOUBLE, peak.force, &dimension_force, "largest contact force"),
+    LINK("force_time", DOUBLE, peak.force_time, &dimension_time,
+         "time of the largest contact force"),
+    LINK("penetration", DOUBLE, peak.penetration, &dimension_length,
+         "largest penetration, negative if never closed"),
+    LINK("penetration_time", DOUBLE, peak.penetration_time, &dimension_time,
+         "time of the largest penetration"),
+    LINK("impulse", DOUBLE, peak.impulse, &dimension_impulse, "impulse of all impacts"),
+    LINK("impacts", LONG, peak.impacts, NULL, "number of impacts"),
+    LINK("dissipated", DOUBLE, peak.dissipated, &dimension_energy,
+         "energy dissipated in all impacts"),
 };
-const struct column_table layout_contact = {
-    contact_column, sizeof contact_column / sizeof contact_column[0], sizeof(struct report_link)};
+const struct column_table layout_contact = TABLE(contact_column, report_link);
 
 static const struct column link_peak_column[] = {
-    {"force", "largest absolute force", &dimension_force, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.force), 0},
-    {"force_time", "time of the largest force", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.force_time), 0},
-    {"deformation", "largest absolute change of length", &dimension_length, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.penetration), 0},
-    {"deformation_time", "time of the largest change of length", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.penetration_time), 0},
-    {"work", "work done on the link, stored or dissipated", &dimension_energy, COLUMN_DOUBLE,
-     offsetof(struct report_link, peak.dissipated), 0},
+    LINK("force", DOUBLE, peak.force, &dimension_force, "largest absolute force"),
+    LINK("force_time", DOUBLE, peak.force_time, &dimension_time, "time of the largest force"),
+    LINK("deformation", DOUBLE, peak.penetration, &dimension_length,
+         "largest absolute change of length"),
+    LINK("deformation_time", DOUBLE, peak.penetration_time, &dimension_time,
+         "time of the largest change of length"),
+    LINK("work", DOUBLE, peak.dissipated, &dimension_energy,
+         "work done on the link, stored or dissipated"),
 };
-const struct column_table layout_link_peak = {link_peak_column,
-                                              sizeof link_peak_column / sizeof link_peak_column[0],
-                                              sizeof(struct report_link)};
+const struct column_table layout_link_peak = TABLE(link_peak_column, report_link);
 
+#define IMPACT(name, kind, member, dimension, long_name)                                           \
+    ROW(impact, name, kind, member, dimension, long_name)
 static const struct column impact_column[] = {
     {"contact", "number of the contact, from 1", NULL, COLUMN_INT, offsetof(struct impact, contact),
      1},
-    {"t_start", "time of closure", &dimension_time, COLUMN_DOUBLE, offsetof(struct impact, t_start),
-     0},
-    {"t_end", "time of opening, or of the end of the analysis", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct impact, t_end), 0},
-    {"v_approach", "closing velocity at closure", &dimension_velocity, COLUMN_DOUBLE,
-     offsetof(struct impact, v_approach), 0},
-    {"v_rebound", "opening velocity at t_end", &dimension_velocity, COLUMN_DOUBLE,
-     offsetof(struct impact, v_rebound), 0},
-    {"complete", "1: opened again, 0: still closed at the end", NULL, COLUMN_FLAG,
-     offsetof(struct impact, complete), 0},
-    {"peak_force", "largest contact force", &dimension_force, COLUMN_DOUBLE,
-     offsetof(struct impact, peak_force), 0},
-    {"max_penetration", "largest penetration", &dimension_length, COLUMN_DOUBLE,
-     offsetof(struct impact, max_penetration), 0},
-    {"impulse", "impulse", &dimension_impulse, COLUMN_DOUBLE, offsetof(struct impact, impulse), 0},
-    {"dissipated", "energy dissipated", &dimension_energy, COLUMN_DOUBLE,
-     offsetof(struct impact, dissipated), 0},
-    {"steps", "computed steps in contact", NULL, COLUMN_LONG, offsetof(struct impact, steps), 0},
+    IMPACT("t_start", DOUBLE, t_start, &dimension_time, "time of closure"),
+    IMPACT("t_end", DOUBLE, t_end, &dimension_time,
+           "time of opening, or of the end of the analysis"),
+    IMPACT("v_approach", DOUBLE, v_approach, &dimension_velocity, "closing velocity at closure"),
+    IMPACT("v_rebound", DOUBLE, v_rebound, &dimension_velocity, "opening velocity at t_end"),
+    IMPACT("complete", FLAG, complete, NULL, "1: opened again, 0: still closed at the end"),
+    IMPACT("peak_force", DOUBLE, peak_force, &dimension_force, "largest contact force"),
+    IMPACT("max_penetration", DOUBLE, max_penetration, &dimension_length, "largest penetration"),
+    IMPACT("impulse", DOUBLE, impulse, &dimension_impulse, "impulse"),
+    IMPACT("dissipated", DOUBLE, dissipated, &dimension_energy, "energy dissipated"),
+    IMPACT("steps", LONG, steps, NULL, "computed steps in contact"),
 };
-const struct column_table layout_impact = {
-    impact_column, sizeof impact_column / sizeof impact_column[0], sizeof(struct impact)};
-
-static const struct column building_column[] = {
-    {"mass", "mass of the floors", &dimension_mass, COLUMN_DOUBLE,
-     offsetof(struct report_building, mass), 0},
-    {"stiffness", "initial stiffness of the storey below each floor", &dimension_stiffness,
-     COLUMN_DOUBLE, offsetof(struct report_building, stiffness), 0},
-    {"height", "height of the storey below each floor, 0 if not given", &dimension_length,
-     COLUMN_DOUBLE, offsetof(struct report_building, height), 0},
-    {"period", "periods of the building alone, elastic, longest first", &dimension_time,
-     COLUMN_DOUBLE, offsetof(struct report_building, period), 0},
-};
-const struct column_table layout_building = {building_column,
-                                             sizeof building_column / sizeof building_column[0],
-                                             sizeof(struct report_building)};
+const struct column_table layout_impact = TABLE(impact_column, impact);
 
 const struct quantity layout_field[] = {
     {"displacement of the floors relative to the ground", &dimension_length},
@@ -210,30 +188,6 @@ static const struct quantity link_field[] = {
     {"force of the link, positive in compression", &dimension_force},
     {"shortening of the link, negative when it is stretched", &dimension_length},
 };
-
-const struct quantity layout_peak[] = {
-    [PEAK_DISPLACEMENT] = {"largest displacement relative to the ground", &dimension_length},
-    [PEAK_VELOCITY] = {"largest velocity relative to the ground", &dimension_velocity},
-    [PEAK_ACCELERATION] = {"largest total acceleration", &dimension_acceleration},
-    [PEAK_DRIFT] = {"largest drift of the storey below each floor", &dimension_length},
-    [PEAK_SHEAR] = {"largest restoring force of the storey below each floor", &dimension_force},
-};
-
-const struct quantity layout_residual_drift = {
-    "absolute drift of the storey below each floor that remains when it unloads after the end",
-    &dimension_length};
-const char layout_residual_drift_name[] = "residual_drift";
-
-const struct quantity layout_energy[] = {
-    [ENERGY_INPUT] = {"work of the ground motion and the loads", &dimension_energy},
-    [ENERGY_KINETIC] = {"kinetic energy relative to the ground", &dimension_energy},
-    [ENERGY_STRAIN] = {"energy stored in the storeys", &dimension_energy},
-    [ENERGY_DAMPING] = {"work of the buildings' damping", &dimension_energy},
-    [ENERGY_HYSTERETIC] = {"energy dissipated by the storeys", &dimension_energy},
-    [ENERGY_CONTACT] = {"work done on contacts and links", &dimension_energy},
-    [ENERGY_RESIDUAL] = {"what the energy account misses", &dimension_energy},
-};
-
 const struct link_group layout_contacts = {"contacts",
                                            "contact",
                                            &layout_contact,
@@ -242,12 +196,36 @@ const struct link_group layout_contacts = {"contacts",
 const struct link_group layout_links = {
     "links", "link", &layout_link_peak, {"force", "deformation"}, link_field};
 
-const void *layout_at(const struct column_table *t, int c, const void *base, size_t i) {
-    return (const char *)base + i * t->size + t->column[c].offset;
+bool layout_has_levels(const struct report_link *link, int n) {
+    bool any = false;
+    for (int i = 0; i < n; i++) {
+        any = any || link[i].left_below != link[i].left_floor ||
+              link[i].right_below != link[i].right_floor;
+    }
+    return any;
 }
 
-void *layout_to(const struct column_table *t, int c, void *base, size_t i) {
-    return (char *)base + i * t->size + t->column[c].offset;
+bool layout_is_shared(const struct column *c) {
+    return !c->long_name && strcmp(c->name, "parameters") != 0 &&
+           strcmp(c->name, "command_line") != 0;
+}
+
+bool layout_is_fixed(const struct column *c) {
+    return c->kind == COLUMN_INT || (c->kind == COLUMN_TEXT && strncmp(c->name, "law", 3) != 0);
+}
+
+bool layout_is_value(const struct column *c) {
+    return c->kind != COLUMN_TEXT && c->kind != COLUMN_INT;
+}
+
+const void *layout_at(const struct column_table *t, int c, const void *base, size_t i) {
+    const struct column *column = &t->column[c];
+    const char *member = (const char *)base + column->offset;
+    if (column->kind == COLUMN_ARRAY) {
+        const double *array = *(const double *const *)member;
+        return array ? array + i : NULL;
+    }
+    return member + i * t->size;
 }
 
 long layout_whole(const struct column *c, const void *at) {
@@ -261,4 +239,45 @@ long layout_whole(const struct column *c, const void *at) {
         default:
             return 0;
     }
+}
+
+double layout_number(const struct column *c, const void *at) {
+    return c->kind == COLUMN_DOUBLE || c->kind == COLUMN_ARRAY ? *(const double *)at
+                                                               : (double)layout_whole(c, at);
+}
+
+static void visit_links(const struct link_group *g, const struct report_link *link, int n,
+                        layout_visit *visit, void *context) {
+    struct layout_place p = {
+        .parent = g->name, .scale = g->scale, .table = &layout_link, .base = link, .n = (size_t)n};
+    visit(context, &p);
+    if (layout_has_levels(link, n)) {
+        p.table = &layout_level;
+        visit(context, &p);
+    }
+    p.table = g->peaks;
+    p.leaf = "envelope";
+    visit(context, &p);
+}
+
+void layout_each(const struct report *r, layout_visit *visit, void *context) {
+    for (int i = 0; i < r->n_building; i++) {
+        const struct report_building *b = &r->building[i];
+        struct layout_place p = {.parent = "buildings",
+                                 .owner = b->name,
+                                 .scale = "floor",
+                                 .table = &layout_building,
+                                 .base = b,
+                                 .n = (size_t)b->n_floor};
+        visit(context, &p);
+        p.table = &layout_peak;
+        p.leaf = "envelope";
+        visit(context, &p);
+    }
+    visit_links(&layout_contacts, r->contact, r->n_contact, visit, context);
+    if (r->n_link > 0) {
+        visit_links(&layout_links, r->link, r->n_link, visit, context);
+    }
+    visit(context, &(struct layout_place){"energy", NULL, NULL, NULL, &layout_energy, r, 1});
+    visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_totals, r, 1});
 }

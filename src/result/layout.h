@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is in a result file: one row for each dataset or attribute. The writer, the reader and
-// `show` work from these tables.
+// What is in a result file: a row for each dataset or attribute of the tree. Runs and studies are
+// written and read from these tables, and `show` prints them. A run is a study without sweeps.
 #ifndef JOSTLE_LAYOUT_H
 #define JOSTLE_LAYOUT_H
 
@@ -8,11 +8,8 @@
 
 #include "jostle/result.h"
 
-enum column_kind { COLUMN_DOUBLE, COLUMN_LONG, COLUMN_INT, COLUMN_FLAG, COLUMN_TEXT };
-
-// The number that member of kind COLUMN_LONG, COLUMN_INT or COLUMN_FLAG stands for in the file.
-struct column;
-long layout_whole(const struct column *c, const void *at);
+// COLUMN_ARRAY: the member is a pointer to numbers over the dimension of the table, or NULL.
+enum column_kind { COLUMN_DOUBLE, COLUMN_LONG, COLUMN_INT, COLUMN_FLAG, COLUMN_TEXT, COLUMN_ARRAY };
 
 // One member of a struct, as a dataset over an array of them or as an attribute.
 struct column {
@@ -31,25 +28,25 @@ struct column_table {
 };
 
 extern const struct column_table layout_root;       // of struct report: attributes of /
-extern const struct column_table layout_totals;     // of struct totals: attributes of /
+extern const struct column_table layout_totals;     // the same; of a study: /totals
+extern const struct column_table layout_energy;     // of struct report: /energy
+extern const struct column_table layout_building;   // of struct report_building: /buildings/*
+extern const struct column_table layout_peak;       // the same: /buildings/*/envelope
 extern const struct column_table layout_link;       // of struct report_link: /contacts and /links
 extern const struct column_table layout_level;      // the same, where layout_has_levels
 extern const struct column_table layout_contact;    // of struct report_link: /contacts/envelope
 extern const struct column_table layout_link_peak;  // of struct report_link: /links/envelope
 extern const struct column_table layout_impact;     // of struct impact: /impacts
-extern const struct column_table
-    layout_building;  // of struct report_building: pointers to (n_floor)
 
-// Quantities with a history; the name is in field_names, peak_names or energy_names.
+// The last column of layout_peak. A run has it of buildings that can yield.
+extern const char layout_residual_drift_name[];
+
+// Quantities with a history; the name is in field_names.
 struct quantity {
     const char *long_name;
     const struct dimension *dimension;
 };
-extern const struct quantity layout_field[];   // in the order of enum field's bits
-extern const struct quantity layout_peak[];    // (PEAK_COUNT)
-extern const struct quantity layout_energy[];  // (ENERGY_COUNT)
-extern const struct quantity layout_residual_drift;
-extern const char layout_residual_drift_name[];
+extern const struct quantity layout_field[];  // in the order of enum field's bits
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
 
@@ -65,9 +62,34 @@ extern const struct link_group layout_contacts, layout_links;
 // Is an end of a link at a level between two floors?
 bool layout_has_levels(const struct report_link *link, int n);
 
-// Address of column `c` in struct number `i` of the array at `base`.
+// Is an attribute of / the same for all runs of a study?
+bool layout_is_shared(const struct column *c);
+// Is a column of links the same for all runs of a study: names and floors? Are its values among
+// those of a run? Neither is the law, which the deck says.
+bool layout_is_fixed(const struct column *c);
+bool layout_is_value(const struct column *c);
+
+// Address of value `i` of column `c`: in struct number `i` of the array at `base`, or in the array
+// that is a member of the struct there. NULL: there is no such array.
 const void *layout_at(const struct column_table *t, int c, const void *base, size_t i);
-// The same to be written to.
-void *layout_to(const struct column_table *t, int c, void *base, size_t i);
+
+// What the file has for a member there: of kind COLUMN_LONG, COLUMN_INT or COLUMN_FLAG, and of any
+// kind but COLUMN_TEXT.
+long layout_whole(const struct column *c, const void *at);
+double layout_number(const struct column *c, const void *at);
+
+// The columns of a table for one owner.
+struct layout_place {
+    const char *parent, *owner, *leaf;  // group: "buildings", "A", "envelope"; NULL: none
+    const char *scale;                  // dimension of the values: "floor"; NULL: one value
+    const struct column_table *table;
+    const void *base;  // of the first struct
+    size_t n;          // values of each column
+};
+typedef void layout_visit(void *context, const struct layout_place *p);
+
+// Visits all places of buildings, contacts, links, energies and totals in the order of the values
+// of a run.
+void layout_each(const struct report *r, layout_visit *visit, void *context);
 
 #endif

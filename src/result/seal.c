@@ -230,8 +230,8 @@ static void add_blocks(struct walk *w, hid_t dataset, const hsize_t *dim, int n_
     }
     most = n <= most ? most : values_at_once(dataset, size, n_dim);
     for (hsize_t first = 0; first < n && !w->h->failed;) {
-        const struct h5_block box = h5_box(dim, n_dim, first, most);
-        h5_get_box(w->h, dataset, box.n == n ? NULL : &box, n_dim, memory, w->buffer);
+        const struct h5_box box = h5_box(dim, n_dim, first, most);
+        h5_get_box(w->h, dataset, box.n == n ? NULL : &box, memory, w->buffer);
         add_values(w, type, kind, w->buffer, w->h->failed ? 0 : (size_t)box.n);
         first += box.n;
     }

@@ -10,7 +10,7 @@
 
 #include "result/h5_draft.h"
 #include "result/seal.h"
-#include "result/study_box.h"
+#include "result/study_sweep.h"
 #include "result/study_writer.h"
 #include "result/writer.h"
 
@@ -46,36 +46,31 @@ static void block_close(struct block *b) {
     free(b->message);
 }
 
-static void put_values(struct study_writer *w, const struct block *b, struct h5_block box) {
+static void put_values(struct study_writer *w, const struct block *b, struct h5_box box) {
     const struct study_table *t = w->content->table;
     for (int i = 0; i < t->n_item && !w->h.failed; i++) {
         const struct study_item *item = &t->item[i];
-        if (w->dataset[i] < 0 || item->n == 0) {
-            continue;
+        if (w->dataset[i] >= 0 && item->n > 0) {
+            h5_put_columns(&w->h, w->dataset[i], box, w->tree.n_sweep, item->n, t->n_value,
+                           b->value + item->first);
         }
-        box.stride = t->n_value;
-        box.width = item->n;
-        box.start[w->n_sweep] = 0;
-        box.count[w->n_sweep] = item->n;
-        h5_put_block(&w->h, w->dataset[i], &box, b->value + item->first);
     }
 }
 
-static void put_outcomes(struct study_writer *w, struct block *b, struct h5_block box) {
+static void put_outcomes(struct study_writer *w, struct block *b, struct h5_box box) {
     for (hsize_t i = 0; i < box.n; i++) {
         b->status[i] = b->outcome[i].status;
         b->message[i] = b->outcome[i].message;
     }
-    box.stride = 1;
-    box.width = 1;
-    h5_put_integers(&w->h, w->status, &box, b->status);
-    h5_put_texts(&w->h, w->message, &box, b->message);
+    h5_put_box(&w->h, w->status, &box, H5T_NATIVE_INT, b->status);
+    h5_put_box(&w->h, w->message, &box, w->h.text, b->message);
 }
 
 static int put_runs(struct study_writer *w, struct block *b, struct error *e) {
     const struct study_content *c = w->content;
     for (long first = 0; first < c->n_run && !w->h.failed;) {
-        const struct h5_block box = study_box(w->sweep, w->n_sweep, first, b->capacity);
+        const struct h5_box box =
+            study_sweep_box(w->tree.sweep, w->tree.n_sweep, first, b->capacity);
         int status = c->read(c->context, first, (long)box.n, b->outcome, b->value, e);
         if (status != STATUS_OK) {
             return status;
@@ -93,8 +88,8 @@ static int put_history(struct study_writer *w, hid_t runs, long run, const char 
     const struct study_content *c = w->content;
     char name[24];
     snprintf(name, sizeof name, "%06.0f", c->part ? c->part->run[run] : (double)run + 1.0);
-    const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path, w->sweep,
-                                       w->n_sweep};
+    const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path, w->tree.sweep,
+                                       w->tree.n_sweep};
     int status = w->h.failed ? STATUS_OK : c->write_run(c->context, run, &place, e);
     h5_close(&w->h, place.group);
     return status;
@@ -120,8 +115,8 @@ static void close_all(struct study_writer *w) {
     for (int i = 0; i < w->content->table->n_item; i++) {
         h5_close(&w->h, w->dataset[i]);
     }
-    for (int i = 0; i < w->n_sweep; i++) {
-        h5_close(&w->h, w->scale[i]);
+    for (int i = 0; i < w->tree.n_sweep; i++) {
+        h5_close(&w->h, w->tree.scale[i]);
     }
     h5_close(&w->h, w->status);
     h5_close(&w->h, w->message);
@@ -193,8 +188,8 @@ int study_file_check(const struct study_content *c, const struct result_options 
 static void take_dimensions(struct study_writer *w) {
     for (const struct sweep *s = w->content->sweeps; s; s = s->next) {
         if (!s->fixed) {
-            w->scale[w->n_sweep] = -1;
-            w->sweep[w->n_sweep++] = s;
+            w->tree.scale[w->tree.n_sweep] = -1;
+            w->tree.sweep[w->tree.n_sweep++] = s;
         }
     }
 }
@@ -210,6 +205,7 @@ int study_file_write(const struct study_content *c, const struct result_options 
                              .command_line = o->command_line,
                              .status = -1,
                              .message = -1};
+    w.tree.h = &w.h;
     if (c->part) {
         study_part_dimension(&w);
     } else {

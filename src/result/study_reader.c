@@ -5,10 +5,9 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "result/reader.h"
 #include "result/seal.h"
-#include "result/study_along.h"
 #include "result/study_reader.h"
+#include "result/study_sweep.h"
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
@@ -32,7 +31,7 @@ static bool grow(struct study_file *f) {
     hid_t *dataset = realloc(f->dataset, (size_t)capacity * sizeof *dataset);
     f->dataset = dataset ? dataset : f->dataset;
     if (!item || !dataset || capacity > ITEMS_LIMIT) {
-        h5_no_memory(&f->h);
+        h5_no_memory(&f->file.h);
         return false;
     }
     f->capacity = capacity;
@@ -46,7 +45,8 @@ static bool is_result(hid_t dataset) {
 
 static void check_stored(struct study_file *f, hid_t dataset, const char *name) {
     if (dataset >= 0 && !h5_is_stored(dataset)) {
-        h5_fail(&f->h, "dataset '%s' is not all there, or has chunks of more than 64 MiB", name);
+        h5_fail(&f->file.h, "dataset '%s' is not all there, or has chunks of more than 64 MiB",
+                name);
     }
 }
 
@@ -63,13 +63,13 @@ static size_t values_of_run(struct study_file *f, hid_t dataset, const char *nam
     }
     const hsize_t width = good && n > f->n_dim ? dim[n - 1] : 1;
     if (!good) {
-        h5_fail(&f->h, "dataset '%s' does not have the dimensions of the study", name);
+        h5_fail(&f->file.h, "dataset '%s' does not have the dimensions of the study", name);
     } else if (width > VALUES_LIMIT) {
-        h5_fail(&f->h, "a run has more than %d values of '%s'", VALUES_LIMIT, name);
+        h5_fail(&f->file.h, "a run has more than %d values of '%s'", VALUES_LIMIT, name);
     } else {
         check_stored(f, dataset, name);
     }
-    return f->h.failed ? 0 : (size_t)width;
+    return f->file.h.failed ? 0 : (size_t)width;
 }
 
 static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void *context) {
@@ -79,13 +79,13 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     if (!grow(f)) {
         return -1;
     }
-    const bool swept = study_along_has(f->dim, f->n_dim, name);
-    hid_t dataset = swept ? -1 : h5_open_object(&f->h, group, name);
+    const bool swept = study_sweep_has(f->dim, f->n_dim, name);
+    hid_t dataset = swept ? -1 : h5_open_object(&f->file.h, group, name);
     const bool result = H5Iget_type(dataset) == H5I_DATASET && is_result(dataset);
     const size_t n = result ? values_of_run(f, dataset, name) : 0;
     if (n == 0) {
-        h5_close(&f->h, dataset);
-        return f->h.failed ? -1 : 0;
+        h5_close(&f->file.h, dataset);
+        return f->file.h.failed ? -1 : 0;
     }
     struct study_table *t = &f->view.table;
     f->dataset[t->n_item] = dataset;
@@ -93,16 +93,16 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
         .parent = p->parent,
         .owner = p->owner,
         .leaf = p->leaf,
-        .name = h5_copy(&f->h, f->view.arena, name),
-        .long_name = h5_get_text(&f->h, f->view.arena, dataset, "long_name"),
-        .units = h5_get_line(&f->h, f->view.arena, dataset, "units"),
+        .name = h5_copy(&f->file.h, f->view.arena, name),
+        .long_name = h5_get_text(&f->file.h, f->view.arena, dataset, "long_name"),
+        .units = h5_get_line(&f->file.h, f->view.arena, dataset, "units"),
         .scale = p->scale,
         .first = t->n_value,
         .n = n,
     };
     t->n_value += n;
-    h5_take(&f->h, n, sizeof(double));
-    return f->h.failed ? -1 : 0;
+    h5_take(&f->file.h, n, sizeof(double));
+    return f->file.h.failed ? -1 : 0;
 }
 
 static void get_group(const struct spot *p) {
@@ -110,11 +110,12 @@ static void get_group(const struct spot *p) {
     struct study_file *f = p->file;
     snprintf(path, sizeof path, "/%s%s%s%s%s", p->parent, p->owner ? "/" : "",
              p->owner ? p->owner : "", p->leaf ? "/" : "", p->leaf ? p->leaf : "");
-    hid_t group = h5_open_object(&f->h, f->h.file, path);
+    hid_t group = h5_open_object(&f->file.h, f->file.h.file, path);
     if (group >= 0) {
-        h5_failed(&f->h, H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit, (void *)p));
+        h5_failed(&f->file.h,
+                  H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit, (void *)p));
     }
-    h5_close(&f->h, group);
+    h5_close(&f->file.h, group);
 }
 
 static void get_both(struct spot p) {
@@ -128,105 +129,53 @@ static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *in
     struct study_file *f = context;
     const struct spot p = {.file = f,
                            .parent = "buildings",
-                           .owner = h5_copy(&f->h, f->view.arena, name),
+                           .owner = h5_copy(&f->file.h, f->view.arena, name),
                            .scale = "floor"};
-    if (!f->h.failed) {
+    if (!f->file.h.failed) {
         get_both(p);
     }
-    return f->h.failed ? -1 : 0;
-}
-
-struct report_link *study_reader_links(struct study_file *f, struct arena *a,
-                                       const struct link_group *g, int *n_link) {
-    hid_t group = h5_get_group(&f->h, f->h.file, g->name);
-    const size_t n = h5_get_length(&f->h, group, g->scale, ITEMS_LIMIT);
-    struct report_link *link = h5_alloc(&f->h, a, n, sizeof *link);
-    for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
-        if (study_tree_is_fixed(&layout_link.column[c])) {
-            h5_get_column(&f->h, a, group, &layout_link, c, link, n);
-        }
-    }
-    for (size_t i = 0; link && i < n; i++) {
-        link[i].left_below = link[i].left_floor;
-        link[i].right_below = link[i].right_floor;
-    }
-    const bool levels = h5_has(&f->h, group, layout_level.column[0].name);
-    for (int c = 0; c < layout_level.n_column && levels && !f->h.failed; c++) {
-        if (study_tree_is_fixed(&layout_level.column[c])) {
-            h5_get_column(&f->h, a, group, &layout_level, c, link, n);
-        }
-    }
-    h5_close(&f->h, group);
-    *n_link = (int)n;
-    return link;
-}
-
-static const struct report_link *get_links(struct study_file *f, const struct link_group *g,
-                                           int *n) {
-    const struct report_link *link = study_reader_links(f, f->view.arena, g, n);
-    get_both((struct spot){.file = f, .parent = g->name, .scale = g->scale});
-    return link;
-}
-
-struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name) {
-    struct study_view *v = &f->view;
-    struct sweep *s = h5_alloc(&f->h, v->arena, 1, sizeof *s);
-    if (!s) {
-        return NULL;
-    }
-    s->name = h5_copy(&f->h, v->arena, name);
-    s->n = (int)h5_get_length(&f->h, group, s->name, STUDY_RUNS_MAX);
-    s->units = "";
-    if (h5_is_number(scale)) {
-        s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
-        study_along_get(&f->h, v->arena, group, scale, s);
-        s->units = h5_get_line(&f->h, v->arena, scale, "units");
-    } else {
-        s->label = (const char *const *)h5_get_texts(&f->h, v->arena, group, s->name, (size_t)s->n);
-        s->text = s->label;
-    }
-    return f->h.failed ? NULL : s;
+    return f->file.h.failed ? -1 : 0;
 }
 
 // The scale of dimension `i` of /status.
 static void get_dimension(struct study_file *f, hid_t scale, int i) {
     char name[256] = "";
-    if (f->h.failed || h5_failed(&f->h, H5Iget_name(scale, name, sizeof name))) {
+    if (f->file.h.failed || h5_failed(&f->file.h, H5Iget_name(scale, name, sizeof name))) {
         return;
     }
     const char *slash = strrchr(name, '/');
-    hid_t group = h5_get_group(&f->h, f->h.file, "sweep");
-    f->dim[i] = study_reader_sweep(f, group, scale, slash ? slash + 1 : name);
-    h5_close(&f->h, group);
+    hid_t group = h5_get_group(&f->file.h, f->file.h.file, "sweep");
+    f->dim[i] = study_sweep_get(&f->file.h, f->view.arena, group, scale, slash ? slash + 1 : name);
+    h5_close(&f->file.h, group);
     if (f->dim[i]) {
         f->n_dim++;
         f->view.n_run *= f->dim[i]->n;
         if (f->view.n_run > STUDY_RUNS_MAX) {
-            h5_fail(&f->h, "it has more than %d runs", STUDY_RUNS_MAX);
+            h5_fail(&f->file.h, "it has more than %d runs", STUDY_RUNS_MAX);
         }
     }
 }
 
 static void get_sweeps(struct study_file *f) {
-    f->status = h5_open_object(&f->h, f->h.file, "status");
-    f->message = h5_open_object(&f->h, f->h.file, "message");
+    f->status = h5_open_object(&f->file.h, f->file.h.file, "status");
+    f->message = h5_open_object(&f->file.h, f->file.h.file, "message");
     check_stored(f, f->status, "status");
     check_stored(f, f->message, "message");
-    hid_t space = f->h.failed ? -1 : H5Dget_space(f->status);
+    hid_t space = f->file.h.failed ? -1 : H5Dget_space(f->status);
     const int n = space >= 0 ? H5Sget_simple_extent_ndims(space) : 0;
     if (space >= 0) {
         H5Sclose(space);
     }
-    if (!f->h.failed && (n < 1 || n > STUDY_SWEEPS_MAX)) {
-        h5_fail(&f->h, "it has %d sweeps; 1 to %d are allowed", n, STUDY_SWEEPS_MAX);
+    if (!f->file.h.failed && (n < 1 || n > STUDY_SWEEPS_MAX)) {
+        h5_fail(&f->file.h, "it has %d sweeps; 1 to %d are allowed", n, STUDY_SWEEPS_MAX);
     }
     f->view.n_run = 1;
-    for (int i = 0; i < n && !f->h.failed; i++) {
-        hid_t scale = h5_get_scale(&f->h, f->status, n, i);
+    for (int i = 0; i < n && !f->file.h.failed; i++) {
+        hid_t scale = h5_get_scale(&f->file.h, f->status, n, i);
         get_dimension(f, scale, i);
-        h5_close(&f->h, scale);
+        h5_close(&f->file.h, scale);
     }
-    if (h5_has(&f->h, f->h.file, "part")) {
+    if (h5_has(&f->file.h, f->file.h.file, "part")) {
         study_part_get(f);
         return;
     }
@@ -267,85 +216,74 @@ int study_view_choice(const struct study_view *v, long run, int i) {
 }
 
 static void get_all(struct study_file *f) {
+    struct h5 *h = &f->file.h;
     struct study_view *v = &f->view;
-    v->title = h5_get_text(&f->h, v->arena, f->h.file, "title");
-    v->version = h5_get_text(&f->h, v->arena, f->h.file, "version");
-    h5_get_units(&f->h, v->arena, &v->units);
-    v->n_kept = h5_get_long(&f->h, f->h.file, "runs_kept");
-    v->n_thread = (int)h5_get_long(&f->h, f->h.file, "threads");
-    v->seconds = h5_get_double(&f->h, f->h.file, "wall_seconds");
-    if (!f->h.failed && H5Aexists(f->h.file, "parts") > 0) {
-        v->n_part = (int)h5_get_long(&f->h, f->h.file, "parts");
+    reader_get(&f->file);
+    const struct report *r = f->file.report;
+    v->title = r->title;
+    v->version = r->version;
+    v->units = r->units;
+    v->n_contact = r->n_contact;
+    v->contact = r->contact;
+    v->n_link = r->n_link;
+    v->link = r->link;
+    v->n_kept = h5_get_long(h, h->file, "runs_kept");
+    v->n_thread = (int)h5_get_long(h, h->file, "threads");
+    v->seconds = h5_get_double(h, h->file, "wall_seconds");
+    if (!h->failed && H5Aexists(h->file, "parts") > 0) {
+        v->n_part = (int)h5_get_long(h, h->file, "parts");
     }
-    v->has_histories = h5_has(&f->h, f->h.file, "runs");
+    v->has_histories = h5_has(h, h->file, "runs");
     study_origin_get(f);
     get_sweeps(f);
-    hid_t buildings = h5_get_group(&f->h, f->h.file, "buildings");
-    if (!f->h.failed) {
-        h5_failed(&f->h,
-                  H5Literate(buildings, H5_INDEX_NAME, H5_ITER_INC, NULL, visit_building, f));
+    hid_t buildings = h5_get_group(h, h->file, "buildings");
+    if (!h->failed) {
+        h5_failed(h, H5Literate(buildings, H5_INDEX_NAME, H5_ITER_INC, NULL, visit_building, f));
     }
-    h5_close(&f->h, buildings);
-    v->contact = get_links(f, &layout_contacts, &v->n_contact);
-    if (h5_has(&f->h, f->h.file, layout_links.name)) {
-        v->link = get_links(f, &layout_links, &v->n_link);
+    h5_close(h, buildings);
+    get_both((struct spot){.file = f, .parent = "contacts", .scale = "contact"});
+    if (v->link) {
+        get_both((struct spot){.file = f, .parent = "links", .scale = "link"});
     }
     get_group(&(struct spot){.file = f, .parent = "energy"});
     get_group(&(struct spot){.file = f, .parent = "totals"});
     v->table.item = f->item;
 }
 
-int study_reader_fail(const struct study_file *f, struct error *e) {
-    const int status = h5_lacks_memory(&f->h) ? STATUS_SYSTEM : STATUS_INPUT;
-    return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
+int study_file_verify(struct study_file *f, struct error *e) {
+    struct result_sums sums;
+    const int status = seal_check(&f->file.h, &sums);
+    if (status == STATUS_OK && !f->view.origin.study) {
+        h5_fail(&f->file.h, "it does not tell what its runs come from");
+    }
+    return !f->file.h.failed ? STATUS_OK
+                             : error_set(e, status == STATUS_SYSTEM ? status : STATUS_INPUT,
+                                         "%s: %s", f->view.path, f->file.h.cause);
 }
 
-// Reads all of an open file.
-static int read_file(struct study_file *f, struct error *e) {
-    struct study_view *v = &f->view;
-    if (f->h.failed) {
-        return study_reader_fail(f, e);
-    }
-    const int status = reader_check_format(&f->h, f->h.file, v->arena, v->path, e);
+// Reads all of a file.
+static int read_file(struct study_file *f, const char *path, struct error *e) {
+    int status = reader_init(&f->file, path, READ_SHAPE, e);
+    status = status == STATUS_OK ? reader_open(&f->file, path, SIEVE_BYTES, e) : status;
     if (status != STATUS_OK) {
         return status;
     }
-    if (!h5_has(&f->h, f->h.file, "sweep")) {
-        return error_set(e, STATUS_INPUT, "%s is one analysis, not a study", v->path);
+    f->view.arena = f->file.report->arena;
+    f->view.path = f->file.path;
+    if (!h5_has(&f->file.h, f->file.root, "sweep")) {
+        return error_set(e, STATUS_INPUT, "%s is one analysis, not a study", path);
     }
     get_all(f);
-    return f->h.failed ? study_reader_fail(f, e) : STATUS_OK;
-}
-
-int study_file_verify(struct study_file *f, struct error *e) {
-    struct result_sums sums;
-    const int status = seal_check(&f->h, &sums);
-    if (status == STATUS_OK && !f->view.origin.study) {
-        h5_fail(&f->h, "it does not tell what its runs come from");
-    }
-    return !f->h.failed ? STATUS_OK
-                        : error_set(e, status == STATUS_SYSTEM ? status : STATUS_INPUT, "%s: %s",
-                                    f->view.path, f->h.cause);
+    return f->file.h.failed ? h5_damaged(&f->file.h, path, e) : STATUS_OK;
 }
 
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
-    int status = h5_check_file(path, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
     struct study_file *f = calloc(1, sizeof *f);
-    struct arena *a = f ? arena_create() : NULL;
-    if (!a) {
-        free(f);
+    if (!f) {
         return error_no_memory(e);
     }
-    f->view.arena = a;
     f->status = f->message = -1;
-    h5_open(&f->h, path, SIEVE_BYTES);
-    f->view.path = path;
-    const char *copy = f->h.failed ? NULL : h5_copy(&f->h, a, path);
-    f->view.path = copy ? copy : path;
-    status = read_file(f, e);
+    const int status = read_file(f, path, e);
     if (status != STATUS_OK) {
         study_file_close(f);
         return status;
@@ -359,16 +297,33 @@ void study_file_close(struct study_file *f) {
         return;
     }
     for (int i = 0; i < f->view.table.n_item; i++) {
-        h5_close(&f->h, f->dataset[i]);
+        h5_close(&f->file.h, f->dataset[i]);
     }
-    h5_close(&f->h, f->status);
-    h5_close(&f->h, f->message);
-    h5_close_types(&f->h);
-    h5_close_file(&f->h);
-    arena_free(f->view.arena);
+    h5_close(&f->file.h, f->status);
+    h5_close(&f->file.h, f->message);
+    reader_close(&f->file);
     free(f->item);
     free(f->dataset);
     free(f);
+}
+
+// The file stays as it is: the report is read once more, as it has another owner.
+int study_file_report(struct study_file *f, struct report **out, struct error *e) {
+    struct result_file copy;
+    int status = reader_init(&copy, f->view.path, READ_SHAPE, e);
+    if (status == STATUS_OK) {
+        copy.h = f->file.h;
+        copy.root = f->file.root;
+        reader_get(&copy);
+        status = copy.h.failed ? h5_damaged(&copy.h, copy.path, e) : STATUS_OK;
+        f->file.h = copy.h;
+    }
+    if (status != STATUS_OK) {
+        report_free(copy.report);
+        return status;
+    }
+    *out = copy.report;
+    return STATUS_OK;
 }
 
 const struct study_view *study_file_view(const struct study_file *f) {

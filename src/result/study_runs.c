@@ -3,49 +3,45 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "result/study_box.h"
 #include "result/study_reader.h"
+#include "result/study_sweep.h"
 
-static void read_outcome(struct study_file *f, struct h5_block box, struct study_outcome *out) {
+static void read_outcome(struct study_file *f, struct h5_box box, struct study_outcome *out) {
     int status = 0;
     struct h5_reference message = {.byte = {0}};
-    box.stride = box.width = 1;
-    h5_get_integers(&f->h, f->status, &box, &status);
-    h5_get_references(&f->h, f->message, &box, &message);
+    h5_get_box(&f->file.h, f->status, &box, H5T_NATIVE_INT, &status);
+    h5_get_box(&f->file.h, f->message, &box, f->file.h.heap.reference, &message);
     if (status < STUDY_DONE || status > STUDY_MISSING) {
-        h5_fail(&f->h, "a run has the status %d", status);
+        h5_fail(&f->file.h, "a run has the status %d", status);
         status = STUDY_MISSING;
     }
     *out = (struct study_outcome){.status = status};
     size_t n;
-    const char *text = h5_heap_get(&f->h, &message, 1, &n);
+    const char *text = h5_heap_get(&f->file.h, &message, 1, &n);
     n = n < sizeof out->message ? n : sizeof out->message - 1;
     memcpy(out->message, text, n);
 }
 
-static void read_values(struct study_file *f, struct h5_block box, double *value) {
+static void read_values(struct study_file *f, struct h5_box box, double *value) {
     const struct study_table *t = &f->view.table;
-    for (int i = 0; i < t->n_item && !f->h.failed; i++) {
-        box.stride = t->n_value;
-        box.width = t->item[i].n;
-        box.start[f->n_dim] = 0;
-        box.count[f->n_dim] = t->item[i].n;
-        h5_get_block(&f->h, f->dataset[i], &box, value + t->item[i].first);
+    for (int i = 0; i < t->n_item && !f->file.h.failed; i++) {
+        h5_get_columns(&f->file.h, f->dataset[i], box, f->n_dim, t->item[i].n, t->n_value,
+                       value + t->item[i].first);
     }
 }
 
 int study_file_read(struct study_file *f, long first, long n, struct study_outcome *outcome,
                     double *value, struct error *e) {
-    for (long at = 0; at < n && !f->h.failed;) {
+    for (long at = 0; at < n && !f->file.h.failed;) {
         const struct study_view *v = &f->view;
-        const struct h5_block box = study_box(f->dim, f->n_dim, first + at, n - at);
+        const struct h5_box box = study_sweep_box(f->dim, f->n_dim, first + at, n - at);
         for (long i = 0; i < (long)box.n; i++) {
-            read_outcome(f, study_box(f->dim, f->n_dim, first + at + i, 1), &outcome[at + i]);
+            read_outcome(f, study_sweep_box(f->dim, f->n_dim, first + at + i, 1), &outcome[at + i]);
         }
         read_values(f, box, value + (size_t)at * v->table.n_value);
         at += (long)box.n;
     }
-    return f->h.failed ? study_reader_fail(f, e) : STATUS_OK;
+    return f->file.h.failed ? h5_damaged(&f->file.h, f->view.path, e) : STATUS_OK;
 }
 
 enum { BLOCK_RUNS = 256, BLOCK_VALUES = 1 << 21 };

@@ -1,70 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of a run, streamed through a buffer, and the order in which its tree is written.
+// The result of a run: a file made as PATH.part and named PATH when complete, or a place in the
+// file of a study. Its rows are streamed through a buffer.
 #include "result/writer.h"
 
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/arena.h"
+#include "result/h5_draft.h"
+#include "result/seal.h"
 
 enum { ROWS_MAX = 4096 };
 static const size_t bytes_max = (size_t)64 << 20;
 
-int writer_failed(const struct result_writer *w, struct error *e) {
-    return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", w->path, w->h->cause);
+static int cannot_write(const struct result_writer *w, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", w->report->file, w->h->cause);
 }
 
 void writer_stream(struct result_writer *w, hid_t parent, const struct h5_dataset *d,
                    struct stream s) {
     assert(w->n_stream < w->stream_capacity);
     s.dataset = h5_dataset(w->h, parent, d);
-    s.n_dim = d->n_dim;
     if (s.dataset >= 0) {
         w->stream[w->n_stream++] = s;
     }
 }
 
-// Values of all streams in one row, and how many streams there are at most.
-static size_t row_width(const struct model *m) {
-    return (size_t)m->n_dof * FLOOR_FIELD_COUNT + 2 * (size_t)m->n_link + (size_t)m->n_ground +
-           ENERGY_COUNT + 1;
-}
-
-static int stream_limit(const struct model *m) {
-    return m->n_building * FLOOR_FIELD_COUNT + 4 + m->n_ground + ENERGY_COUNT + 1;
-}
-
-static bool allocate(struct result_writer *w) {
-    const size_t width = row_width(w->model);
-    w->capacity = bytes_max / (width * sizeof(double));
-    w->capacity = w->capacity < 1 ? 1 : w->capacity > ROWS_MAX ? ROWS_MAX : w->capacity;
-    assert(width > 0 && w->report->n_row > 0);
-    if ((size_t)w->report->n_row < w->capacity) {
-        w->capacity = (size_t)w->report->n_row;
-    }
-    w->rows = malloc(w->capacity * width * sizeof *w->rows);
-    w->stream_capacity = stream_limit(w->model);
-    w->stream = calloc((size_t)w->stream_capacity, sizeof *w->stream);
-    return w->rows && w->stream;
-}
-
-static void place_streams(struct result_writer *w) {
-    double *row = w->rows;
+static void close_streams(struct result_writer *w) {
     for (int i = 0; i < w->n_stream; i++) {
-        w->stream[i].row = row;
-        row += w->capacity * w->stream[i].width;
+        h5_close(w->h, w->stream[i].dataset);
     }
+    w->n_stream = 0;
 }
 
-int writer_alloc(struct result_writer *w, const struct result_options *o, struct error *e) {
-    int status = report_create(w->model, NULL, o->path, o->version, &w->report, e);
-    if (status != STATUS_OK) {
-        return status;
+static void writer_free(struct result_writer *w) {
+    close_streams(w);
+    if (!w->place) {
+        h5_close_types(w->h);
+        h5_close_file(w->h);
+        h5_unlock(w->h);
     }
-    const char *line = o->command_line ? o->command_line : "";
-    w->report->command_line = arena_text(w->report->arena, line, strlen(line));
-    return w->report->command_line && allocate(w) ? STATUS_OK : error_no_memory(e);
+    report_free(w->report);
+    free(w->rows);
+    free(w->stream);
+    free(w);
+}
+
+void result_abort(struct result_writer *w) {
+    if (!w) {
+        return;
+    }
+    if (w->own.file >= 0) {
+        unlink(w->draft);
+    }
+    h5_spend_reserve(&w->own);
+    writer_free(w);
 }
 
 bool writer_in_blocks(const struct result_writer *w) {
@@ -73,36 +65,25 @@ bool writer_in_blocks(const struct result_writer *w) {
 
 // A file of its own that comes in blocks can be read if the run is killed.
 static void synchronise(struct result_writer *w) {
-    if (!w->h->failed && w->h == &w->own && writer_in_blocks(w)) {
+    if (!w->h->failed && !w->place && writer_in_blocks(w)) {
         h5_failed(w->h, H5Fflush(w->h->file, H5F_SCOPE_LOCAL));
-    }
-}
-
-static void put_rows(struct result_writer *w, const struct stream *s) {
-    if (writer_in_blocks(w)) {
-        h5_put_rows(w->h, s->dataset, (hsize_t)w->n_written, w->pending,
-                    s->n_dim == 2 ? s->width : 0, s->row);
-    } else {
-        h5_put_all(w->h, s->dataset, H5T_NATIVE_DOUBLE, s->row);
     }
 }
 
 static int flush(struct result_writer *w, struct error *e) {
     for (int i = 0; i < w->n_stream && w->pending > 0; i++) {
-        if (w->stream[i].width > 0) {
-            put_rows(w, &w->stream[i]);
+        const struct stream *s = &w->stream[i];
+        const struct h5_box box = {.start = {(hsize_t)w->n_written},
+                                   .count = {w->pending, s->width}};
+        if (s->width > 0) {
+            h5_put_box(w->h, s->dataset, writer_in_blocks(w) ? &box : NULL, H5T_NATIVE_DOUBLE,
+                       s->row);
         }
     }
     synchronise(w);
     w->n_written += (long)w->pending;
     w->pending = 0;
-    return w->h->failed ? writer_failed(w, e) : STATUS_OK;
-}
-
-int writer_start(struct result_writer *w, struct error *e) {
-    writer_layout(w);
-    place_streams(w);
-    return flush(w, e);
+    return w->h->failed ? cannot_write(w, e) : STATUS_OK;
 }
 
 static int write_row(void *context, const struct row_view *row, struct error *e) {
@@ -127,12 +108,93 @@ struct observer result_observer(struct result_writer *w) {
     return (struct observer){.row = write_row, .context = w};
 }
 
-int writer_end(struct result_writer *w, const struct results *r, struct error *e) {
+// Report and room for the rows of the model.
+static int allocate(struct result_writer *w, const struct result_options *o, struct error *e) {
+    const struct model *m = w->model;
+    int status = report_create(m, NULL, o->path, o->version, &w->report, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    // Values of all streams in one row, and how many streams there are at most.
+    const size_t width = (size_t)m->n_dof * FLOOR_FIELD_COUNT + 2 * (size_t)m->n_link +
+                         (size_t)m->n_ground + ENERGY_COUNT + 1;
+    w->stream_capacity = m->n_building * FLOOR_FIELD_COUNT + 4 + m->n_ground + ENERGY_COUNT + 1;
+    w->capacity = bytes_max / (width * sizeof(double));
+    w->capacity = w->capacity < 1 ? 1 : w->capacity > ROWS_MAX ? ROWS_MAX : w->capacity;
+    assert(w->report->n_row > 0);
+    if ((size_t)w->report->n_row < w->capacity) {
+        w->capacity = (size_t)w->report->n_row;
+    }
+    struct arena *a = w->report->arena;
+    const char *line = o->command_line ? o->command_line : "";
+    w->report->command_line = arena_text(a, line, strlen(line));
+    w->draft = arena_format(a, "%s.part", o->path);
+    w->rows = malloc(w->capacity * width * sizeof *w->rows);
+    w->stream = calloc((size_t)w->stream_capacity, sizeof *w->stream);
+    return w->report->command_line && w->draft && w->rows && w->stream ? STATUS_OK
+                                                                       : error_no_memory(e);
+}
+
+// Makes the file, if it is one of its own, and writes what is known before the run.
+static int begin(struct result_writer *w, const struct result_options *o, struct error *e) {
+    int status = allocate(w, o, e);
+    if (status == STATUS_OK && !w->place) {
+        status = h5_draft_check(w->report, o, e);
+        status = status == STATUS_OK ? h5_draft_create(w->h, o->path, w->draft, e) : status;
+        w->root = w->h->file;
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    writer_layout(w);
+    double *row = w->rows;
+    for (int i = 0; i < w->n_stream; i++) {
+        w->stream[i].row = row;
+        row += w->capacity * w->stream[i].width;
+    }
+    return flush(w, e);
+}
+
+static int create(const struct model *m, const struct result_place *place,
+                  const struct result_options *o, struct result_writer **out, struct error *e) {
+    struct result_writer *w = calloc(1, sizeof *w);
+    if (!w) {
+        return error_no_memory(e);
+    }
+    w->model = m;
+    w->place = place;
+    w->own = (struct h5){.file = -1, .lock = -1, .units = &m->deck->units};
+    w->h = place ? place->h : &w->own;
+    w->root = place ? place->group : -1;
+    w->tree.h = w->h;
+    w->existing = o->existing;
+    const int status = begin(w, o, e);
+    if (status != STATUS_OK) {
+        result_abort(w);
+        return status;
+    }
+    *out = w;
+    return STATUS_OK;
+}
+
+int result_create(const struct model *m, const struct result_options *options,
+                  struct result_writer **out, struct error *e) {
+    return create(m, NULL, options, out, e);
+}
+
+int result_create_in(const struct result_place *place, const struct model *m, const char *version,
+                     struct result_writer **out, struct error *e) {
+    return create(m, place, &(struct result_options){.path = place->path, .version = version}, out,
+                  e);
+}
+
+// Writes the rows left and everything that is known after the run, and marks it complete.
+static int end(struct result_writer *w, const struct results *r, struct error *e) {
     assert(w->n_written + (long)w->pending == w->report->n_row);
     struct report *report = NULL;
     int status = flush(w, e);
     if (status == STATUS_OK) {
-        status = report_create(w->model, r, w->path, w->report->version, &report, e);
+        status = report_create(w->model, r, w->report->file, w->report->version, &report, e);
     }
     if (status != STATUS_OK) {
         return status;
@@ -145,12 +207,56 @@ int writer_end(struct result_writer *w, const struct results *r, struct error *e
         h5_put_text(w->h, w->root, "status", "complete");
     }
     synchronise(w);
-    return w->h->failed ? writer_failed(w, e) : STATUS_OK;
+    return w->h->failed ? cannot_write(w, e) : STATUS_OK;
 }
 
-void writer_close_streams(struct result_writer *w) {
-    for (int i = 0; i < w->n_stream; i++) {
-        h5_close(w->h, w->stream[i].dataset);
+int result_finish(struct result_writer *w, const struct results *r, struct error *e) {
+    int status = end(w, r, e);
+    if (!w->place && status == STATUS_OK) {
+        close_streams(w);
+        seal_put(w->h);
+        h5_close_types(w->h);
+        h5_close_file(w->h);  // the library reports a full disk as late as here
+        status = w->h->failed ? cannot_write(w, e) : STATUS_OK;
     }
-    w->n_stream = 0;
+    if (!w->place && status == STATUS_OK) {
+        status = result_publish(w->h->lock, w->draft, w->report->file, w->existing, e);
+    } else if (!w->place) {
+        unlink(w->draft);
+    }
+    writer_free(w);
+    return status;
+}
+
+// The rows go to the writer, the question whether to go on to who asked for the analysis.
+struct relay {
+    struct result_writer *writer;
+    const struct observer *watch;
+};
+
+static int relay_row(void *context, const struct row_view *row, struct error *e) {
+    const struct relay *r = context;
+    return write_row(r->writer, row, e);
+}
+
+static int relay_poll(void *context, double time, struct error *e) {
+    const struct relay *r = context;
+    return r->watch->poll(r->watch->context, time, e);
+}
+
+int result_analyse(struct result_writer *w, const struct observer *watch, struct results **out,
+                   struct error *e) {
+    struct relay relay = {.writer = w, .watch = watch};
+    const struct observer observer = {
+        .row = relay_row, .poll = watch && watch->poll ? relay_poll : NULL, .context = &relay};
+    int status = analysis_run(w->model, &observer, out, e);
+    if (status != STATUS_OK) {
+        result_abort(w);
+        return status;
+    }
+    status = result_finish(w, *out, e);
+    if (status != STATUS_OK) {
+        results_free(*out);
+    }
+    return status;
 }

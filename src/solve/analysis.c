@@ -8,12 +8,12 @@
 #include <stdlib.h>
 
 #include "core/arena.h"
-#include "core/lanes.h"
+#include "core/number.h"
 #include "core/wall.h"
 #include "solve/account/peaks.h"
 #include "solve/account/residual_drift.h"
-#include "solve/event/equilibrium.h"
-#include "solve/method.h"
+#include "solve/event/rest.h"
+#include "solve/run.h"
 
 int run_poll_now(struct run *r, double time) {
     const struct observer *o = r->observer;
@@ -36,25 +36,17 @@ int analysis_note_energies(struct run *r) {
     return STATUS_OK;
 }
 
-// The zeros around the arrays of floors, of which one is a wall, are as loops rely on them.
-static void assert_zeros(const struct state *s, const struct model *m) {
-    const double *const array[] = {s->u, s->v, s->a, s->base, s->drift, s->shear};
-    for (size_t i = 0; i < sizeof array / sizeof array[0]; i++) {
-        lanes_assert(array[i], m->n_dof);
-    }
-    assert(s->u[m->n_dof] == 0.0 && s->v[m->n_dof] == 0.0);
-}
-
-static int observe(struct run *r) {
+// Takes the present state into the results, and shows it to the observer.
+static int analysis_show_row(struct run *r) {
+    const struct observer *o = r->observer;
     if (r->method->complete) {
         r->method->complete(r);
     }
     const struct state *s = r->now;
-    assert_zeros(s, r->model);
+    state_assert(s, r->model);
     peaks_drift_rates(r->results, r->model, s);
     energy_balance(&r->energy, r->model, s, r->results->energy);
     int status = analysis_note_energies(r);
-    const struct observer *o = r->observer;
     if (status != STATUS_OK || !o || !o->row) {
         return status;
     }
@@ -76,30 +68,29 @@ static int observe(struct run *r) {
     return o->row(o->context, &row, r->error);
 }
 
-// The next step after n that is a row of the output, or at which the observer is asked whether to
-// go on.
-static long stretch_end(const struct run *r, long n) {
-    long every = r->model->output.every;
+// The next step that is a row, or at which the observer is asked whether to go on; `end` at most.
+static long analysis_next_stop(const struct run *r, long end) {
     if (!r->observer) {
-        return r->model->n_step;
+        return end;
     }
-    long row = (n / every + 1) * every;
-    long asked = n + RUN_POLL_STEPS - r->results->totals.steps % RUN_POLL_STEPS;
-    return row < asked ? row : asked;
+    const long every = r->model->output.every;
+    const long row = (r->step / every + 1) * every;
+    const long asked = r->step + RUN_POLL_STEPS - r->results->totals.steps % RUN_POLL_STEPS;
+    return number_least(end, number_least(row, asked));
 }
 
-static bool is_shown(const struct run *r, long n) {
+// Is the step that has been reached a row? The end always is.
+static bool analysis_is_row(const struct run *r) {
     const struct model *m = r->model;
-    return (r->observer && n % m->output.every == 0) || n == m->n_step;
+    return r->step == m->n_step || (r->observer && r->step % m->output.every == 0);
 }
 
 int analysis_go(struct run *r, long end) {
     int status = STATUS_OK;
     while (status == STATUS_OK && r->step < end) {
-        long stretch = stretch_end(r, r->step);
-        status = r->method->advance(r, &r->step, stretch < end ? stretch : end);
-        if (status == STATUS_OK && is_shown(r, r->step)) {
-            status = observe(r);
+        status = r->method->advance(r, &r->step, analysis_next_stop(r, end));
+        if (status == STATUS_OK && analysis_is_row(r)) {
+            status = analysis_show_row(r);
         }
     }
     return status;
@@ -111,7 +102,7 @@ int analysis_step(struct run *r, long n) {
     if (status == STATUS_OK) {
         floors_catch_up(&r->work, r->next, r->now);
     }
-    return status == STATUS_OK && is_shown(r, n) ? observe(r) : status;
+    return status == STATUS_OK && analysis_is_row(r) ? analysis_show_row(r) : status;
 }
 
 static const struct fields_row list[] = {
@@ -134,29 +125,46 @@ int analysis_copy(struct run *to, const struct run *from) {
     return STATUS_OK;
 }
 
-static bool run_alloc(struct run *r, struct arena *a) {
+#define METHOD(descriptor) &descriptor,
+static const struct method *const methods[] = {
+#include "solve/method_list.inc"
+};
+#undef METHOD
+
+// The method for a model.
+static const struct method *analysis_method_of(const struct model *m) {
+    size_t i = 0;
+    while (methods[i]->integrator != m->integrator || methods[i]->adaptive != m->adaptive) {
+        i++;
+        assert(i < sizeof methods / sizeof methods[0]);
+    }
+    return methods[i];
+}
+
+static bool analysis_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->now = &r->store[0];
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
-    return energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
+    return fields_alloc(&energy_fields, m, &r->energy, a) && state_alloc(r->now, m, a) &&
            impacts_alloc(&r->impacts, m, r->results, &r->energy, a) &&
            peaks_alloc(r->results, m, a) && r->method->alloc(r, a);
 }
 
-static int run_start(struct run *r) {
-    equilibrium_start(r->now, r->model);
-    energy_start(&r->energy, r->model, r->now);
-    peaks_update(r->results, r->model, r->now);
-    struct link_peak *link = r->results->link;
-    if (energy_start_links(&r->energy, r->model, r->now, link, r->error) != STATUS_OK) {
+// The state at t = 0, its accounts and its row.
+static int analysis_start(struct run *r) {
+    const struct model *m = r->model;
+    equilibrium_start(r->now, m);
+    peaks_update(r->results, m, r->now);
+    if (energy_start(&r->energy, m, r->now, r->results->link, r->error) != STATUS_OK) {
         return r->error->status;
     }
-    state_commit_links(r->now, r->model);
+    state_commit_links(r->now, m);
     if (r->method->start) {
         r->method->start(r);
     }
-    return impacts_start(&r->impacts, r->now, r->error);
+    int status = impacts_start(&r->impacts, r->now, r->error);
+    return status == STATUS_OK ? analysis_show_row(r) : status;
 }
 
 int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
@@ -165,7 +173,7 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
     struct results *results = a ? arena_alloc(a, 1, sizeof *results) : NULL;
     *r = (struct run){
         .model = m,
-        .method = method_of(m),
+        .method = analysis_method_of(m),
         .observer = observer,
         .results = results,
         .error = e,
@@ -173,16 +181,10 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
     };
     if (!results) {
         arena_free(a);
-        error_no_memory(e);
-        return STATUS_SYSTEM;
+        return error_no_memory(e);
     }
     results->arena = a;
-    if (!run_alloc(r, a)) {
-        error_no_memory(e);
-        return STATUS_SYSTEM;
-    }
-    int status = run_start(r);
-    return status == STATUS_OK ? observe(r) : status;
+    return analysis_alloc(r, a) ? analysis_start(r) : error_no_memory(e);
 }
 
 int analysis_end(struct run *r, int status, struct results **out) {
@@ -204,7 +206,8 @@ int analysis_run(const struct model *m, const struct observer *observer, struct 
                  struct error *e) {
     struct run r;
     int status = analysis_begin(&r, m, observer, e);
-    return analysis_end(&r, status == STATUS_OK ? analysis_go(&r, m->n_step) : status, out);
+    status = status == STATUS_OK ? analysis_go(&r, m->n_step) : status;
+    return analysis_end(&r, status, out);
 }
 
 void results_free(struct results *r) {

@@ -8,56 +8,36 @@
 #include "jostle/model.h"
 
 // Elements of a field in building k.
-static size_t count_of(const struct fields_row *f, const struct model *m, int k) {
-    size_t n = 0;
-    switch (f->count) {
-        case FIELD_ONE:
-        case FIELD_AT:
-            return 1;
-        case FIELD_FLOORS:
-            return (size_t)m->n_dof;
-        case FIELD_LINKS:
-            return (size_t)m->n_link;
-        case FIELD_GROUNDS:
-            return (size_t)m->n_ground;
-        case FIELD_LOADS:
-            return (size_t)m->n_load;
-        case FIELD_SIGNALS:
-            for (int i = 0; i < m->n_ground; i++) {
-                n += (size_t)m->ground[i].n_signal;
-            }
-            return n;
-        case FIELD_BUILDINGS:
-            return (size_t)m->n_building;
-        case FIELD_BUILDING_FLOORS:
-            return (size_t)m->building[k].n_floor;
-        case FIELD_STOREY_HISTORIES:
-            return (size_t)m->n_storey_history;
-        case FIELD_LINK_HISTORIES:
-            return (size_t)m->n_link_history;
+static size_t fields_count(const struct fields_row *f, const struct model *m, int k) {
+    int n_signal = 0;
+    for (int i = 0; i < m->n_ground; i++) {
+        n_signal += m->ground[i].n_signal;
     }
-    return n;
-}
-
-static void *array_of(const struct fields_row *f, const struct model *m, struct arena *a) {
-    size_t n = count_of(f, m, 0);
-    if (f->count == FIELD_FLOORS && f->size == sizeof(double)) {
-        return lanes_array(a, m->n_dof);
-    }
-    return f->count == FIELD_LINKS ? lanes_lines(a, n + LANES_WIDTH, f->size)
-                                   : arena_alloc(a, n, f->size);
-}
-
-static bool is_allocated(const struct fields_row *f) {
-    return f->count != FIELD_ONE && f->count != FIELD_AT && f->count != FIELD_BUILDINGS &&
-           f->count != FIELD_BUILDING_FLOORS;
+    const int n[] = {
+        [FIELD_ONE] = 1,
+        [FIELD_AT] = 1,
+        [FIELD_BUILDINGS] = m->n_building,
+        [FIELD_BUILDING_FLOORS] = m->building[k].n_floor,
+        [FIELD_FLOORS] = m->n_dof,
+        [FIELD_LINKS] = m->n_link,
+        [FIELD_GROUNDS] = m->n_ground,
+        [FIELD_LOADS] = m->n_load,
+        [FIELD_SIGNALS] = n_signal,
+        [FIELD_STOREY_HISTORIES] = m->n_storey_history,
+        [FIELD_LINK_HISTORIES] = m->n_link_history,
+    };
+    return (size_t)n[f->count];
 }
 
 bool fields_alloc(const struct fields *f, const struct model *m, void *s, struct arena *a) {
     for (const struct fields_row *i = f->row; i < f->row + f->n; i++) {
+        const size_t n = fields_count(i, m, 0);
         char *member = (char *)s + i->offset;
-        if (is_allocated(i)) {
-            void *array = array_of(i, m, a);
+        if (i->count >= FIELDS_ALLOCATED) {
+            const bool floors = i->count == FIELD_FLOORS && i->size == sizeof(double);
+            void *array = floors                    ? lanes_array(a, m->n_dof)
+                          : i->count == FIELD_LINKS ? lanes_lines(a, n + LANES_WIDTH, i->size)
+                                                    : arena_alloc(a, n, i->size);
             memcpy(member, &array, sizeof array);  // pointers of all types are alike here
         } else if (i->count == FIELD_ONE && i->part) {
             fields_alloc(i->part, m, member, a);
@@ -67,31 +47,29 @@ bool fields_alloc(const struct fields *f, const struct model *m, void *s, struct
 }
 
 // Where the elements of a field are.
-static void *elements_of(const struct fields_row *f, const void *s) {
-    char *member = (char *)s + f->offset;
-    if (f->count == FIELD_ONE) {
-        return member;
+static char *fields_elements(const struct fields_row *f, const void *s) {
+    char *elements = (char *)s + f->offset;
+    if (f->count != FIELD_ONE) {
+        memcpy(&elements, elements, sizeof elements);
     }
-    void *array;
-    memcpy(&array, member, sizeof array);
-    return array;
+    return elements;
 }
 
-static void copy(const struct fields *f, const struct model *m, int building, void *to,
-                 const void *from) {
+static void fields_copy_of(const struct fields *f, const struct model *m, int building, void *to,
+                           const void *from) {
     for (const struct fields_row *i = f->row; i < f->row + f->n; i++) {
-        const size_t n = count_of(i, m, building);
-        char *there = elements_of(i, to);
-        const char *here = elements_of(i, from);
+        const size_t n = fields_count(i, m, building);
+        char *there = fields_elements(i, to);
+        const char *here = fields_elements(i, from);
         if (!i->part && n > 0) {
             memcpy(there, here, n * i->size);
         }
         for (size_t k = 0; i->part && k < n; k++) {
-            copy(i->part, m, (int)k, there + k * i->size, here + k * i->size);
+            fields_copy_of(i->part, m, (int)k, there + k * i->size, here + k * i->size);
         }
     }
 }
 
 void fields_copy(const struct fields *f, const struct model *m, void *to, const void *from) {
-    copy(f, m, 0, to, from);
+    fields_copy_of(f, m, 0, to, from);
 }

@@ -10,17 +10,18 @@
 struct arena;
 struct model;
 
-// How many elements a field has.
+// How many elements a field has. The list allocates arrays from FIELDS_ALLOCATED on.
 enum field_count {
-    FIELD_ONE,     // it is in the struct itself
-    FIELD_AT,      // one, behind a pointer that is not allocated by the list
-    FIELD_FLOORS,  // (n_dof) an array of core/lanes.h
-    FIELD_LINKS,   // (n_link) from the start of a line of the cache, and whole lanes
+    FIELD_ONE,              // it is in the struct itself
+    FIELD_AT,               // one, behind a pointer
+    FIELD_BUILDINGS,        // structs behind a pointer
+    FIELD_BUILDING_FLOORS,  // (n_floor) of one of them
+    FIELDS_ALLOCATED,
+    FIELD_FLOORS = FIELDS_ALLOCATED,  // (n_dof) an array of core/lanes.h
+    FIELD_LINKS,                      // (n_link) from the start of a line of the cache, whole lanes
     FIELD_GROUNDS,
     FIELD_LOADS,
     FIELD_SIGNALS,           // of all grounds
-    FIELD_BUILDINGS,         // structs behind a pointer that is not allocated by the list
-    FIELD_BUILDING_FLOORS,   // (n_floor) of one of them; not allocated by the list
     FIELD_STOREY_HISTORIES,  // (model.n_storey_history)
     FIELD_LINK_HISTORIES,    // (model.n_link_history)
 };

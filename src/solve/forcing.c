@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What ground motions and loads do at an instant: at any instant from their signals, and between
+// two corners from pieces.
+//
 // At a corner signal_value has one value, but a step that ends there needs the limit from the left
 // and the step that begins there the limit from the right. So a piece is taken by the instant from
 // which on it holds, and is evaluated up to its end.
@@ -6,6 +9,9 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
+
+#include "solve/floors/chain.h"
 
 // A corner this close, relative to a sample or to the size of the time, is reached.
 static const double AT_SAMPLE = 1e-6, AT_TIME = 1e-12;
@@ -27,90 +33,62 @@ const struct fields forcing_fields = FIELDS(list);
 
 void forcing_init(struct forcing *f, const struct model *m) {
     f->model = m;
-    f->corner = -INFINITY;
-}
-
-bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
-    forcing_init(f, m);
-    return fields_alloc(&forcing_fields, m, f, a);
 }
 
 static double forcing_slack(const struct signal *s, double t) {
     return s->value ? AT_SAMPLE * s->dt : AT_TIME * (1.0 + fabs(t));
 }
 
-static struct piece forcing_line_from(const struct signal *s, double t) {
-    double x = (t - s->start) / s->dt + AT_SAMPLE;
+// The piece of a signal that holds from t on.
+static struct piece forcing_piece_from(const struct signal *s, double t) {
+    const double near = forcing_slack(s, t);
+    if (t < s->start - near) {
+        return (struct piece){.end = s->start};
+    }
+    if (t >= s->end - near) {
+        return (struct piece){.end = INFINITY};
+    }
+    if (!s->value) {
+        return (struct piece){.sine = s, .end = s->end};
+    }
+    const double x = (t - s->start) / s->dt + AT_SAMPLE;
     size_t j = x > 0.0 ? (size_t)x : 0;
     j = j < s->n - 2 ? j : s->n - 2;
     return (struct piece){
-        .signal = s,
-        .shape = PIECE_LINE,
-        .start = s->start + (double)j * s->dt,
         .end = j + 2 < s->n ? s->start + (double)(j + 1) * s->dt : s->end,
-        .value = s->value[j],
-        .slope = (s->value[j + 1] - s->value[j]) / s->dt,
+        .line = {.start = s->start + (double)j * s->dt,
+                 .value = s->value[j],
+                 .slope = (s->value[j + 1] - s->value[j]) / s->dt},
     };
 }
 
-// The piece of a signal that holds from t on.
-static struct piece forcing_piece_from(const struct signal *s, double t) {
-    double near = forcing_slack(s, t);
-    if (t < s->start - near) {
-        return (struct piece){.signal = s, .shape = PIECE_LINE, .end = s->start};
-    }
-    if (t >= s->end - near) {
-        return (struct piece){.signal = s, .shape = PIECE_LINE, .end = INFINITY};
-    }
-    if (s->value) {
-        return forcing_line_from(s, t);
-    }
-    return (struct piece){.signal = s, .shape = PIECE_SINE, .end = s->end};
-}
-
-static double forcing_sine_value(const struct signal *s, double t) {
+static double forcing_sine(const struct signal *s, double t) {
     return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
 }
 
-static inline double forcing_piece_value(const struct piece *p, double t) {
-    return p->shape == PIECE_LINE ? p->value + p->slope * (t - p->start)
-                                  : forcing_sine_value(p->signal, t);
+static double forcing_value(const struct piece *p, double t) {
+    return p->sine ? forcing_sine(p->sine, t) : forcing_on_line(&p->line, t);
 }
 
 // What rounding makes of the value of a piece at its end, where the sum may cancel: that of its
 // terms, and of the time.
 static double forcing_rounding(const struct piece *p, double t) {
-    if (p->shape == PIECE_SINE) {
-        return JUMP * fabs(p->signal->amplitude);
+    if (p->sine) {
+        return JUMP * fabs(p->sine->amplitude);
     }
-    double terms = fabs(p->value) + fabs(p->slope * (t - p->start));
-    return JUMP * terms + 4.0 * DBL_EPSILON * fabs(p->slope * t);
+    double terms = fabs(p->line.value) + fabs(p->line.slope * (t - p->line.start));
+    return JUMP * terms + 4.0 * DBL_EPSILON * fabs(p->line.slope * t);
 }
 
 // Replaces the piece by the next one where it has ended. True if the signal jumps there.
-static bool forcing_turn_piece(const struct forcing *f, struct piece *p, const struct signal *s,
-                               double t) {
-    if (f->corner == -INFINITY) {
-        *p = forcing_piece_from(s, t);
-        return true;
-    }
+static bool forcing_turn_piece(struct piece *p, const struct signal *s, double t) {
     if (t < p->end - forcing_slack(s, t)) {
         return false;
     }
-    double before = forcing_piece_value(p, t);
+    double before = forcing_value(p, t);
     double error = forcing_rounding(p, t);
     *p = forcing_piece_from(s, t);
-    return fabs(forcing_piece_value(p, t) - before) > fmax(error, forcing_rounding(p, t));
-}
-
-// Adds the piece to the lines of its ground if it is a line.
-static void forcing_add_line(struct forcing *f, struct sloping *lines, const struct piece *p) {
-    if (p->shape == PIECE_LINE) {
-        lines->value += forcing_piece_value(p, lines->start);
-        lines->slope += p->slope;
-    } else {
-        f->sines = true;
-    }
+    return fabs(forcing_value(p, t) - before) > fmax(error, forcing_rounding(p, t));
 }
 
 bool forcing_turn(struct forcing *f, double t) {
@@ -118,37 +96,32 @@ bool forcing_turn(struct forcing *f, double t) {
     bool jumps = false;
     double corner = INFINITY;
     struct piece *p = f->ground;
-    if (f->corner > -INFINITY && t >= m->duration * (1.0 - SAME_TIME)) {
+    if (t >= m->duration * (1.0 - SAME_TIME)) {
         f->corner = INFINITY;
         return false;
     }
     f->sines = false;
     for (int k = 0; k < m->n_ground; k++) {
-        f->lines[k] = (struct sloping){.start = t};
+        struct sloping lines = {.start = t};
         for (int i = 0; i < m->ground[k].n_signal; i++, p++) {
-            jumps |= forcing_turn_piece(f, p, &m->ground[k].signal[i], t);
+            jumps |= forcing_turn_piece(p, &m->ground[k].signal[i], t);
             corner = fmin(corner, p->end);
-            forcing_add_line(f, &f->lines[k], p);
+            f->sines |= p->sine != NULL;
+            lines.value += p->sine ? 0.0 : forcing_on_line(&p->line, t);
+            lines.slope += p->line.slope;
         }
+        f->lines[k] = lines;
     }
     for (int k = 0; k < m->n_load; k++) {
-        jumps |= forcing_turn_piece(f, &f->load[k], &m->load[k].signal, t);
+        jumps |= forcing_turn_piece(&f->load[k], &m->load[k].signal, t);
         corner = fmin(corner, f->load[k].end);
     }
     f->corner = corner;
     return jumps;
 }
 
-static void forcing_add_sines(const struct forcing *f, double t, double *a) {
-    const struct piece *p = f->ground;
-    for (int k = 0; k < f->model->n_ground; k++) {
-        for (const struct piece *end = p + f->model->ground[k].n_signal; p < end; p++) {
-            a[k] += p->shape == PIECE_SINE ? forcing_sine_value(p->signal, t) : 0.0;
-        }
-    }
-}
-
-void forcing_integrals(const struct model *m, double t, struct forcing_values *out) {
+// The velocities and displacements of the grounds at any time t.
+static void forcing_integrals(const struct model *m, double t, const struct forcing_values *out) {
     for (int k = 0; k < m->n_ground; k++) {
         out->v[k] = out->u[k] = 0.0;
         for (int i = 0; i < m->ground[k].n_signal; i++) {
@@ -161,11 +134,12 @@ void forcing_integrals(const struct model *m, double t, struct forcing_values *o
 }
 
 void forcing_ground(const struct forcing *f, double t, struct forcing_values *out) {
+    const struct piece *p = f->ground;
     for (int k = 0; k < f->model->n_ground; k++) {
         out->a[k] = forcing_lines(f, k, t);
-    }
-    if (f->sines) {
-        forcing_add_sines(f, t, out->a);
+        for (int i = 0; f->sines && i < f->model->ground[k].n_signal; i++, p++) {
+            out->a[k] += p->sine ? forcing_sine(p->sine, t) : 0.0;
+        }
     }
     if (f->model->n_ground > 1) {
         forcing_integrals(f->model, t, out);
@@ -173,5 +147,72 @@ void forcing_ground(const struct forcing *f, double t, struct forcing_values *ou
 }
 
 double forcing_load(const struct forcing *f, int k, double t) {
-    return forcing_piece_value(&f->load[k], t);
+    return forcing_value(&f->load[k], t);
+}
+
+// The motion of the grounds at any t. With one ground under all, nothing depends on its velocity
+// and displacement.
+static void excitation_grounds(struct state *s, const struct model *m, double t) {
+    for (int k = 0; k < m->n_ground; k++) {
+        s->ground_a[k] = s->ground_v[k] = s->ground_u[k] = 0.0;
+        for (int i = 0; i < m->ground[k].n_signal; i++) {
+            s->ground_a[k] += signal_value(&m->ground[k].signal[i], t);
+        }
+    }
+    if (m->n_ground > 1) {
+        forcing_integrals(m, t, &(struct forcing_values){.v = s->ground_v, .u = s->ground_u});
+    }
+}
+
+// The ground's accelerations under the floors, and the external forces; `f` is NULL where loads do
+// not come from pieces.
+static void excitation_on_floors(struct state *s, const struct model *m, const struct forcing *f,
+                                 double t) {
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            s->base[i] = s->ground_a[g->ground];
+        }
+    }
+    chain_inertia(&m->chain, s->base, s->external);
+    for (int k = 0; k < m->n_load; k++) {
+        const struct load *load = &m->load[k];
+        s->external[load->dof] += f ? forcing_load(f, k, t) : signal_value(&load->signal, t);
+    }
+}
+
+void excitation_floors(struct state *s, const struct model *m, double t) {
+    excitation_on_floors(s, m, NULL, t);
+}
+
+void excitation_at(struct state *s, const struct model *m, double t) {
+    excitation_grounds(s, m, t);
+    excitation_on_floors(s, m, NULL, t);
+}
+
+void excitation_of_pieces(struct state *s, const struct forcing *f, double t) {
+    struct forcing_values ground = {.a = s->ground_a, .v = s->ground_v, .u = s->ground_u};
+    forcing_ground(f, t, &ground);
+    excitation_on_floors(s, f->model, f, t);
+}
+
+void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n) {
+    if (n < x->from || n >= x->from + EXCITATION_AHEAD) {
+        x->from = n;
+        model_times(m, n, EXCITATION_AHEAD, x->time);
+        memset(x->ground, 0, sizeof x->ground);
+        for (int i = 0; state_is_uniform(m) && i < m->ground[0].n_signal; i++) {
+            signal_add_values(&m->ground[0].signal[i], EXCITATION_AHEAD, x->time, x->ground);
+        }
+    }
+    x->sought = n - x->from;
+}
+
+void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
+                              const struct model *m, double t) {
+    if (state_is_uniform(m) && x->time[x->sought] == t) {
+        s->ground_a[0] = x->ground[x->sought];
+    } else {
+        excitation_grounds(s, m, t);
+    }
 }

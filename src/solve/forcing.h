@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ground motions and loads between their corners. A corner is a sample of a record or a load
-// history, or the start or the end of any signal: there the forcing has a kink or a jump, and
-// between two corners it is smooth.
+// Ground motions and loads: at an instant, at the ends of fixed steps, and between their corners. A
+// corner is a sample of a record or a load history, or the start or the end of any signal: there
+// the forcing has a kink or a jump, and between two corners it is smooth.
 #ifndef JOSTLE_FORCING_H
 #define JOSTLE_FORCING_H
 
-#include <stdbool.h>
+#include "solve/state.h"
 
-#include "jostle/model.h"
-#include "solve/fields.h"
+// A straight line: value + slope (t - start).
+struct sloping {
+    double start, value, slope;  // [T] [.] [./T]
+};
 
-enum piece_shape { PIECE_LINE, PIECE_SINE };
+static inline double forcing_on_line(const struct sloping *l, double t) {
+    return l->value + l->slope * (t - l->start);
+}
 
 // A signal between two of its corners.
 struct piece {
-    const struct signal *signal;  // borrowed
-    enum piece_shape shape;
-    double end;           // [T] its next corner; may be infinite
-    double start;         // [T] a line: value + slope (t - start)
-    double value, slope;  // [.] [./T]
-};
-
-// The lines of a ground's signals together: value + slope (t - start).
-struct sloping {
-    double start, value, slope;
+    const struct signal *sine;  // borrowed; NULL: it is a line
+    double end;                 // [T] its next corner; may be infinite
+    struct sloping line;        // 0 of a sine
 };
 
 struct forcing {
     const struct model *model;  // borrowed
     struct piece *ground;       // those of ground 0, then 1, ...
     struct piece *load;         // (model.n_load)
-    struct sloping *lines;      // (model.n_ground)
+    struct sloping *lines;      // (model.n_ground) the lines of a ground's signals together
     bool sines;                 // does any ground move in one?
     double corner;              // [T] the next corner of all; may be infinite
 };
@@ -42,11 +39,9 @@ struct forcing_values {
     double *v, *u;  // [L/T] [L] only where there is more than one ground
 };
 
-// Before all pieces, in storage that fields_alloc makes.
+// Before all pieces, in storage that fields_alloc makes: they end at t = 0, where forcing_turn is
+// due for the first time.
 void forcing_init(struct forcing *f, const struct model *m);
-
-// Room for the pieces of a model; false: no memory.
-bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a);
 
 // Replaces the pieces that end at time t by those that begin there. True if a signal jumps. At the
 // end of the analysis the pieces stay: what is after it does not count.
@@ -54,17 +49,41 @@ bool forcing_turn(struct forcing *f, double t);
 
 // The lines of ground k at time t, not after the next corner.
 static inline double forcing_lines(const struct forcing *f, int k, double t) {
-    const struct sloping *line = &f->lines[k];
-    return line->value + line->slope * (t - line->start);
+    return forcing_on_line(&f->lines[k], t);
 }
 
 // The ground's motion then: lines and all else.
 void forcing_ground(const struct forcing *f, double t, struct forcing_values *out);
 
-// The velocities and displacements of the grounds at any time t.
-void forcing_integrals(const struct model *m, double t, struct forcing_values *out);
-
 // Load number k at time t, not after the next corner [F].
 double forcing_load(const struct forcing *f, int k, double t);
+
+// Sets the ground's acceleration (and, where links need them, velocity and displacement) and the
+// external forces -m a_ground + p of `s` to time t.
+void excitation_at(struct state *s, const struct model *m, double t);
+
+// The forces on the floors only, with the ground's accelerations as they are in `s`.
+void excitation_floors(struct state *s, const struct model *m, double t);
+
+// excitation_at from the pieces of the forcing, for t up to its next corner. At the corner it is
+// the limit from the left before forcing_turn, and that from the right after.
+void excitation_of_pieces(struct state *s, const struct forcing *f, double t);
+
+// The ends of fixed steps, and if one ground moves all floors its accelerations then, computed many
+// steps at a time.
+enum { EXCITATION_AHEAD = 128 };
+struct excitation_ahead {
+    long from;                      // step of the first; before anything is known -EXCITATION_AHEAD
+    long sought;                    // that asked for last, from there
+    double time[EXCITATION_AHEAD];  // [T]
+    double ground[EXCITATION_AHEAD];  // [L/T^2]
+};
+
+// Computes ahead, unless that has been done, so that step n is among the steps known.
+void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n);
+
+// The motion of the grounds only, at any t; looked up where t is the end of the step sought last.
+void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
+                              const struct model *m, double t);
 
 #endif

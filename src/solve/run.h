@@ -6,13 +6,55 @@
 
 #include "solve/account/energy.h"
 #include "solve/account/impacts.h"
-#include "solve/memory.h"
 #include "solve/newmark/flight.h"
-#include "solve/newmark/step_length.h"
+#include "solve/pace.h"
 #include "solve/work.h"
 
 struct dp;
-struct method;
+struct run;
+
+// A method by which the time loop goes from row to row of the output.
+struct method {
+    // The models that are integrated by it.
+    enum integrator integrator;
+    bool adaptive;
+
+    // What it carries from step to step, of struct run.
+    const struct fields *fields;
+
+    // Room for what it needs of the run; false: no memory.
+    bool (*alloc)(struct run *r, struct arena *a);
+
+    // Begins at r->now, the state at t = 0; NULL: nothing to do.
+    void (*start)(struct run *r);
+
+    // Goes from step *n of the model to a later one, `end` at most, and makes r->now its state.
+    // Quantities that only rows show may be left out before `end`.
+    int (*advance)(struct run *r, long *n, long end);
+
+    // Computes what rows show of r->now and brings r->energy up to it; NULL: advance has done so.
+    void (*complete)(struct run *r);
+
+    // Makes its scratch that of the fields, which have been replaced; NULL: nothing to do.
+    void (*resume)(struct run *r);
+};
+
+#define METHOD(descriptor) extern const struct method descriptor;
+#include "solve/method_list.inc"
+#undef METHOD
+
+// What the adaptive steps of Newmark's method remember from step to step.
+struct step_length {
+    struct forcing forcing;  // for its corners
+    struct scales scales;    // of errors
+    struct pace pace;
+    double trial;             // [T] what the error control would take next
+    double last;              // [T] the step to the present state; 0: its accelerations jump there
+    double split;             // [T] when a step was last split at an event
+    bool turned;              // the forcing has a corner at the present state
+    double *before, *within;  // [L/T^2] (n_dof) accelerations at the start of the last step: all of
+                              // them, and without what the forcing does directly
+};
 
 struct run {
     const struct model *model;

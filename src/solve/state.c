@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "model/parts.h"
-#include "solve/excitation.h"
 #include "solve/floors/chain.h"
+#include "solve/forcing.h"
 
 static const struct fields_row list[] = {
     FIELD_VALUE(struct state, time),
@@ -35,24 +35,38 @@ static const struct fields_row list[] = {
 };
 const struct fields state_fields = FIELDS(list);
 
+static const struct fields_row memory_list[] = {
+    FIELD_ARRAY(struct memory, tangent, FIELD_FLOORS),
+    FIELD_ARRAY(struct memory, resolved, FIELD_LINKS),
+    FIELD_VALUE(struct memory, unresolved),
+};
+const struct fields memory_fields = FIELDS(memory_list);
+
 bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
     return fields_alloc(&state_fields, m, s, a);
 }
 
-// Asserts what the loops over floors rely on, of arrays that they read a floor below and above.
-static void state_assert_arrays(const struct state *s, const struct model *m, const double *u,
-                                const double *v) {
-    lanes_assert(u, m->n_dof);
-    lanes_assert(v, m->n_dof);
-    lanes_assert(s->drift, m->n_dof);
-    lanes_assert(s->shear, m->n_dof);
+bool memory_alloc(struct memory *s, const struct model *m, struct arena *a) {
+    s->unresolved = -1;
+    if (!fields_alloc(&memory_fields, m, s, a)) {
+        return false;
+    }
+    memcpy(s->tangent, m->chain.stiffness, (size_t)m->n_dof * sizeof *s->tangent);
+    return true;
+}
+
+void state_assert(const struct state *s, const struct model *m) {
+    const double *const array[] = {s->u, s->v, s->a, s->base, s->total, s->drift, s->shear};
+    for (size_t i = 0; i < sizeof array / sizeof array[0]; i++) {
+        lanes_assert(array[i], m->n_dof);
+    }
+    assert(s->u[m->n_dof] == 0.0 && s->v[m->n_dof] == 0.0);
     assert(m->chain.n == lanes_whole(m->n_dof) && m->chain.joint[0] == 0.0);
 }
 
 void state_open_links(struct state *s) {
     for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        s->link[k] = (struct link_state){0};
+        s->link[s->live[i]] = (struct link_state){0};
     }
     s->n_live = 0;
 }
@@ -87,42 +101,20 @@ void state_storeys(struct state *s, const struct model *m, const struct building
     }
 }
 
-// Drift rates of building g at the velocities v (n_dof).
-static void state_find_rates(struct state *s, const struct building *g, const double *v) {
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
-    }
-}
-
-static void state_part_shears(struct state *s, const struct model *m, const double *v,
-                              const double *from, double *after) {
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        if (g->n_part == 0) {
-            continue;
-        }
-        if (!g->elastic) {
-            state_find_rates(s, g, v);
-        }
-        parts_respond(g, from, s->drift + g->first, s->rate + g->first,
-                      &(struct part_sums){.shear = s->shear + g->first}, after);
-    }
-}
-
-static void state_full_damping(struct state *s, const struct model *m, const double *v) {
-    for (int k = 0; k < m->n_building; k++) {
+void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
+                       double *after) {
+    for (int k = 0; m->chain.full_damping && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         if (g->damping_full) {
             building_damping_force(g, v + g->first, s->damping_force + g->first);
         }
-    }
-}
-
-void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
-                       double *after) {
-    if (m->chain.full_damping) {
-        state_full_damping(s, m, v);
-        state_part_shears(s, m, v, from, after);
+        for (int i = g->first; g->n_part > 0 && !g->elastic && i < g->first + g->n_floor; i++) {
+            s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
+        }
+        if (g->n_part > 0) {
+            parts_respond(g, from, s->drift + g->first, s->rate + g->first,
+                          &(struct part_sums){.shear = s->shear + g->first}, after);
+        }
     }
 }
 
@@ -139,7 +131,7 @@ static void state_forces_from(struct state *s, const struct model *m, const doub
 
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v) {
-    state_assert_arrays(s, m, u, v);
+    state_assert(s, m);
     state_forces_from(s, m, u, v, s->storey_history, NULL);
 }
 
@@ -221,8 +213,7 @@ void state_push(const struct link *l, const struct model *m, double f, double *x
 
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor) {
     for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        link_push(&m->link[k], s->link[k].force, floor);
+        link_push(&m->link[s->live[i]], s->link[s->live[i]].force, floor);
     }
 }
 

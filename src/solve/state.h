@@ -49,8 +49,30 @@ struct state {
 };
 extern const struct fields state_fields;
 
+// What has been found to be short enough for a contact.
+struct resolved {
+    double step;   // [T] with which the start or the end of a step was last resolved; 0: none
+    double depth;  // [L] penetration up to which steps are short enough for its spring,
+    long factors;  // work.factors with which that is so
+};
+
+// What Newmark's method remembers from step to step besides its states. It is not physical, but the
+// last bits of the results depend on it.
+struct memory {
+    double *tangent;            // [F/L] (n_dof) of the storeys when they were last linearised
+    struct resolved *resolved;  // (n_link)
+    int unresolved;             // link that last needed a shorter step; -1: none did
+};
+extern const struct fields memory_fields;
+
 // Room for a state of the model in `a`; false: no memory.
 bool state_alloc(struct state *s, const struct model *m, struct arena *a);
+
+// Room for the memory of a run that has taken no step; false: no memory.
+bool memory_alloc(struct memory *s, const struct model *m, struct arena *a);
+
+// Asserts the zeros around arrays of floors, which loops read as the ground and as walls.
+void state_assert(const struct state *s, const struct model *m);
 
 // Empties `live`: all links open, with force 0.
 void state_open_links(struct state *s);

@@ -6,11 +6,10 @@
 
 #include "solve/contact/cluster.h"
 #include "solve/contact/gaps.h"
-#include "solve/excitation.h"
 #include "solve/floors/chain.h"
 #include "solve/floors/effective.h"
 #include "solve/floors/floors.h"
-#include "solve/memory.h"
+#include "solve/forcing.h"
 #include "solve/scale.h"
 #include "solve/state.h"
 
@@ -18,12 +17,6 @@
 enum strictness {
     STEP_STRICT,  // give STATUS_RETRY: the step is rejected
     STEP_ACCEPT,  // take the last iterate and count it: the step is as short as it gets
-};
-
-// Closures and openings at which steps are split.
-enum splitting {
-    SPLIT_JUMPS,   // those at which the force jumps
-    SPLIT_ALWAYS,  // all
 };
 
 // Newton's iteration on the storeys, in newmark.c.
@@ -51,7 +44,6 @@ struct work {
     struct effective *other;      // (n_building) for shorter ones
     long factors;                 // counts its factorisations
     enum strictness strictness;
-    enum splitting splitting;
     int held;  // link that stays open or closed in this step; -1: none
 
     // Borrowed; NULL: steps are fixed, and do not end at corners.

@@ -13,7 +13,6 @@
 #ifndef JOSTLE_SURVEY_H
 #define JOSTLE_SURVEY_H
 
-#include "model/damping_warn.h"
 #include "model/guidance.h"
 #include "study/plan.h"
 

@@ -63,9 +63,9 @@ path_of() {
 # Headers of scratch hold what struct work is made of, and nothing of how it is computed.
 solve_group() {
     case ${1#src/solve/} in
-    fields.* | pace.* | forcing.* | scale.* | memory.*) echo "0 base" ;;
+    fields.* | pace.* | scale.*) echo "0 base" ;;
     floors/chain.* | floors/effective* | floors/floor_terms.h | floors/floor_vectors.h) echo "1 matrix" ;;
-    state.* | excitation.*) echo "2 state" ;;
+    state.* | forcing.*) echo "2 state" ;;
     event/*) echo "3 event" ;;
     account/*) echo "4 account" ;;
     contact/gaps.* | contact/cluster.h) echo "5 scratch" ;;
@@ -76,9 +76,9 @@ solve_group() {
     dormand_prince/dormand_prince.c) echo "10 method" ;;
     newmark/* | work.c) echo "8 newmark" ;;
     dormand_prince/*) echo "8 dormand_prince" ;;
-    run.h | method.h | method_list.inc) echo "9 run" ;;
+    run.h | method_list.inc) echo "9 run" ;;
     ensemble/*) echo "11 ensemble" ;;
-    analysis.c | method.c) echo "12 analysis" ;;
+    analysis.c) echo "12 analysis" ;;
     *) echo "check_layers: no group is known for '$1'" >&2 && exit 1 ;;
     esac
 }

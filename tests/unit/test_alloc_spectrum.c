@@ -4,7 +4,6 @@
 #include "core/arena.h"
 #include "jostle/record.h"
 #include "jostle/spectrum.h"
-#include "motion/match.h"
 #include "motion/target.h"
 #include "support/fail_alloc.h"
 #include "support/support.h"
@@ -19,7 +18,7 @@ static int match_of(const struct spectra *s, struct arena *a, struct error *e) {
         return status;
     }
     const double goal[] = {target_at(&t, s->period[0]), target_at(&t, s->period[1])};
-    return match_compute(&m, s, goal, a, e);
+    return target_match(&m, s, goal, a, e);
 }
 
 static int spectra_of(const char *path, struct arena *a, struct error *e) {

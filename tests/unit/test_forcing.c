@@ -17,7 +17,8 @@ static int jumps_of(const char *ground) {
     struct arena *a = arena_create();
     struct forcing f = {0};
     int jumps = 0;
-    assert_true(a && forcing_alloc(&f, m, a));
+    forcing_init(&f, m);
+    assert_true(a && fields_alloc(&forcing_fields, m, &f, a));
     (void)forcing_turn(&f, 0.0);
     while (f.corner < INFINITY) {
         jumps += forcing_turn(&f, f.corner);

@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "jostle/spectrum.h"
-#include "model/floor_velocity.h"
 #include "support/analysis.h"
 #include "support/support.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Factors of records for a target, where they are known beforehand.
-#include "motion/match.h"
+#include "motion/target.h"
 
 #include <math.h>
 
@@ -24,7 +24,7 @@ static struct match match_of(struct arena *a, const double *psa, int n_record, c
                               .point = point};
     struct match m;
     struct error e;
-    assert_int_equal(match_compute(&m, &s, goal, a, &e), STATUS_OK);
+    assert_int_equal(target_match(&m, &s, goal, a, &e), STATUS_OK);
     return m;
 }
 

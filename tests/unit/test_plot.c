@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "plot/canvas.h"
-#include "plot/data.h"
+#include "plot/runs.h"
 #include "plot/script.h"
 #include "support/support.h"
 

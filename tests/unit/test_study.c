@@ -8,7 +8,7 @@
 
 #include "jostle/study.h"
 #include "jostle/study_file.h"
-#include "result/study_box.h"
+#include "result/study_sweep.h"
 #include "study/plan.h"
 #include "support/analysis.h"
 #include "support/suite.h"
@@ -66,7 +66,7 @@ static void boxes_cover_all_runs_in_order(void **state) {
         for (long capacity = 1; capacity <= n_run + 1; capacity++) {
             long first = 0;
             while (first < n_run) {
-                const struct h5_block box = study_box(sweep, 3, first, capacity);
+                const struct h5_box box = study_sweep_box(sweep, 3, first, capacity);
                 const hsize_t *a = box.start, *n = box.count;
                 assert_int_equal((long)((a[0] * (hsize_t)s[1].n + a[1]) * (hsize_t)s[2].n + a[2]),
                                  first);

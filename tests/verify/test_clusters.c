@@ -13,7 +13,6 @@
 #include "solve/account/energy.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/sweep.h"
-#include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
 #include "solve/newmark/newmark.h"
 #include "support/analysis.h"
@@ -263,7 +262,7 @@ static void take_cluster(uint64_t seed, struct tally *tally) {
     assert_non_null(b.arena);
     assert_true(state_alloc(&b.now, b.model, b.arena) && state_alloc(&b.next, b.model, b.arena) &&
                 peaks_alloc(&b.results, b.model, b.arena) &&
-                energy_alloc(&b.energy, b.model, b.arena) &&
+                fields_alloc(&energy_fields, b.model, &b.energy, b.arena) &&
                 memory_alloc(&b.memory, b.model, b.arena) &&
                 work_alloc(&b.work, b.model, &b.results, &b.memory, b.arena));
     floors_account_to(&b.work, &b.energy, &b.results);

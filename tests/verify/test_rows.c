@@ -37,17 +37,18 @@ static void check_row(int buildings, int floors, struct random *random) {
     struct model *m = row_of(buildings, floors);
     struct arena *a = arena_create();
     struct effective e[BUILDINGS];
-    double r[BUILDINGS * FLOORS], q[BUILDINGS * FLOORS], alone[FLOORS];
+    double r[BUILDINGS * FLOORS + LANES_WIDTH] = {0.0}, q[BUILDINGS * FLOORS + LANES_WIDTH];
+    double alone[FLOORS];
     assert_true(effective_alloc(e, m->building, buildings, EFFECTIVE_BRIEFLY, a));
     for (int k = 0; k < buildings; k++) {
         assert_int_equal(effective_factor(&e[k], 2.5e-5, 5e-3), STATUS_OK);
     }
     fill(random, r, buildings * floors);
     assert_int_equal(e[0].abreast, buildings);
-    effective_solve_abreast(e, r, q);
+    effective_solve(e, buildings, r, q);
     for (int k = 0; k < buildings; k++) {
         const ptrdiff_t first = (ptrdiff_t)k * floors;
-        effective_solve(&e[k], r + first, alone);
+        effective_solve(&e[k], 1, r + first, alone);
         assert_memory_equal(q + first, alone, (size_t)floors * sizeof(double));
     }
     arena_free(a);
@@ -89,11 +90,11 @@ static void a_row_of_all_heights_is_solved_to_the_bits_of_each(void **state) {
         const int first = m->building[from].first;
         fill(&random, r, m->n_dof);
         memcpy(kept, r, (size_t)m->n_dof * sizeof *r);
-        effective_solve_row(&e[from], m->n_building - from, r + first, q + first);
+        effective_solve(&e[from], m->n_building - from, r + first, q + first);
         for (int k = from; k < m->n_building; k++) {
             double alone[FLOORS_MAX];
             const struct building *g = &m->building[k];
-            effective_solve(&e[k], kept + g->first, alone);
+            effective_solve(&e[k], 1, kept + g->first, alone);
             assert_memory_equal(q + g->first, alone, (size_t)g->n_floor * sizeof *q);
         }
     }

@@ -53,25 +53,6 @@ static bool check_name(struct builder *b, const struct word *w, const char *name
     return true;
 }
 
-static void fill(struct builder *b, struct building_draft *d, const struct argument *a) {
-    size_t n = (size_t)d->n_floor;
-    const char *owner = arena_format(b->arena, "floors of building %s", d->name);
-    if (!owner) {
-        return;
-    }
-    d->mass = builder_spread(b, &a[MASS], d->n_floor, owner);
-    d->stiffness = a[STIFFNESS].given ? builder_spread(b, &a[STIFFNESS], d->n_floor, owner)
-                                      : arena_alloc(b->arena, n, sizeof *d->stiffness);
-    if (a[HEIGHT].given) {
-        d->height = builder_spread(b, &a[HEIGHT], d->n_floor, owner);
-    }
-    d->storey = arena_alloc(b->arena, n, sizeof *d->storey);
-    d->storey_word = arena_alloc(b->arena, n, sizeof *d->storey_word);
-    d->displacement = arena_alloc(b->arena, n, sizeof *d->displacement);
-    d->velocity = arena_alloc(b->arena, n, sizeof *d->velocity);
-    d->initial = arena_alloc(b->arena, n, sizeof *d->initial);
-}
-
 // 0 where it is missing or wrong.
 static int count_floors(const struct argument *a) {
     double n = a->n == 1 && a->number ? a->number[0] : 0.0;
@@ -105,7 +86,21 @@ static void build(struct builder *b, const struct statement *s) {
         .any_stiffness = a[STIFFNESS].given,
     };
     if (good) {
-        fill(b, d, a);
+        size_t n = (size_t)d->n_floor;
+        const char *owner = arena_format(b->arena, "floors of building %s", d->name);
+        if (owner) {
+            d->mass = builder_spread(b, &a[MASS], d->n_floor, owner);
+            d->stiffness = a[STIFFNESS].given ? builder_spread(b, &a[STIFFNESS], d->n_floor, owner)
+                                              : arena_alloc(b->arena, n, sizeof *d->stiffness);
+            if (a[HEIGHT].given) {
+                d->height = builder_spread(b, &a[HEIGHT], d->n_floor, owner);
+            }
+            d->storey = arena_alloc(b->arena, n, sizeof *d->storey);
+            d->storey_word = arena_alloc(b->arena, n, sizeof *d->storey_word);
+            d->displacement = arena_alloc(b->arena, n, sizeof *d->displacement);
+            d->velocity = arena_alloc(b->arena, n, sizeof *d->velocity);
+            d->initial = arena_alloc(b->arena, n, sizeof *d->initial);
+        }
     }
 }
 

@@ -57,23 +57,6 @@ static bool read_modes(struct builder *b, const struct building_draft *d, const 
     return true;
 }
 
-static bool coefficients(struct builder *b, const struct argument *a, const struct statement *s,
-                         struct damping_draft *out) {
-    if (a[MODES].given || s->n_plain > 3) {
-        deck_error(b->deck, &s->word[0], "give rayleigh either ratios, or -alpha and -beta");
-        return false;
-    }
-    double *value = arena_alloc(b->arena, 2, sizeof *value);
-    if (value) {
-        value[0] = a[ALPHA].given ? a[ALPHA].number[0] : 0.0;
-        value[1] = a[BETA].given ? a[BETA].number[0] : 0.0;
-        out->kind = DAMPING_COEFFICIENTS;
-        out->n = 2;
-        out->value = value;
-    }
-    return value != NULL;
-}
-
 // A ratio of 2 is more often 2 % than twice the critical damping.
 static void warn_overdamped(struct builder *b, const struct argument *ratio) {
     for (int i = 0; i < ratio->n; i++) {
@@ -102,7 +85,19 @@ static bool refuse_ratios(struct builder *b, const struct building_draft *d,
 static bool rayleigh(struct builder *b, const struct building_draft *d, const struct argument *a,
                      const struct statement *s, struct damping_draft *out) {
     if (a[ALPHA].given || a[BETA].given) {
-        return coefficients(b, a, s, out);
+        if (a[MODES].given || s->n_plain > 3) {
+            deck_error(b->deck, &s->word[0], "give rayleigh either ratios, or -alpha and -beta");
+            return false;
+        }
+        double *value = arena_alloc(b->arena, 2, sizeof *value);
+        if (value) {
+            value[0] = a[ALPHA].given ? a[ALPHA].number[0] : 0.0;
+            value[1] = a[BETA].given ? a[BETA].number[0] : 0.0;
+            out->kind = DAMPING_COEFFICIENTS;
+            out->n = 2;
+            out->value = value;
+        }
+        return value != NULL;
     }
     if (s->n_plain < 4) {
         deck_error(b->deck, &s->word[2], "rayleigh needs a ratio, or -alpha and -beta");
@@ -154,23 +149,6 @@ static bool is_the_same(const struct damping_draft *a, const struct damping_draf
            memcmp(a->value, b->value, (size_t)a->n * sizeof *a->value) == 0;
 }
 
-static void add(struct builder *b, struct building_draft *d, const struct damping_draft *new) {
-    const struct damping_draft *old = d->damping.item;
-    for (int i = 0; i < d->damping.n; i++) {
-        if (is_the_same(&old[i], new)) {
-            deck_warning(b->deck, &new->word,
-                         "the same damping of building %s is in %s already, and both add up; give "
-                         "the sum in one statement if that is meant",
-                         d->name, source_mention(b->deck, &old[i].word.place, &new->word.place));
-            break;
-        }
-    }
-    struct damping_draft *room = builder_append(b, &d->damping, sizeof *room);
-    if (room) {
-        *room = *new;
-    }
-}
-
 static void build(struct builder *b, const struct statement *s) {
     enum { RAYLEIGH, MODAL, DASHPOT, N_KIND };
     static const char *const kinds[N_KIND] = {
@@ -191,7 +169,20 @@ static void build(struct builder *b, const struct statement *s) {
     const int kind = deck_keyword(b->deck, &s->word[2], "damping", kinds, N_KIND);
     new.kind = kind == MODAL ? DAMPING_MODAL : DAMPING_DASHPOT;
     if (kind == RAYLEIGH ? rayleigh(b, d, a, s, &new) : kind >= 0 && list(b, d, a, s, &new)) {
-        add(b, d, &new);
+        const struct damping_draft *old = d->damping.item;
+        for (int k = 0; k < d->damping.n; k++) {
+            if (is_the_same(&old[k], &new)) {
+                deck_warning(b->deck, &new.word,
+                             "the same damping of building %s is in %s already, and both add up; "
+                             "give the sum in one statement if that is meant",
+                             d->name, source_mention(b->deck, &old[k].word.place, &new.word.place));
+                break;
+            }
+        }
+        struct damping_draft *room = builder_append(b, &d->damping, sizeof *room);
+        if (room) {
+            *room = new;
+        }
     }
 }
 

@@ -216,15 +216,6 @@ static void build_record(struct builder *b, const struct statement *s) {
     }
 }
 
-static void build_sine(struct builder *b, const struct statement *s) {
-    struct argument a[N_SINE_ROW] = {0};
-    bool good = builder_plain(b, s, 1, 1, statement_ground.usage);
-    if (deck_options(b->deck, s, &(struct row_set){sine_rows, N_SINE_ROW, a}, 1) && good) {
-        const struct ground_draft g = {.signal = signals_sine(b, a, a[S_DELAY].number[0])};
-        append(b, s, g, &a[S_BUILDINGS], NULL);
-    }
-}
-
 static void build(struct builder *b, const struct statement *s) {
     if (s->n_plain < 2) {
         deck_error(b->deck, &s->word[0], "ground needs 'record' or 'sine'");
@@ -234,7 +225,12 @@ static void build(struct builder *b, const struct statement *s) {
     if (variant == RECORD) {
         build_record(b, s);
     } else if (variant == SINE) {
-        build_sine(b, s);
+        struct argument a[N_SINE_ROW] = {0};
+        bool good = builder_plain(b, s, 1, 1, statement_ground.usage);
+        if (deck_options(b->deck, s, &(struct row_set){sine_rows, N_SINE_ROW, a}, 1) && good) {
+            const struct ground_draft g = {.signal = signals_sine(b, a, a[S_DELAY].number[0])};
+            append(b, s, g, &a[S_BUILDINGS], NULL);
+        }
     }
 }
 

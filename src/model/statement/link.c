@@ -33,14 +33,6 @@ static bool is_zero(const struct argument *a) {
     return !a->given || a->number[0] == 0.0;
 }
 
-// A parameter may take a link away; who did not mean to should know.
-static void warn_if_idle(struct builder *b, const struct statement *s,
-                         const struct argument *given) {
-    if (is_zero(&given[BILATERAL_STIFFNESS]) && is_zero(&given[BILATERAL_DASHPOT])) {
-        deck_warning(b->deck, &s->word[0], "this link does nothing: its values are 0");
-    }
-}
-
 static void build(struct builder *b, const struct statement *s) {
     if (!builder_plain(b, s, 2, 2, statement_link.usage)) {
         return;
@@ -60,7 +52,10 @@ static void build(struct builder *b, const struct statement *s) {
     } else if (exponent->given && !given[BILATERAL_DASHPOT].given) {
         deck_error(b->deck, &exponent->key, "-exponent needs -dashpot");
     } else if (paired) {
-        warn_if_idle(b, s, given);
+        // A parameter may take a link away; who did not mean to should know.
+        if (is_zero(&given[BILATERAL_STIFFNESS]) && is_zero(&given[BILATERAL_DASHPOT])) {
+            deck_warning(b->deck, &s->word[0], "this link does nothing: its values are 0");
+        }
         append(b, &p, own, &choice);
     }
 }

@@ -50,26 +50,6 @@ static const struct part_kind part_matrix = {
     .stored = matrix_stored,
 };
 
-// From floor displacements to drifts: sums over the floors from i and from j on, from the roof
-// down. Symmetric to the bit.
-static void sum_above(double *k, size_t n) {
-    for (size_t i = n; i-- > 0;) {
-        for (size_t j = n; j-- > 0;) {
-            k[i * n + j] += j + 1 < n ? k[i * n + j + 1] : 0.0;
-        }
-    }
-    for (size_t i = n; i-- > 1;) {
-        for (size_t j = 0; j < n; j++) {
-            k[(i - 1) * n + j] += k[i * n + j];
-        }
-    }
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < i; j++) {
-            k[i * n + j] = k[j * n + i];
-        }
-    }
-}
-
 // The unit of the file; false after a report.
 static bool read_unit(struct builder *b, const struct argument *a, struct matrix_request *q) {
     char deck_unit[64];
@@ -110,7 +90,24 @@ static const double *read_file(struct builder *b, const struct statement *s,
         deck_error_of(b->deck, &s->word[2], &e);
         return NULL;
     }
-    sum_above(k, (size_t)d->n_floor);
+    // From floor displacements to drifts: sums over the floors from i and from j on, from the roof
+    // down. Symmetric to the bit.
+    size_t n = (size_t)d->n_floor;
+    for (size_t i = n; i-- > 0;) {
+        for (size_t j = n; j-- > 0;) {
+            k[i * n + j] += j + 1 < n ? k[i * n + j + 1] : 0.0;
+        }
+    }
+    for (size_t i = n; i-- > 1;) {
+        for (size_t j = 0; j < n; j++) {
+            k[(i - 1) * n + j] += k[i * n + j];
+        }
+    }
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < i; j++) {
+            k[i * n + j] = k[j * n + i];
+        }
+    }
     return k;
 }
 

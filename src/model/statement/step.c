@@ -27,33 +27,6 @@ static const struct statement_variant variants[N_VARIANT] = {
                   adaptive_rows, N_ROW},
 };
 
-static void build_fixed(struct builder *b, const struct statement *s) {
-    struct argument dt = {0};
-    if (builder_plain(b, s, 2, 2, statement_step.usage) && deck_options(b->deck, s, NULL, 0) &&
-        deck_values(b->deck, &dt_row, 0.0, &s->word[2], 1, &dt)) {
-        b->dt = dt.number[0];
-    }
-}
-
-static void build_adaptive(struct builder *b, const struct statement *s) {
-    struct argument a[N_ROW] = {0};
-    if (!builder_plain(b, s, 1, 1, statement_step.usage) ||
-        !deck_options(b->deck, s, &(struct row_set){adaptive_rows, N_ROW, a}, 1)) {
-        return;
-    }
-    b->adaptive = true;
-    b->control = (struct step_control){
-        .tolerance = a[TOLERANCE].number[0],
-        .longest = a[LONGEST].given ? a[LONGEST].number[0] : INFINITY,
-        .shortest = a[SHORTEST].given ? a[SHORTEST].number[0] : 0.0,
-    };
-    if (b->control.shortest > b->control.longest) {
-        const char *unit = b->deck->units.time_name;
-        deck_error(b->deck, &a[SHORTEST].key, "-min is %.6g %s; it must be <= -max, %.6g %s",
-                   b->control.shortest, unit, b->control.longest, unit);
-    }
-}
-
 static void build(struct builder *b, const struct statement *s) {
     if (!builder_once(b, &b->step, s) || !builder_plain(b, s, 1, 2, statement_step.usage)) {
         return;
@@ -65,9 +38,28 @@ static void build(struct builder *b, const struct statement *s) {
     }
     const int variant = builder_variant(b, &s->word[1], "kind of step", &statement_step);
     if (variant == FIXED) {
-        build_fixed(b, s);
+        struct argument dt = {0};
+        if (builder_plain(b, s, 2, 2, statement_step.usage) && deck_options(b->deck, s, NULL, 0) &&
+            deck_values(b->deck, &dt_row, 0.0, &s->word[2], 1, &dt)) {
+            b->dt = dt.number[0];
+        }
     } else if (variant == ADAPTIVE) {
-        build_adaptive(b, s);
+        struct argument a[N_ROW] = {0};
+        if (builder_plain(b, s, 1, 1, statement_step.usage) &&
+            deck_options(b->deck, s, &(struct row_set){adaptive_rows, N_ROW, a}, 1)) {
+            b->adaptive = true;
+            b->control = (struct step_control){
+                .tolerance = a[TOLERANCE].number[0],
+                .longest = a[LONGEST].given ? a[LONGEST].number[0] : INFINITY,
+                .shortest = a[SHORTEST].given ? a[SHORTEST].number[0] : 0.0,
+            };
+            if (b->control.shortest > b->control.longest) {
+                const char *unit = b->deck->units.time_name;
+                deck_error(b->deck, &a[SHORTEST].key,
+                           "-min is %.6g %s; it must be <= -max, %.6g %s", b->control.shortest,
+                           unit, b->control.longest, unit);
+            }
+        }
     }
 }
 

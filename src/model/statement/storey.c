@@ -12,21 +12,6 @@ static const struct row rows[N_ROW] = {
                    "initial stiffnesses in place of the building's"},
 };
 
-static const struct storey_law *find_law(struct builder *b, const struct word *w) {
-    const char *name = deck_text(b->deck, w);
-    const struct storey_law *law = name ? storey_law_find(name) : NULL;
-    if (name && !law) {
-        const char **known = arena_alloc(b->arena, (size_t)n_storey_law, sizeof *known);
-        for (int i = 0; known && i < n_storey_law; i++) {
-            known[i] = storey_laws[i]->name;
-        }
-        if (known) {
-            deck_unknown(b->deck, w, name, "storey law", known, n_storey_law);
-        }
-    }
-    return law;
-}
-
 // Constants of the k-th selected storey.
 static bool prepare(struct builder *b, const struct statement *s, const struct storey_law *law,
                     double *const *value, int k, double stiffness, struct storey *out) {
@@ -139,7 +124,17 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    const struct storey_law *law = find_law(b, &s->word[2]);
+    const char *name = deck_text(b->deck, &s->word[2]);
+    const struct storey_law *law = name ? storey_law_find(name) : NULL;
+    if (name && !law) {
+        const char **known = arena_alloc(b->arena, (size_t)n_storey_law, sizeof *known);
+        for (int i = 0; known && i < n_storey_law; i++) {
+            known[i] = storey_laws[i]->name;
+        }
+        if (known) {
+            deck_unknown(b->deck, &s->word[2], name, "storey law", known, n_storey_law);
+        }
+    }
     if (!law) {
         return;
     }

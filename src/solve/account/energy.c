@@ -21,41 +21,6 @@
 enum { CQUAD_INTERVALS = 100 };
 static const double CQUAD_TOLERANCE = 1e-12;
 
-static double energy_kinetic(const struct model *m, const struct state *s) {
-    double sum = 0.0;
-    for (int i = 0; i < m->n_dof; i++) {
-        sum += m->mass[i] * s->v[i] * s->v[i];
-    }
-    return sum / 2.0;
-}
-
-// Recoverable energy of the storeys: elastic ones, or the others. Storeys with parts share shears,
-// so that one that is not elastic makes others of all.
-enum storey_kind { STOREYS_ELASTIC, STOREYS_OTHER };
-
-static enum storey_kind energy_kind_of(const struct model *m, const struct building *g, int i) {
-    const bool shares = g->n_part > 0 && !g->elastic;
-    return m->storey[i].law->n_history == 0 && !shares ? STOREYS_ELASTIC : STOREYS_OTHER;
-}
-
-static double energy_stored(const struct model *m, const struct state *s, enum storey_kind kind) {
-    double sum = 0.0;
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            const struct storey *law = &m->storey[i];
-            if (energy_kind_of(m, g, i) == kind) {
-                sum +=
-                    law->law->stored(law->constant, s->storey_history + law->history, s->drift[i]);
-            }
-        }
-        if (g->n_part > 0 && g->elastic == (kind == STOREYS_ELASTIC)) {
-            sum += parts_stored(g, s->storey_history, s->drift + g->first);
-        }
-    }
-    return sum;
-}
-
 static const struct fields_row list[] = {
     FIELD_VALUE(struct energy_account, initial),
     FIELD_VALUE(struct energy_account, input_2x),
@@ -69,16 +34,43 @@ static const struct fields_row list[] = {
 };
 const struct fields energy_fields = FIELDS(list);
 
-bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
-    return fields_alloc(&energy_fields, m, a, arena);
+static double energy_sum_of(const double x[LANES_WIDTH]) {
+    double sum = 0.0;
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        sum += x[i];
+    }
+    return sum;
 }
 
-void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
-    lanes_assert(s->v, m->n_dof);
-    lanes_assert(s->drift, m->n_dof);
-    lanes_assert(a->storey_2x, m->n_dof);
-    a->stored_start = energy_stored(m, s, STOREYS_OTHER);
-    a->initial = energy_kinetic(m, s) + energy_stored(m, s, STOREYS_ELASTIC) + a->stored_start;
+// Storeys with parts share shears, so that one that is not elastic makes others of all.
+static struct energy_sums energy_sums_of(const struct energy_account *a, const struct model *m,
+                                         const struct state *s) {
+    double kinetic_2x = 0.0, elastic = 0.0, other = 0.0, storey_2x = 0.0;
+    for (int i = 0; i < m->n_dof; i++) {
+        kinetic_2x += m->mass[i] * s->v[i] * s->v[i];
+    }
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            const struct storey *law = &m->storey[i];
+            const bool is_elastic = law->law->n_history == 0 && (g->n_part == 0 || g->elastic);
+            *(is_elastic ? &elastic : &other) +=
+                law->law->stored(law->constant, s->storey_history + law->history, s->drift[i]);
+            storey_2x += is_elastic ? 0.0 : a->storey_2x[i];
+        }
+        if (g->n_part > 0) {
+            *(g->elastic ? &elastic : &other) +=
+                parts_stored(g, s->storey_history, s->drift + g->first);
+        }
+    }
+    return (struct energy_sums){
+        .kinetic = kinetic_2x / 2.0,
+        .elastic = elastic,
+        .other = other,
+        .storey = a->storey + storey_2x / 2.0,
+        .input_2x = energy_sum_of(a->input_2x),
+        .damping_2x = energy_sum_of(a->damping_2x),
+    };
 }
 
 // A link and its history, for the force that it would have at rest.
@@ -92,56 +84,35 @@ static double energy_resting_force(double d, void *context) {
     return r->link->law->force(r->link->constant, r->history, d, 0.0).force;
 }
 
-// The integral from 0 to delta of the force at rest; the method stands kinks and infinite slopes.
-static int energy_of_link(const struct model *m, const struct state *s, int k, double *energy,
-                          struct error *e) {
-    struct resting_link link = {&m->link[k], s->link_history + m->link[k].history};
-    gsl_function force = {.function = energy_resting_force, .params = &link};
-    gsl_integration_cquad_workspace *w = gsl_integration_cquad_workspace_alloc(CQUAD_INTERVALS);
-    if (!w) {
-        return error_no_memory(e);
-    }
-    gsl_integration_cquad(&force, 0.0, s->delta[k], 0.0, CQUAD_TOLERANCE, w, energy, NULL, NULL);
-    gsl_integration_cquad_workspace_free(w);
-    return STATUS_OK;
-}
-
-int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
-                       struct link_peak *link, struct error *e) {
+int energy_start(struct energy_account *a, const struct model *m, const struct state *s,
+                 struct link_peak *link, struct error *e) {
+    state_assert(s, m);
+    lanes_assert(a->storey_2x, m->n_dof);
+    const struct energy_sums sums = energy_sums_of(a, m, s);
+    a->stored_start = sums.other;
+    a->initial = sums.kinetic + sums.elastic + sums.other;
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
-        double energy = 0.0;
+        struct resting_link resting = {&m->link[k], s->link_history + m->link[k].history};
         if (s->delta[k] == 0.0 || m->link[k].law->rebound) {
             continue;
         }
-        if (energy_of_link(m, s, k, &energy, e) != STATUS_OK) {
-            return e->status;
+        // The integral from 0 to delta of the force at rest; the method stands kinks and infinite
+        // slopes.
+        gsl_function force = {.function = energy_resting_force, .params = &resting};
+        gsl_integration_cquad_workspace *w = gsl_integration_cquad_workspace_alloc(CQUAD_INTERVALS);
+        double energy = 0.0;
+        if (!w) {
+            return error_no_memory(e);
         }
+        gsl_integration_cquad(&force, 0.0, s->delta[k], 0.0, CQUAD_TOLERANCE, w, &energy, NULL,
+                              NULL);
+        gsl_integration_cquad_workspace_free(w);
         a->initial += energy;
         a->contact += energy;
         link[k].dissipated += energy;
     }
     return STATUS_OK;
-}
-
-static double energy_sum_of(const double x[LANES_WIDTH]) {
-    double sum = 0.0;
-    for (int i = 0; i < LANES_WIDTH; i++) {
-        sum += x[i];
-    }
-    return sum;
-}
-
-// On storeys that are not elastic.
-static double energy_storey_work(const struct energy_account *a, const struct model *m) {
-    double sum = 0.0;
-    for (int k = 0; !m->elastic && k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            sum += energy_kind_of(m, g, i) == STOREYS_OTHER ? a->storey_2x[i] : 0.0;
-        }
-    }
-    return a->storey + sum / 2.0;
 }
 
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
@@ -172,13 +143,6 @@ void energy_close(const struct energy_account *a, const struct energy_sums *sums
 
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
                     double *energy) {
-    const struct energy_sums sums = {
-        .kinetic = energy_kinetic(m, s),
-        .elastic = energy_stored(m, s, STOREYS_ELASTIC),
-        .other = !m->elastic ? energy_stored(m, s, STOREYS_OTHER) : 0.0,
-        .storey = energy_storey_work(a, m),
-        .input_2x = energy_sum_of(a->input_2x),
-        .damping_2x = energy_sum_of(a->damping_2x),
-    };
+    const struct energy_sums sums = energy_sums_of(a, m, s);
     energy_close(a, &sums, energy);
 }

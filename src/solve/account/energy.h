@@ -19,17 +19,10 @@ struct energy_account {
 };
 extern const struct fields energy_fields;
 
-// Room for the account of a model; false: no memory.
-bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena);
-
-// Energies of the start state.
-void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
-
-// Adds the energy of closed links at the start state, which is both initial energy and work done on
-// them, to the account and to each link's own in `link` (n_link). Errors: STATUS_SYSTEM (no
-// memory).
-int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
-                       struct link_peak *link, struct error *e);
+// Energies of the start state. That of closed links, which is both initial energy and work done on
+// them, also goes to each link's own in `link` (n_link). Errors: STATUS_SYSTEM (no memory).
+int energy_start(struct energy_account *a, const struct model *m, const struct state *s,
+                 struct link_peak *link, struct error *e);
 
 // Adds the losses of rigid contacts that met at the instant of `s`. `meeting` is (n_contact).
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,

@@ -7,9 +7,6 @@
 #include "core/lanes.h"
 #include "core/number.h"
 
-// Contacts that are looked at together, of which few come nearer than ever.
-enum { CONTACTS_TOGETHER = 4 * LANES_WIDTH };
-
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
 
@@ -60,23 +57,10 @@ void peaks_finish(struct results *r, const struct model *m) {
     }
 }
 
-LANES static void peaks_raise(int first, int n, const double *restrict x, double time,
-                              double *restrict peak, double *restrict peak_time) {
-    for (int i = first, end = first + lanes_whole(n); i < end; i++) {
-        peak_raise(x[i], time, &peak[i], &peak_time[i]);
-    }
-}
-
-// The largest of x and `other`.
-LANES static double peaks_largest(int first, int n, const double *restrict x, double other) {
-    double most[LANES_WIDTH];
-    for (int lane = 0; lane < LANES_WIDTH; lane++) {
-        most[lane] = other;
-    }
-    for (int i = first, end = first + lanes_whole(n); i < end; i += LANES_WIDTH) {
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            most[lane] = number_max(most[lane], x[i + lane]);
-        }
+LANES static double peaks_largest(int n, const double *x) {
+    lanes_wide most = {0.0};
+    for (int i = 0; i < n; i += LANES_WIDTH) {
+        most = WIDE_LARGER(LANES_AT(x, i), most);
     }
     for (int lane = 1; lane < LANES_WIDTH; lane++) {
         most[0] = number_max(most[0], most[lane]);
@@ -85,36 +69,8 @@ LANES static double peaks_largest(int first, int n, const double *restrict x, do
 }
 
 void peaks_speed(struct results *r, int first, int n) {
-    r->totals.speed = peaks_largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
-}
-
-LANES static bool peaks_any_exceeds(int n, const double *restrict x, const double *restrict limit) {
-    long above = 0;
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
-        above |= x[i] > limit[i];
-    }
-    return above != 0;
-}
-
-static void peaks_raise_penetrations(struct results *r, int n, const struct state *s) {
-    for (int first = 0; first < n; first += CONTACTS_TOGETHER) {
-        int end = n - first < CONTACTS_TOGETHER ? n : first + CONTACTS_TOGETHER;
-        bool any = peaks_any_exceeds(end - first, s->delta + first, r->deepest + first);
-        for (int k = first; any && k < end; k++) {
-            peaks_penetration(r, k, s->delta[k], s->time);
-        }
-    }
-}
-
-static void peaks_raise_floors(struct results *r, const struct model *m, const struct state *s) {
-    const double *const value[PEAK_COUNT] = {
-        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
-        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
-    };
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        peaks_raise(0, m->n_dof, value[q], s->time, r->peak[q], r->peak_time[q]);
-    }
-    peaks_speed(r, 0, m->n_dof);
+    const double largest = peaks_largest(n, r->peak[PEAK_VELOCITY] + first);
+    r->totals.speed = number_max(r->totals.speed, largest);
 }
 
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s) {
@@ -125,11 +81,20 @@ void peaks_drift_rates(struct results *r, const struct model *m, const struct st
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    lanes_assert(s->u, m->n_dof);
-    lanes_assert(s->v, m->n_dof);
-    lanes_assert(s->total, m->n_dof);
-    peaks_raise_floors(r, m, s);
-    peaks_raise_penetrations(r, m->n_contact, s);
+    const double *const value[PEAK_COUNT] = {
+        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
+        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
+    };
+    state_assert(s, m);
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        for (int i = 0; i < m->n_dof; i++) {
+            peak_larger(fabs(value[q][i]), s->time, &r->peak[q][i], &r->peak_time[q][i]);
+        }
+    }
+    peaks_speed(r, 0, m->n_dof);
+    for (int k = 0; k < m->n_contact; k++) {
+        peaks_penetration(r, k, s->delta[k], s->time);
+    }
     for (int i = 0; i < s->n_live; i++) {
         peaks_link(r, m, s, s->live[i]);
     }

@@ -22,14 +22,10 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
 // Takes the drift rates of state `s`.
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s);
 
-// Raises a peak, and its time, to x or to |x| where that is greater.
+// Raises a peak, and its time, to x where that is greater.
 static inline void peak_larger(double x, double time, double *peak, double *peak_time) {
     *peak_time = x > *peak ? time : *peak_time;
     *peak = x > *peak ? x : *peak;
-}
-
-static inline void peak_raise(double x, double time, double *peak, double *peak_time) {
-    peak_larger(fabs(x), time, peak, peak_time);
 }
 
 // Raises the largest velocity of any floor so far to the peaks of n floors from `first` on.

@@ -2,15 +2,27 @@
 // A storey that stands still without loads has no shear. Laws know the shear at any drift that is
 // reached straight from their history, so that this drift is a root of the shear, on the side to
 // which it pulls.
+//
+// The storeys of a building with parts come to rest together: Newton's method finds the drifts at
+// which all shears are 0, from the histories at the end of the analysis and without velocities.
 #include "solve/account/residual_drift.h"
 
+#include <assert.h>
 #include <float.h>
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_linalg.h>
 #include <math.h>
+#include <string.h>
 
+#include "core/arena.h"
 #include "core/root.h"
-#include "solve/account/settle.h"
+#include "model/parts.h"
 
-enum { DOUBLINGS = 60 };
+enum { DOUBLINGS = 60, ITERATIONS_MAX = 100 };
+
+// A step of Newton's method is halved down to this share; shears that are left at rest, of those at
+// the end of the analysis.
+static const double HALVED_MIN = 1e-9, SETTLED = 1e-9;
 
 struct unloading {
     const struct storey *storey;
@@ -33,11 +45,93 @@ static double residual_drift_unload(struct unloading u, double stiffness, double
     return shear == 0.0 ? drift : root_find(residual_drift_shear, &u, low, high, DBL_EPSILON);
 }
 
+// A building with parts, its shears and their tangent at rest.
+struct settling {
+    const struct model *model;
+    const struct building *building;
+    const double *history;
+    size_t n;                   // floors
+    double *tangent;            // (n, n)
+    double *shear, *change;     // (n) change: of x
+    double *x, *trial, *still;  // (n) drifts; still: drift rates of 0
+    size_t *order;              // (n) of the rows in the factorisation
+};
+
+// Finds the shears at drifts x, and their tangent. Returns their size.
+static double residual_drift_shears(struct settling *r, const double *x) {
+    const struct building *b = r->building;
+    memset(r->shear, 0, r->n * sizeof *r->shear);
+    memset(r->tangent, 0, r->n * r->n * sizeof *r->tangent);
+    const struct part_sums sums = {.shear = r->shear, .by_drift = r->tangent};
+    parts_respond(b, r->history, x, r->still, &sums, NULL);
+    for (size_t i = 0; i < r->n; i++) {
+        const struct storey *storey = &r->model->storey[(size_t)b->first + i];
+        const struct storey_response own =
+            storey->law->respond(storey->constant, r->history + storey->history, x[i], NULL);
+        r->shear[i] += own.shear;
+        r->tangent[i * r->n + i] += own.tangent;
+    }
+    const gsl_vector_view shear = gsl_vector_view_array(r->shear, r->n);
+    return gsl_blas_dnrm2(&shear.vector);
+}
+
+// One step of Newton's method, halved until the shears become smaller. False: none does so.
+static bool residual_drift_improve(struct settling *r, double *size) {
+    gsl_matrix_view tangent = gsl_matrix_view_array(r->tangent, r->n, r->n);
+    const gsl_vector_view shear = gsl_vector_view_array(r->shear, r->n);
+    gsl_vector_view change = gsl_vector_view_array(r->change, r->n);
+    gsl_permutation order = {r->n, r->order};
+    int sign;
+    if (gsl_linalg_LU_decomp(&tangent.matrix, &order, &sign) != 0 ||
+        gsl_linalg_LU_solve(&tangent.matrix, &order, &shear.vector, &change.vector) != 0) {
+        return false;
+    }
+    double before = *size;
+    for (double share = 1.0; share > HALVED_MIN; share /= 2.0) {
+        for (size_t i = 0; i < r->n; i++) {
+            r->trial[i] = r->x[i] - share * r->change[i];
+        }
+        *size = residual_drift_shears(r, r->trial);
+        if (*size < before) {
+            memcpy(r->x, r->trial, r->n * sizeof *r->x);
+            return true;
+        }
+    }
+    return false;
+}
+
+// The residual drifts of building `b` with parts, or as near to them as rounding allows. NAN: a law
+// does not let them come there, or no memory.
+static void residual_drift_settle(const struct model *m, const struct state *s,
+                                  const struct building *b, double *out) {
+    const size_t n = (size_t)b->n_floor;
+    struct arena *a = arena_create();
+    struct settling r = {m, b, s->storey_history, .n = n};
+    double **const array[] = {&r.tangent, &r.shear, &r.change, &r.x, &r.trial, &r.still};
+    double start = 0.0, size = INFINITY;
+    assert(b->n_part > 0 && b->first + b->n_floor <= m->n_dof);
+    for (size_t i = 0; a && i < sizeof array / sizeof array[0]; i++) {
+        *array[i] = arena_alloc(a, i == 0 ? n * n : n, sizeof(double));
+    }
+    r.order = a ? arena_alloc(a, n, sizeof *r.order) : NULL;
+    if (a && !arena_failed(a)) {
+        memcpy(r.x, s->drift + b->first, n * sizeof *r.x);
+        size = start = residual_drift_shears(&r, r.x);
+        for (int i = 0; i < ITERATIONS_MAX && size > 0.0 && residual_drift_improve(&r, &size);
+             i++) {
+        }
+    }
+    for (size_t i = 0; i < n; i++) {
+        out[i] = size <= SETTLED * start ? fabs(r.x[i]) : (double)NAN;
+    }
+    arena_free(a);
+}
+
 void residual_drifts(const struct model *m, const struct state *s, double *out) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *b = &m->building[k];
         if (b->n_part > 0 && !b->elastic) {
-            settle_drifts(m, s, b, out + b->first);
+            residual_drift_settle(m, s, b, out + b->first);
             continue;
         }
         for (int i = b->first; i < b->first + b->n_floor; i++) {

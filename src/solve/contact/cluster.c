@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Buildings are joined by their live links (union-find: Tarjan (1975), J. ACM 22, 215-225); one of
-// them stands for all that are joined. The links are then sorted by that building, by counting.
+// them leads all that are joined.
 //
 // Let f* be the exact force of each link with the others held (exact.c), and t the slope
 // beta h^2 dF/dd + gamma h dF/dv of its law there. Then f* changes with the forces of the others as
@@ -27,7 +27,6 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/root.h"
-#include "solve/contact/band.h"
 #include "solve/contact/exact.h"
 
 // Links of a cluster.
@@ -37,96 +36,110 @@ enum { WHOLE_STEPS = 12, PARTS = 20 };
 static const double HELD = 1.0 - 1e-10;
 
 bool cluster_alloc(struct clusters *c, const struct model *m, struct arena *a) {
-    size_t n = (size_t)m->n_building;
-    c->parent = arena_alloc(a, n, sizeof *c->parent);
-    c->end = arena_alloc(a, n, sizeof *c->end);
-    c->leader = arena_alloc(a, n, sizeof *c->leader);
-    c->nearest = arena_alloc(a, n, sizeof *c->nearest);
-    c->link = arena_alloc(a, (size_t)m->n_link, sizeof *c->link);
-    c->most = m->n_link < CLUSTER_MAX ? m->n_link : CLUSTER_MAX;
-    size_t most = (size_t)c->most;
-    c->matrix = arena_alloc(a, most * most, sizeof *c->matrix);
-    c->vector = arena_alloc(a, most, sizeof *c->vector);
-    c->kept_q = lanes_array(a, m->n_dof);
+    const size_t n = (size_t)m->n_building, n_link = (size_t)m->n_link;
+    const size_t most = n_link < CLUSTER_MAX ? n_link : CLUSTER_MAX;
+    *c = (struct clusters){
+        .leader = arena_alloc(a, n, sizeof *c->leader),
+        .first = arena_alloc(a, n, sizeof *c->first),
+        .after = arena_alloc(a, n_link, sizeof *c->after),
+        .position = arena_alloc(a, n, sizeof *c->position),
+        .nearest = arena_alloc(a, n, sizeof *c->nearest),
+        .most = (int)most,
+        .link = arena_alloc(a, most, sizeof *c->link),
+        .matrix = arena_alloc(a, most * most, sizeof *c->matrix),
+        .change = arena_alloc(a, most, sizeof *c->change),
+        .kept_q = lanes_array(a, m->n_dof),
+    };
     return !arena_failed(a);
 }
 
-static int cluster_leader(int *parent, int i) {
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
+static int cluster_leader(int *leader, int i) {
+    while (leader[i] != i) {
+        leader[i] = leader[leader[i]];
+        i = leader[i];
     }
     return i;
 }
 
-// The building that stands for the cluster of link l.
-static int cluster_leader_of(const struct clusters *c, const struct link *l) {
-    return cluster_leader(c->parent, l->building[0] == WALL ? l->building[1] : l->building[0]);
-}
-
-static void cluster_join(struct clusters *c, const struct model *m, const struct state *s) {
+void cluster_find(struct clusters *c, const struct model *m, const struct state *s) {
     for (int i = 0; i < m->n_building; i++) {
-        c->parent[i] = i;
+        c->leader[i] = i;
+        c->first[i] = c->position[i] = -1;
+        c->nearest[i] = INFINITY;
     }
     for (int i = 0; i < s->n_live; i++) {
-        const struct link *l = &m->link[s->live[i]];
-        if (l->building[0] != WALL && l->building[1] != WALL) {
-            c->parent[cluster_leader(c->parent, l->building[0])] =
-                cluster_leader(c->parent, l->building[1]);
+        const int *building = m->link[s->live[i]].building;
+        if (building[0] != WALL && building[1] != WALL) {
+            c->leader[cluster_leader(c->leader, building[0])] =
+                cluster_leader(c->leader, building[1]);
         }
     }
+    for (int i = s->n_live - 1; i >= 0; i--) {
+        const int k = s->live[i], *building = m->link[k].building;
+        const int to = cluster_leader(c->leader, building[building[0] == WALL ? 1 : 0]);
+        c->after[k] = c->first[to];
+        c->first[to] = k;
+    }
 }
 
-int cluster_find(struct clusters *c, const struct model *m, const struct state *s) {
-    int n = 0;
-    cluster_join(c, m, s);
-    memset(c->end, 0, (size_t)m->n_building * sizeof *c->end);
-    for (int i = 0; i < s->n_live; i++) {
-        c->end[cluster_leader_of(c, &m->link[s->live[i]])]++;
-    }
-    for (int i = 0, sum = 0; i < m->n_building; i++) {
-        int count = c->end[i];
-        c->end[i] = sum;  // where they start, until they have been put there
-        sum += count;
-        if (count > 0) {
-            c->leader[n++] = i;
+// Gaussian elimination with partial pivoting (Golub & Van Loan, Matrix Computations, section
+// 4.3.3): exchanges of rows let the band above the diagonal become twice as wide.
+LANES bool cluster_eliminate(double *a, double *b, ptrdiff_t n, ptrdiff_t width) {
+    bool finite = true;
+    for (ptrdiff_t k = 0; k < n; k++) {
+        const ptrdiff_t below = k + width < n ? k + width + 1 : n;
+        const ptrdiff_t right = k + 2 * width < n ? k + 2 * width + 1 : n;
+        double *restrict pivot = a + k * n;
+        ptrdiff_t largest = k;
+        for (ptrdiff_t i = k + 1; i < below; i++) {
+            largest = fabs(a[i * n + k]) > fabs(a[largest * n + k]) ? i : largest;
+        }
+        for (ptrdiff_t j = k; j < right && largest != k; j++) {
+            const double kept = pivot[j];
+            pivot[j] = a[largest * n + j];
+            a[largest * n + j] = kept;
+        }
+        const double kept = b[k];
+        b[k] = b[largest];
+        b[largest] = kept;
+        if (pivot[k] == 0.0) {
+            return false;
+        }
+        for (ptrdiff_t i = k + 1; i < below; i++) {
+            double *restrict row = a + i * n;
+            const double share = row[k] / pivot[k];
+            LANES_LOOP
+            for (ptrdiff_t j = k + 1; j < right; j++) {
+                row[j] -= share * pivot[j];
+            }
+            b[i] -= share * b[k];
         }
     }
-    for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        c->link[c->end[cluster_leader_of(c, &m->link[k])]++] = k;
+    for (ptrdiff_t k = n - 1; k >= 0; k--) {
+        for (ptrdiff_t j = k + 1; j < n && j <= k + 2 * width; j++) {
+            b[k] -= a[k * n + j] * b[j];
+        }
+        b[k] /= a[k * n + k];
+        finite = finite && isfinite(b[k]);
     }
-    return n;
+    return finite;
 }
 
-struct cluster cluster_at(const struct clusters *c, int i) {
-    int first = i > 0 ? c->end[c->leader[i - 1]] : 0;
-    return (struct cluster){c->end[c->leader[i]] - first, c->link + first};
-}
-
-// b A^-1 b' of end `i` of link l and end `j` of link k; 0 if they are on different buildings.
-static double cluster_between(struct work *w, const struct link *l, int i, const struct link *k,
-                              int j) {
-    if (l->building[i] == WALL || l->building[i] != k->building[j]) {
-        return 0.0;
-    }
-    struct effective *a = &w->effective[l->building[i]];
-    const int first = a->building->first;
+// The flexibility S_lk between link l, by its columns of A^-1, and link k.
+static double cluster_flexibility(const struct link_scratch *l, const struct link *k) {
     double sum = 0.0;
-    for (int x = 0, n = link_entries(l, i); x < n; x++) {
-        const struct link_entry own = link_entry(l, i, x);
-        const double *column = effective_column(a, own.dof - first);
-        for (int y = 0, other = link_entries(k, j); y < other; y++) {
-            const struct link_entry e = link_entry(k, j, y);
-            sum += own.weight * e.weight * column[e.dof - first];
+    for (int i = 0; i < 4; i++) {
+        const int side = i / 2, other = i % 2;
+        if (l->link->building[side] == WALL || l->link->building[side] != k->building[other]) {
+            continue;
+        }
+        for (int j = 0, n = link_entries(k, other); j < n; j++) {
+            const struct link_entry e = link_entry(k, other, j);
+            const double term = e.weight * l->column[side][e.dof - l->first[side]];
+            sum += side == other ? term : -term;
         }
     }
     return sum;
-}
-
-static double cluster_flexibility(struct work *w, const struct link *l, const struct link *k) {
-    return cluster_between(w, l, 0, k, 0) - cluster_between(w, l, 0, k, 1) -
-           cluster_between(w, l, 1, k, 0) + cluster_between(w, l, 1, k, 1);
 }
 
 static double cluster_share(const struct equation *e, enum branch branch, double force) {
@@ -142,97 +155,54 @@ static double cluster_share(const struct equation *e, enum branch branch, double
     return slope > -0.5 && share < HELD ? share : HELD;
 }
 
-static bool cluster_share_a_building(const struct link *l, const struct link *k) {
-    bool share = false;
-    for (int i = 0; i < 4; i++) {
-        int building = l->building[i / 2];
-        share |= building != WALL && building == k->building[i % 2];
-    }
-    return share;
-}
-
-// How far from the diagonal the matrix of the cluster has entries: in a row of buildings whose
-// contacts are in order, as far as those of a building are from each other.
-static int cluster_width(const struct work *w, const struct cluster *c) {
-    int width = 0;
-    for (int i = 0; i < c->n; i++) {
-        const struct link *l = &w->model->link[c->link[i]];
-        int j = 0;
-        while (j < i - width && !cluster_share_a_building(l, &w->model->link[c->link[j]])) {
-            j++;
-        }
-        width = i - j;
-    }
-    return width;
-}
-
-// The matrix of the cluster, whose band is `width`, and f* - f into `r`.
-static void cluster_linearise(struct work *w, const struct state *now, const struct state *next,
-                              const struct cluster *c, int width, double *r) {
-    memset(w->clusters.matrix, 0, (size_t)c->n * (size_t)c->n * sizeof *w->clusters.matrix);
-    for (int i = 0; i < c->n; i++) {
-        int k = c->link[i];
-        struct equation e = exact_equation(w, now, next, k);
+// The Newton step into c->change; false: not finite.
+static bool cluster_newton(struct work *w, const struct state *now, const struct state *next) {
+    const struct clusters *c = &w->clusters;
+    double *row = c->matrix;
+    for (int i = 0; i < c->n; i++, row += c->n) {
+        const struct link_scratch *p = &w->link[c->link[i]];
+        struct equation e = exact_equation(w, now, next, p->index);
         double force;
-        enum branch branch = exact_force(&e, w->link[k].force, &force);
-        double share = cluster_share(&e, branch, force) / w->link[k].flexibility;
-        double *row = w->clusters.matrix + (size_t)i * (size_t)c->n;
-        int end = i + width < c->n ? i + width + 1 : c->n;
-        for (int j = i > width ? i - width : 0; j < end; j++) {
-            row[j] = i == j ? 1.0
-                            : share * cluster_flexibility(w, &w->model->link[k],
-                                                          &w->model->link[c->link[j]]);
+        enum branch branch = exact_force(&e, p->force, &force);
+        double share = cluster_share(&e, branch, force) / p->flexibility;
+        memset(row, 0, (size_t)c->n * sizeof *row);
+        for (int j = i > c->width ? i - c->width : 0; j < c->n && j <= i + c->width; j++) {
+            row[j] = j == i ? 1.0 : share * cluster_flexibility(p, &w->model->link[c->link[j]]);
         }
-        r[i] = force - w->link[k].force;
+        c->change[i] = force - p->force;
     }
+    return cluster_eliminate(c->matrix, c->change, c->n, c->width);
 }
 
-// The Newton step into `df`; false: not finite.
-static bool cluster_newton(struct work *w, const struct state *now, const struct state *next,
-                           const struct cluster *c, double *df) {
-    int width = cluster_width(w, c);
-    cluster_linearise(w, now, next, c, width, df);
-    return band_solve(w->clusters.matrix, df, c->n, width);
-}
-
-static void cluster_apply(struct work *w, const struct cluster *c, double part, const double *df) {
+static void cluster_apply(struct work *w, double part) {
+    const struct clusters *c = &w->clusters;
     for (int i = 0; i < c->n; i++) {
         struct link_scratch *p = &w->link[c->link[i]];
-        const double change = part * df[i];
+        const double change = part * c->change[i];
         p->force += change;
         sweep_push(w, p, &change);
     }
 }
 
-// Copies the corrections of the buildings of the cluster.
-static void cluster_copy(const struct work *w, const struct cluster *c, double *to,
-                         const double *from) {
-    for (int i = 0; i < 2 * c->n; i++) {
-        int k = w->model->link[c->link[i / 2]].building[i % 2];
-        if (k != WALL) {
-            const struct building *g = &w->model->building[k];
-            memcpy(to + g->first, from + g->first, (size_t)g->n_floor * sizeof *to);
-        }
-    }
-}
-
-static void cluster_keep(struct work *w, const struct cluster *c) {
-    cluster_copy(w, c, w->clusters.kept_q, w->correction);
+static void cluster_keep(struct work *w) {
+    const struct clusters *c = &w->clusters;
+    memcpy(c->kept_q, w->correction, (size_t)w->model->n_dof * sizeof *c->kept_q);
     for (int i = 0; i < c->n; i++) {
         w->link[c->link[i]].kept = w->link[c->link[i]].force;
     }
 }
 
-static void cluster_restore(struct work *w, const struct cluster *c) {
-    cluster_copy(w, c, w->correction, w->clusters.kept_q);
+static void cluster_restore(struct work *w) {
+    const struct clusters *c = &w->clusters;
+    memcpy(w->correction, c->kept_q, (size_t)w->model->n_dof * sizeof *c->kept_q);
     for (int i = 0; i < c->n; i++) {
         w->link[c->link[i]].force = w->link[c->link[i]].kept;
     }
 }
 
 // A sweep over the cluster; returns how far it moved the links.
-static double cluster_sweep(struct work *w, const struct state *now, struct state *next,
-                            const struct cluster *c) {
+static double cluster_sweep(struct work *w, const struct state *now, struct state *next) {
+    const struct clusters *c = &w->clusters;
     double moved = 0.0;
     for (int i = 0; i < c->n; i++) {
         moved += fabs(exact_solve(w, now, next, c->link[i])) * w->link[c->link[i]].flexibility;
@@ -244,13 +214,13 @@ static double cluster_sweep(struct work *w, const struct state *now, struct stat
 // Whole steps, until the sweep after one moves the links by at most half of *nearest, which then
 // becomes the way of that sweep. False: not found.
 static bool cluster_whole_steps(struct work *w, const struct state *now, struct state *next,
-                                const struct cluster *c, double *nearest) {
+                                double *nearest) {
     for (int i = 0; i < WHOLE_STEPS; i++) {
-        if (!cluster_newton(w, now, next, c, w->clusters.vector)) {
+        if (!cluster_newton(w, now, next)) {
             return false;
         }
-        cluster_apply(w, c, 1.0, w->clusters.vector);
-        double moved = cluster_sweep(w, now, next, c);
+        cluster_apply(w, 1.0);
+        double moved = cluster_sweep(w, now, next);
         if (moved <= 0.5 * *nearest) {
             *nearest = moved;
             return true;
@@ -259,58 +229,75 @@ static bool cluster_whole_steps(struct work *w, const struct state *now, struct 
     return false;
 }
 
-// The derivative along df of the function that sweeps minimise.
-static double cluster_descent(struct work *w, const struct state *now, struct state *next,
-                              const struct cluster *c, const double *df) {
+// The derivative along the Newton step of the function that sweeps minimise.
+static double cluster_descent(struct work *w, const struct state *now, struct state *next) {
+    const struct clusters *c = &w->clusters;
     double sum = 0.0;
     for (int i = 0; i < c->n; i++) {
-        int k = c->link[i];
-        struct equation e = exact_equation(w, now, next, k);
-        sum += df[i] * w->link[k].flexibility * exact_excess(&e, w->link[k].force);
+        const struct link_scratch *p = &w->link[c->link[i]];
+        struct equation e = exact_equation(w, now, next, p->index);
+        sum += c->change[i] * p->flexibility * exact_excess(&e, p->force);
     }
     return sum;
 }
 
-// No force of a law that does not pull may become negative.
-static void cluster_limit(const struct work *w, const struct cluster *c, double *df) {
-    for (int i = 0; i < c->n; i++) {
-        int k = c->link[i];
-        const struct link *l = &w->model->link[k];
-        if (w->link[k].clamped || !(l->bilateral || (l->law->traits & CONTACT_MAY_PULL))) {
-            df[i] = fmax(df[i], -w->link[k].force);
-        }
-    }
-}
-
 // The part of a Newton step that leads lowest on the function that sweeps minimise: it is convex,
-// so its derivative is bisected.
-static bool cluster_part_step(struct work *w, const struct state *now, struct state *next,
-                              const struct cluster *c) {
-    double *df = w->clusters.vector;
-    if (!cluster_newton(w, now, next, c, df)) {
+// so its derivative is bisected. No force of a law that does not pull may become negative.
+static bool cluster_part_step(struct work *w, const struct state *now, struct state *next) {
+    const struct clusters *c = &w->clusters;
+    if (!cluster_newton(w, now, next)) {
         return false;
     }
-    cluster_limit(w, c, df);
+    for (int i = 0; i < c->n; i++) {
+        const struct link_scratch *p = &w->link[c->link[i]];
+        if (p->clamped || !(p->bilateral || (p->law->traits & CONTACT_MAY_PULL))) {
+            c->change[i] = fmax(c->change[i], -p->force);
+        }
+    }
     struct root part = {.high = 2.0};
     for (int i = 0; i < PARTS && part.low != 1.0; i++) {
-        cluster_apply(w, c, root_middle(&part), df);
-        root_halve(&part, cluster_descent(w, now, next, c, df) <= 0.0);
-        cluster_restore(w, c);
+        cluster_apply(w, root_middle(&part));
+        root_halve(&part, cluster_descent(w, now, next) <= 0.0);
+        cluster_restore(w);
     }
-    cluster_apply(w, c, part.low, df);
+    cluster_apply(w, part.low);
     return part.low > 0.0;
 }
 
-bool cluster_step(struct work *w, const struct state *now, struct state *next,
-                  const struct cluster *c, double *nearest) {
-    if (c->n > w->clusters.most) {
-        return false;
-    }
-    *nearest = fmin(*nearest, cluster_sweep(w, now, next, c));
-    cluster_keep(w, c);
-    if (cluster_whole_steps(w, now, next, c, nearest)) {
+static bool cluster_step(struct work *w, const struct state *now, struct state *next,
+                         double *nearest) {
+    *nearest = fmin(*nearest, cluster_sweep(w, now, next));
+    cluster_keep(w);
+    if (cluster_whole_steps(w, now, next, nearest)) {
         return true;
     }
-    cluster_restore(w, c);
-    return cluster_part_step(w, now, next, c);
+    cluster_restore(w);
+    return cluster_part_step(w, now, next);
+}
+
+// Takes link k into the cluster in hand. In a row of buildings whose links are in order, those of a
+// building are near each other.
+static void cluster_append(struct clusters *c, const struct model *m, int k) {
+    for (int side = 0; side < 2; side++) {
+        const int b = m->link[k].building[side];
+        if (b != WALL) {
+            c->position[b] = c->position[b] < 0 ? c->n : c->position[b];
+            c->width = c->n - c->position[b] > c->width ? c->n - c->position[b] : c->width;
+        }
+    }
+    c->link[c->n++] = k;
+}
+
+bool cluster_steps(struct work *w, const struct state *now, struct state *next) {
+    struct clusters *c = &w->clusters;
+    bool any = false;
+    for (int i = 0; i < w->model->n_building; i++) {
+        int k = c->first[i];
+        c->width = 0;
+        for (c->n = 0; k >= 0 && c->n < c->most; k = c->after[k]) {
+            cluster_append(c, w->model, k);
+        }
+        any |= k < 0 && c->n > 1 && cluster_step(w, now, next, &c->nearest[i]);
+    }
+    return any;
 }

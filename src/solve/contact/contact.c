@@ -21,6 +21,7 @@
 // is infinite at every closure.
 #include "solve/contact/contact.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "core/number.h"
@@ -45,39 +46,32 @@ static const double AT_REST = 0.1;
 // Velocity relative to the largest of any floor so far.
 static const double NEGLIGIBLE = 1e-5;
 
-// Goes over acting links `first` to end - 1: by exact solutions, or by Newton steps where they are
-// safe.
-static void contact_visit(struct work *w, const struct state *now, struct state *next, bool exact,
-                          int first, int end, struct progress *s) {
-    for (int i = first;; i++) {
-        i = exact ? i : sweep_newton(w, i, end, s);
-        if (i == end) {
-            return;
-        }
-        exact_visit(w, now, next, w->acting[i], s);
-    }
-}
+enum sweep_kind {
+    SWEEP_FIRST,   // Newton steps where they are safe, by groups of links that the cache holds
+    SWEEP_NEWTON,  // the same
+    SWEEP_EXACT,   // exact solutions
+};
 
-// The first sweep, by groups of links that the cache holds until they have been visited.
-static void contact_first_sweep(struct work *w, const struct state *now, struct state *next,
-                                struct progress *s) {
-    sweep_begin(w, next, s);
-    sweep_renew(&w->model->tolerance, s);
-    for (int first = 0, end; first < w->n_acting; first = end) {
-        end = first + SWEEP_GROUP < w->n_acting ? first + SWEEP_GROUP : w->n_acting;
-        sweep_gather(w, next, first, end, s);
-        contact_visit(w, now, next, false, first, end, s);
-    }
-}
-
-static void contact_sweep(struct work *w, const struct state *now, struct state *next, bool exact,
-                          struct progress *s) {
+static void contact_sweep(struct work *w, const struct state *now, struct state *next,
+                          enum sweep_kind kind, struct progress *s) {
+    const int group = kind == SWEEP_FIRST ? SWEEP_GROUP : w->n_acting;
     sweep_renew(&w->model->tolerance, s);
     s->some_exact = false;
-    if (!exact) {
+    if (kind == SWEEP_NEWTON) {
         sweep_evaluate_again(w, s);
     }
-    contact_visit(w, now, next, exact, 0, w->n_acting, s);
+    for (int first = 0, end; first < w->n_acting; first = end) {
+        end = first + group < w->n_acting ? first + group : w->n_acting;
+        if (kind == SWEEP_FIRST) {
+            sweep_gather(w, next, first, end, s);
+        }
+        for (int i = first; i < end; i++) {
+            i = kind == SWEEP_EXACT ? i : sweep_newton(w, i, end, s);
+            if (i < end) {
+                exact_visit(w, now, next, w->acting[i], s);
+            }
+        }
+    }
 }
 
 // A contact this slow is at rest, whatever the step does to it: its energy is 1e-10 of the floors'.
@@ -99,46 +93,30 @@ static bool contact_resolved_at(const struct work *w, struct link_scratch *p, do
     return contact_fits(w, p, p->law->force(p->constant, p->history, depth, v), depth);
 }
 
-static bool contact_is_at_rest(const struct work *w, const struct path *p) {
-    double allowed = AT_REST * fmin(p->d0, p->d1);
-    double fastest = fmax(fabs(p->v0), fabs(p->v1));
-    return fabs(p->d1 - p->d0) <= allowed && fastest * w->h <= allowed;
-}
-
-// The start of the step was the end of the last one, and need not be looked at again where that was
-// resolved with a step as long.
-static bool contact_starts_resolved(const struct work *w, const struct state *now,
-                                    struct link_scratch *p) {
-    int k = p->index;
-    return !now->link[k].closed || p->resolved->step >= w->h ||
-           contact_resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
-}
-
-// A settled link has tangents already, taken close enough to the end of the step.
-static bool contact_ends_resolved(const struct work *w, struct link_scratch *p,
-                                  const struct path *path) {
-    return p->branch != BRANCH_CLOSED ||
-           (!p->stale
-                ? contact_fits(w, p, (struct contact_response){.dfdd = p->dfdd, .dfdv = p->dfdv},
-                               path->d1)
-                : contact_resolved_at(w, p, path->d1, path->v1));
-}
-
+// Is the step short enough for a link, or is there nothing to resolve because it is at rest? The
+// start of the step was the end of the last one, and need not be looked at again where that was
+// resolved with a step as long. A settled link has tangents already, taken close enough to the end.
 static bool contact_judge(struct work *w, const struct state *now, const struct state *next,
                           struct link_scratch *p, double x, double d) {
-    int k = p->index;
-    struct path path = {.d0 = now->delta[k], .d1 = d, .v1 = p->v_trial + w->g * x, .h = w->h};
-    if (contact_starts_resolved(w, now, p) && contact_ends_resolved(w, p, &path)) {
+    const int k = p->index;
+    const bool was_closed = now->link[k].closed, is_closed = p->branch == BRANCH_CLOSED;
+    const double d0 = now->delta[k], v = p->v_trial + w->g * x;
+    const struct contact_response tangents = {.dfdd = p->dfdd, .dfdv = p->dfdv};
+    if ((!was_closed || p->resolved->step >= w->h ||
+         contact_resolved_at(w, p, d0, state_rate(now, w->model, k))) &&
+        (!is_closed ||
+         (p->stale ? contact_resolved_at(w, p, d, v) : contact_fits(w, p, tangents, d)))) {
         p->resolved->step = w->h;
         return true;
     }
     p->resolved->step = 0.0;
-    path.v0 = state_rate(now, w->model, k);
-    if (now->link[k].closed && p->branch == BRANCH_CLOSED) {
-        return contact_is_at_rest(w, &path);
+    const double v0 = state_rate(now, w->model, k);
+    if (was_closed && is_closed) {
+        const double allowed = AT_REST * fmin(d0, d), fastest = fmax(fabs(v0), fabs(v));
+        return fabs(d - d0) <= allowed && fastest * w->h <= allowed;
     }
-    return contact_is_slow(w, now, path.v1) &&
-           contact_is_slow(w, now, now->link[k].closed ? path.v0 : next->link[k].v_close);
+    return contact_is_slow(w, now, v) &&
+           contact_is_slow(w, now, was_closed ? v0 : next->link[k].v_close);
 }
 
 // A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
@@ -181,31 +159,28 @@ static void contact_clamp(struct work *w) {
     }
 }
 
-// Block steps on all clusters; true if one was of use.
-static bool contact_block_steps(struct work *w, const struct state *now, struct state *next) {
-    bool any = false;
-    int n = cluster_find(&w->clusters, w->model, next);
-    for (int i = 0; i < n; i++) {
-        struct cluster c = cluster_at(&w->clusters, i);
-        any |= c.n > 1 && cluster_step(w, now, next, &c, &w->clusters.nearest[i]);
-    }
-    return any;
-}
-
-// Largest change of a force in a sweep.
-static double contact_change(const struct progress *s) {
-    return number_max(s->moved[LAW_UNKNOWN], s->moved[LAW_KNOWN]);
-}
-
 // Would another sweep change next to nothing? One of Newton steps measures that against the largest
 // force of the sweep before, which may have been much larger.
-static bool contact_converged(const struct work *w, bool exact, const struct progress *s) {
+static bool contact_converged(const struct work *w, enum sweep_kind kind,
+                              const struct progress *s) {
     const double *tolerance = &w->model->tolerance;
     double feedback = w->n_acting == 1 ? 0.0 : s->some_exact ? 1.0 : number_min(s->feedback, 1.0);
     bool settled, measured;
     sweep_settled(s, tolerance, &feedback, &settled);
     sweep_measured(s, tolerance, &measured);
-    return settled && (exact || measured);
+    return settled && (kind == SWEEP_EXACT || measured);
+}
+
+// Rounding error that the forces of other links cause in x (n_dof).
+static double contact_rounding(const struct work *w, const double *x) {
+    double largest = 0.0;
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            largest = number_max(largest, fabs(x[j]));
+        }
+    }
+    return 16.0 * DBL_EPSILON * largest;
 }
 
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter becomes that of
@@ -214,56 +189,44 @@ static int contact_iterate(struct work *w, const struct state *now, struct state
                            long **counter) {
     struct progress s;
     double before = INFINITY;
+    enum sweep_kind kind = SWEEP_FIRST;
     w->others_d = w->others_v = 0.0;
-    for (int i = 0; i < w->model->n_building; i++) {
-        w->clusters.nearest[i] = INFINITY;
-    }
-    bool exact = false;
+    sweep_begin(w, next, &s);
     for (int i = 0; i < w->model->iterations; i++) {
-        if (i == 0) {
-            contact_first_sweep(w, now, next, &s);
-        } else {
-            contact_sweep(w, now, next, exact, &s);
-        }
+        contact_sweep(w, now, next, kind, &s);
         w->totals->iterations++;
-        if (contact_converged(w, exact, &s)) {
+        if (contact_converged(w, kind, &s)) {
             return STATUS_OK;
         }
         if (i == PLAIN_SWEEPS) {
             if (!contact_is_hopeful(w, now, next)) {
                 return STATUS_RETRY;
             }
-            w->others_d = exact_rounding(w, w->u_trial);
-            w->others_v = exact_rounding(w, w->v_trial);
+            w->others_d = contact_rounding(w, w->u_trial);
+            w->others_v = contact_rounding(w, w->v_trial);
+        }
+        if (i + 1 == PLAIN_SWEEPS) {
+            cluster_find(&w->clusters, w->model, next);
         }
         if (i == PULLING_SWEEPS) {
             contact_clamp(w);
-            exact = true;
         }
-        if (i + 1 >= PLAIN_SWEEPS && contact_change(&s) > SLOW * before) {
-            exact = true;
-            bool blocked = contact_block_steps(w, now, next) || *counter == &w->totals->block;
+        const double change = number_max(s.moved[LAW_UNKNOWN], s.moved[LAW_KNOWN]);
+        const bool slow = i + 1 >= PLAIN_SWEEPS && change > SLOW * before;
+        if (slow) {
+            bool blocked = cluster_steps(w, now, next) || *counter == &w->totals->block;
             *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
-        before = contact_change(&s);
+        kind = slow || i >= PULLING_SWEEPS || kind == SWEEP_EXACT ? SWEEP_EXACT : SWEEP_NEWTON;
+        before = change;
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// A link whose law would pull if it were allowed to has neither an open nor a closed solution.
-static enum branch contact_judge_clamped(struct work *w, const struct state *now,
-                                         const struct state *next, const struct link_scratch *p) {
-    if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
-        return p->branch;
-    }
-    struct equation e = exact_equation(w, now, next, p->index);
-    e.clamped = false;
-    return exact_law(&e, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
-}
-
-// Stores the force found for a link. False: the step is too long, or there is neither an open nor a
-// closed solution, so that the link opens inside the step, and it has not bounced to rest.
+// Stores the force found for a link. A link whose law would pull if it were allowed to has neither
+// an open nor a closed solution. False: the step is too long, or there is no solution, so that the
+// link opens inside the step, and it has not bounced to rest.
 static bool contact_take(struct work *w, const struct state *now, struct state *next,
                          struct link_scratch *p) {
     int k = p->index;
@@ -271,7 +234,11 @@ static bool contact_take(struct work *w, const struct state *now, struct state *
     if (strict && !contact_resolves(w, now, next, p)) {
         return false;
     }
-    p->branch = contact_judge_clamped(w, now, next, p);
+    if (p->clamped && p->force == 0.0 && p->branch == BRANCH_CLOSED) {
+        struct equation e = exact_equation(w, now, next, k);
+        e.clamped = false;
+        p->branch = exact_law(&e, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
+    }
     next->link[k].force = p->force;
     next->link[k].closed = p->branch != BRANCH_OPEN;
     if (next->link[k].closed != now->link[k].closed) {
@@ -281,20 +248,13 @@ static bool contact_take(struct work *w, const struct state *now, struct state *
            contact_is_slow(w, now, state_rate(now, w->model, k));
 }
 
-static int contact_take_all(struct work *w, const struct state *now, struct state *next) {
-    w->n_toggled = 0;
-    for (int i = 0; i < w->n_acting; i++) {
-        if (!contact_take(w, now, next, w->acting[i])) {
-            return STATUS_RETRY;
-        }
-    }
-    return STATUS_OK;
-}
-
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     long *counter = &w->totals->fast;
     int status = contact_iterate(w, now, next, &counter);
-    status = status == STATUS_OK ? contact_take_all(w, now, next) : status;
+    w->n_toggled = 0;
+    for (int i = 0; i < w->n_acting && status == STATUS_OK; i++) {
+        status = contact_take(w, now, next, w->acting[i]) ? STATUS_OK : STATUS_RETRY;
+    }
     *counter += status == STATUS_OK;
     return status;
 }

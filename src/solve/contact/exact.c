@@ -37,10 +37,6 @@ struct contact_response exact_law(const struct equation *e, double force) {
     return e->clamped && r.force < 0.0 ? (struct contact_response){0} : r;
 }
 
-static bool exact_pulls(const struct equation *e) {
-    return !e->clamped && (e->link->law->traits & CONTACT_MAY_PULL);
-}
-
 static double exact_residual(const struct equation *e, double f) {
     return f - exact_law(e, f).force;
 }
@@ -125,30 +121,6 @@ static double exact_root(const struct equation *e, double top, double guess) {
     return exact_bracket_below(e, &low) ? exact_search(e, low, 0.0, guess) : f;
 }
 
-// d_free > 0: there is no open solution.
-static enum branch exact_pressed(const struct equation *e, double guess, double *force) {
-    double top = e->d_free / e->d_force;
-    if (exact_residual(e, top) < 0.0) {
-        *force = top;
-        return e->closed && exact_pulls(e) ? BRANCH_NONE : BRANCH_JUMP;
-    }
-    *force = exact_root(e, top, guess);
-    return BRANCH_CLOSED;
-}
-
-// d_free <= 0 for a closed link of a law that pulls: does it pull hard enough at d = 0 to keep d >
-// 0? A tension that grows with d does not, as it is 0 there: such a link opens.
-static enum branch exact_held(const struct equation *e, double guess, double *force) {
-    double high = e->d_free / e->d_force;
-    double low = exact_law(e, high).force;
-    *force = 0.0;
-    if (low >= high || !exact_bracket_below(e, &low)) {
-        return BRANCH_OPEN;
-    }
-    *force = exact_search(e, low, high, guess);
-    return BRANCH_CLOSED;
-}
-
 double exact_excess(const struct equation *e, double force) {
     if (e->link->law->rebound) {
         return force - (e->v_free - e->v_rest) / e->v_force;
@@ -168,33 +140,37 @@ double exact_excess(const struct equation *e, double force) {
     return force - root_middle(&r);
 }
 
-// A rigid contact at rest: the force that keeps the bodies together, unless it would have to pull.
-static enum branch exact_rest(const struct equation *e, double *force) {
-    double excess = e->v_free - e->v_rest;
-    *force = number_max(excess / e->v_force, 0.0);
-    return excess >= -e->v_rounding ? BRANCH_JUMP : BRANCH_OPEN;
-}
-
 enum branch exact_force(const struct equation *e, double guess, double *force) {
+    const bool pulls = !e->clamped && (e->link->law->traits & CONTACT_MAY_PULL);
+    const double top = e->d_free / e->d_force;  // the force that holds the link at d = 0
+    *force = 0.0;
     if (e->link->law->rebound) {
-        return exact_rest(e, force);
+        // A rigid contact at rest: the bodies are kept together, unless that would have to pull.
+        double excess = e->v_free - e->v_rest;
+        *force = number_max(excess / e->v_force, 0.0);
+        return excess >= -e->v_rounding ? BRANCH_JUMP : BRANCH_OPEN;
     }
-    if (e->link->bilateral || e->held) {
+    if (e->link->bilateral || e->held || (e->d_free > 0.0 && !(e->d_force > 0.0))) {
         *force = exact_root(e, INFINITY, guess);
         return BRANCH_CLOSED;
     }
     if (e->d_free > 0.0) {
-        if (e->d_force > 0.0) {
-            return exact_pressed(e, guess, force);
-        }
-        *force = exact_root(e, INFINITY, guess);
-        return BRANCH_CLOSED;
+        // There is no open solution.
+        bool jumps = exact_residual(e, top) < 0.0;
+        *force = jumps ? top : exact_root(e, top, guess);
+        return !jumps ? BRANCH_CLOSED : e->closed && pulls ? BRANCH_NONE : BRANCH_JUMP;
     }
-    if (e->closed && e->d_force > 0.0 && exact_pulls(e)) {
-        return exact_held(e, guess, force);
+    // Does a law that pulls do so hard enough at d = 0 to keep a closed link closed? A tension that
+    // grows with d does not, as it is 0 there: such a link opens.
+    if (!e->closed || !(e->d_force > 0.0) || !pulls) {
+        return BRANCH_OPEN;
     }
-    *force = 0.0;
-    return BRANCH_OPEN;
+    double low = exact_law(e, top).force;
+    if (low >= top || !exact_bracket_below(e, &low)) {
+        return BRANCH_OPEN;
+    }
+    *force = exact_search(e, low, top, guess);
+    return BRANCH_CLOSED;
 }
 
 struct equation exact_equation(const struct work *w, const struct state *now,
@@ -229,17 +205,6 @@ double exact_solve(struct work *w, const struct state *now, struct state *next, 
     sweep_push(w, p, &df);
     p->force = force;
     return df;
-}
-
-double exact_rounding(const struct work *w, const double *x) {
-    double largest = 0.0;
-    for (int i = 0; i < w->gaps.n_touched; i++) {
-        const struct building *g = &w->model->building[w->gaps.touched[i]];
-        for (int j = g->first; j < g->first + g->n_floor; j++) {
-            largest = number_max(largest, fabs(x[j]));
-        }
-    }
-    return 16.0 * DBL_EPSILON * largest;
 }
 
 // How much rounding errors d and v change the force of a link.

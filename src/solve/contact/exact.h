@@ -48,7 +48,4 @@ double exact_solve(struct work *w, const struct state *now, struct state *next, 
 void exact_visit(struct work *w, const struct state *now, struct state *next,
                  struct link_scratch *p, struct progress *progress);
 
-// Rounding error that the forces of other links cause in x (n_dof).
-double exact_rounding(const struct work *w, const double *x);
-
 #endif

@@ -10,18 +10,17 @@
 #include "core/number.h"
 #include "solve/account/peaks.h"
 
-// Is `end` the next one of a run on the side where its first is `first`? A wall is all zeros behind
-// the floors, which are no more than a vector.
-static bool gaps_follows(const struct model *m, int first, int n, int end) {
-    return first < m->n_dof ? end == first + n : end == first && n < LANES_WIDTH;
-}
-
-// Does link k carry on the run?
+// Does link k carry on the run? A wall is all zeros behind the floors, which are no more than a
+// vector.
 static bool gaps_continue(const struct model *m, const struct gap_run *r, int k) {
     const struct link *l = &m->link[k];
-    return !r->row && link_is_plain(l) && l->building[0] == r->building[0] &&
-           l->building[1] == r->building[1] && gaps_follows(m, r->left, r->n, state_end(l, m, 0)) &&
-           gaps_follows(m, r->right, r->n, state_end(l, m, 1));
+    bool follows = !r->row && link_is_plain(l);
+    for (int side = 0; side < 2; side++) {
+        const int first = side == 0 ? r->left : r->right, end = state_end(l, m, side);
+        follows = follows && l->building[side] == r->building[side] &&
+                  (first < m->n_dof ? end == first + r->n : r->n < LANES_WIDTH);
+    }
+    return follows;
 }
 
 static void gaps_find_runs(struct gaps *g) {
@@ -35,7 +34,7 @@ static void gaps_find_runs(struct gaps *g) {
             g->run_of[k] = g->n_run - 1;
             continue;
         }
-        g->all[g->n_run] = g->run_of[k] = g->n_run;
+        g->run_of[k] = g->n_run;
         g->run[g->n_run++] = (struct gap_run){.first = k,
                                               .n = 1,
                                               .left = state_end(l, m, 0),
@@ -75,13 +74,11 @@ bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, 
         .time = r->deepest_time,
         .run_of = arena_alloc(a, n_link, sizeof *g->run_of),
         .beyond = arena_alloc(a, n_link, sizeof *g->beyond),
-        .all = arena_alloc(a, n_link, sizeof *g->all),
         .acting = arena_alloc(a, n_link, sizeof *g->acting),
         .share = arena_alloc(a, n_link, sizeof *g->share),
         .run = arena_alloc(a, n_link, sizeof *g->run),
         .start = arena_alloc(a, n_building + 1, sizeof *g->start),
         .of_building = arena_alloc(a, 2 * n_link, sizeof *g->of_building),
-        .visited = arena_alloc(a, n_link, sizeof *g->visited),
         .pressed = arena_alloc(a, n_link, sizeof *g->pressed),
         .touched = arena_alloc(a, n_building, sizeof *g->touched),
         .is_touched = arena_alloc(a, n_building, sizeof *g->is_touched),
@@ -103,6 +100,10 @@ static inline bool gaps_update_run(const struct gaps *g, const struct gap_run *r
     const double *restrict limit = g->limit + r->first;
     double *restrict d = delta + r->first;
     int64_t sign = 0;
+    if (r->row) {
+        d[0] = link_across(r->row, u) - gap[0];
+        return limit[0] < d[0];
+    }
     LANES_LOOP
     for (int j = 0, n = r->n; j < n; j++) {
         double x = left[j] - right[j] - gap[j];
@@ -110,14 +111,6 @@ static inline bool gaps_update_run(const struct gaps *g, const struct gap_run *r
         sign |= number_bits(limit[j] - x);
     }
     return sign < 0;
-}
-
-// The same of a run that is one link with a row.
-static bool gaps_update_row(const struct gaps *g, const struct gap_run *r, const double *u,
-                            double *delta) {
-    double d = link_across(r->row, u) - g->gap[r->first];
-    delta[r->first] = d;
-    return g->limit[r->first] < d;
 }
 
 // Does a link of the run that does not act stand inside?
@@ -132,67 +125,44 @@ static inline bool gaps_is_pressed(const struct gaps *g, const struct gap_run *r
     return inside != 0;
 }
 
-// The penetrations of n runs, on grounds that move together. Returns how many are pressed.
-LANES static int gaps_update_runs(const struct gaps *g, const double *u, double *delta, int n,
-                                  const int *visited, int *pressed) {
-    int n_pressed = 0;
-    for (int i = 0; i < n; i++) {
-        int k = visited[i];
+// Adds the grounds' shares to the penetrations of a run.
+static void gaps_add_grounds(const struct gaps *g, const struct gap_run *r, struct state *s) {
+    for (int k = r->first; k < r->first + r->n; k++) {
+        s->delta[k] += state_ground_gap(&g->model->link[k], g->model, s->ground_u);
+    }
+}
+
+static inline bool gaps_has_moved(const struct gap_run *r, const bool *moved) {
+    return (r->building[0] != WALL && moved[r->building[0]]) ||
+           (r->building[1] != WALL && moved[r->building[1]]);
+}
+
+// The penetrations of runs at buildings that have `moved`; NULL: of all. Where grounds move
+// differently, all of them may be beyond their limits and pressed.
+LANES static void gaps_update_runs(struct gaps *g, struct state *s, const bool *moved) {
+    const bool grounds = g->model->n_ground > 1;
+    g->n_pressed = 0;
+    for (int k = 0; k < g->n_run; k++) {
         const struct gap_run *r = &g->run[k];
-        g->beyond[k] = r->row ? gaps_update_row(g, r, u, delta) : gaps_update_run(g, r, u, delta);
-        if (g->beyond[k] && gaps_is_pressed(g, r, delta)) {
-            pressed[n_pressed++] = k;
+        if (moved && !gaps_has_moved(r, moved)) {
+            continue;
         }
-    }
-    return n_pressed;
-}
-
-// Adds the grounds' shares; whatever was visited may be pressed then.
-static void gaps_add_grounds(struct gaps *g, struct state *s, int n, const int *visited) {
-    const struct model *m = g->model;
-    for (int i = 0; i < n; i++) {
-        const struct gap_run *r = &g->run[visited[i]];
-        for (int k = r->first; k < r->first + r->n; k++) {
-            s->delta[k] += state_ground_gap(&m->link[k], m, s->ground_u);
+        g->beyond[k] = gaps_update_run(g, r, s->u, s->delta) || grounds;
+        if (grounds) {
+            gaps_add_grounds(g, r, s);
         }
-        g->pressed[i] = visited[i];
-        g->beyond[visited[i]] = true;
-    }
-    g->n_pressed = n;
-}
-
-static void gaps_visit(struct gaps *g, struct state *s, int n, const int *visited) {
-    for (int i = 0; g->kept && i < g->n_run; i++) {
-        g->beyond[i] = false;
-    }
-    g->kept = false;
-    g->n_pressed = gaps_update_runs(g, s->u, s->delta, n, visited, g->pressed);
-    if (g->model->n_ground > 1) {
-        gaps_add_grounds(g, s, n, visited);
+        if (grounds || (g->beyond[k] && gaps_is_pressed(g, r, s->delta))) {
+            g->pressed[g->n_pressed++] = k;
+        }
     }
 }
 
 void gaps_update(struct gaps *g, struct state *s) {
-    gaps_visit(g, s, g->n_run, g->all);
-}
-
-// A run between two touched buildings is visited from the first of them.
-static bool gaps_seen_from(const struct gaps *g, const struct gap_run *r, int building) {
-    int other = r->building[0] == building ? r->building[1] : r->building[0];
-    return other != WALL && other < building && g->is_touched[other];
+    gaps_update_runs(g, s, NULL);
 }
 
 void gaps_update_touched(struct gaps *g, struct state *s) {
-    int n = 0;
-    for (int i = 0; i < g->n_touched; i++) {
-        int k = g->touched[i];
-        for (int j = g->start[k]; j < g->start[k + 1]; j++) {
-            if (!gaps_seen_from(g, &g->run[g->of_building[j]], k)) {
-                g->visited[n++] = g->of_building[j];
-            }
-        }
-    }
-    gaps_visit(g, s, n, g->visited);
+    gaps_update_runs(g, s, g->is_touched);
 }
 
 LANES static void gaps_raise_run(const struct gaps *g, const struct gap_run *r, const double *delta,
@@ -208,7 +178,7 @@ LANES static void gaps_raise_run(const struct gaps *g, const struct gap_run *r, 
 }
 
 void gaps_peaks(struct gaps *g, const struct state *s) {
-    for (int i = 0; !g->kept && i < g->n_run; i++) {
+    for (int i = 0; i < g->n_run; i++) {
         if (g->beyond[i]) {
             gaps_raise_run(g, &g->run[i], s->delta, s->time);
         }

@@ -26,11 +26,8 @@ struct gaps {
     int n_run;
     struct gap_run *run;
     int *run_of;               // (n_link)
-    bool *beyond;              // (n_run) one of its links was beyond its limit when last updated;
-    bool kept;                 // if true, none is, as was found in another way
+    bool *beyond;              // (n_run) one of its links was beyond its limit when last updated
     int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
-    int *visited;              // (n_run) scratch: runs that an update goes over
-    int *all;                  // (n_run) all runs
     int n_pressed, *pressed;   // runs in which a link that does not act had d > 0 then
     int n_acting, *acting;     // links that act in this step,
     struct gap_share {
@@ -52,12 +49,6 @@ void gaps_update(struct gaps *g, struct state *s);
 
 // The same where only touched buildings have moved.
 void gaps_update_touched(struct gaps *g, struct state *s);
-
-// Records that penetrations have been found in another way, none beyond its limit.
-static inline void gaps_keep(struct gaps *g) {
-    g->n_pressed = 0;
-    g->kept = true;
-}
 
 // Records penetrations that are larger than ever.
 void gaps_peaks(struct gaps *g, const struct state *s);

@@ -22,18 +22,12 @@
 #include "core/number.h"
 #include "solve/contact/sweep_step.h"
 
-// Floors of the building at an end, in whole lanes.
-static int sweep_lanes_at(const struct model *m, const struct link *l, int side) {
-    return l->row[side].n > 0 ? lanes_whole(m->building[l->building[side]].n_floor) : 0;
-}
-
 bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct arena *a) {
     const struct link *l = &m->link[k];
     const bool plain = link_is_plain(l);
+    bool room = true;
     *p = (struct link_scratch){
         .end = {plain ? state_end(l, m, 0) : -1, plain ? state_end(l, m, 1) : -1},
-        .combined =
-            plain ? NULL : lanes_array(a, sweep_lanes_at(m, l, 0) + sweep_lanes_at(m, l, 1)),
         .link = l,
         .index = k,
         .law = l->law,
@@ -42,81 +36,73 @@ bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct are
         .bilateral = l->bilateral,
         .moving_ground = l->moving_ground,
     };
-    return plain || p->combined;
-}
-
-double sweep_across_rows(const struct link_scratch *p, const double *x) {
-    return link_across(p->link, x);
-}
-
-double sweep_size_rows(const struct link_scratch *p, const double *x) {
-    return link_size(p->link, x);
-}
-
-static double sweep_sum(const double *x, int n) {
-    double sum = 0.0;
-    for (int i = 0; i < n; i++) {
-        sum += fabs(x[i]);
+    for (int side = 0; side < 2; side++) {
+        if (l->row[side].n > 0) {
+            p->combined[side] = lanes_array(a, m->building[l->building[side]].n_floor);
+            room = room && p->combined[side];
+        }
     }
-    return sum;
+    return room;
 }
 
-// A^-1 b' of an end that is a row, into `column` (n_floor in whole lanes); returns b A^-1 b'.
-static double sweep_combine(struct effective *a, const struct link *l, int side, double *column,
-                            struct reach *reach) {
+// A^-1 b' of an end that is a row, into `column` (n_floor in whole lanes).
+static struct reach sweep_combine(struct effective *a, const struct link_row *row, double *column) {
     const int n = lanes_whole(a->building->n_floor);
-    const struct link_row *row = &l->row[side];
-    double flexibility = 0.0;
+    struct reach reach = {n, 0};
     memset(column, 0, (size_t)n * sizeof *column);
-    *reach = (struct reach){n, 0};
     for (int i = 0; i < row->n; i++) {
         const int floor = row->entry[i].dof - a->building->first;
         const double *one = effective_column(a, floor);
+        const struct reach own = a->reach[floor];
         for (int j = 0; j < n; j++) {
             column[j] += row->entry[i].weight * one[j];
         }
-        const struct reach own = a->reach[floor];
-        *reach = (struct reach){own.from < reach->from ? own.from : reach->from,
-                                own.to > reach->to ? own.to : reach->to};
+        reach.from = own.from < reach.from ? own.from : reach.from;
+        reach.to = own.to > reach.to ? own.to : reach.to;
     }
-    for (int i = 0; i < row->n; i++) {
-        flexibility += row->entry[i].weight * column[row->entry[i].dof - a->building->first];
+    return reach;
+}
+
+// How the floors of its building respond to the force of a link at one end. Returns the sum of the
+// sizes of its column.
+static double sweep_find_column(const struct work *w, struct link_scratch *p, int side) {
+    const struct link *l = p->link;
+    struct effective *a = &w->effective[l->building[side]];
+    const int first = a->building->first;
+    const bool plain = l->row[side].n == 0;
+    double *combined = plain ? NULL : p->combined[side];
+    const double *column = plain ? effective_column(a, l->dof[side] - first) : combined;
+    const struct reach reach =
+        plain ? a->reach[l->dof[side] - first] : sweep_combine(a, &l->row[side], combined);
+    double flexibility = 0.0, size = 0.0;
+    for (int i = 0, n = link_entries(l, side); i < n; i++) {
+        const struct link_entry e = link_entry(l, side, i);
+        flexibility += e.weight * column[e.dof - first];
     }
-    return flexibility;
+    for (int i = 0; i < a->building->n_floor; i++) {
+        size += fabs(column[i]);
+    }
+    p->flexibility += flexibility;
+    p->column[side] = column + reach.from;
+    p->first[side] = first + reach.from;
+    p->lanes[side] = reach.to - reach.from;
+    return size;
 }
 
 void sweep_find_columns(const struct work *w, struct link_scratch *p) {
-    const struct link *l = p->link;
-    double *combined = p->combined;
+    double size = 0.0;
     p->factors = w->factors;
     p->flexibility = 0.0;
     if (p->resolved->factors != w->factors) {
         p->resolved->factors = w->factors;
         p->resolved->depth = 0.0;
     }
-    double sum = 0.0;
-    for (int i = 0; i < 2; i++) {
-        if (l->dof[i] != WALL) {
-            struct effective *a = &w->effective[l->building[i]];
-            int floor = l->floor[i] - 1;
-            const double *column;
-            struct reach reach;
-            if (l->row[i].n > 0) {
-                p->flexibility += sweep_combine(a, l, i, combined, &reach);
-                column = combined;
-                combined += lanes_whole(a->building->n_floor);
-            } else {
-                column = effective_column(a, floor);
-                reach = a->reach[floor];
-                p->flexibility += column[floor];
-            }
-            sum += sweep_sum(column, a->building->n_floor);
-            p->column[i] = column + reach.from;
-            p->first[i] = a->building->first + reach.from;
-            p->lanes[i] = reach.to - reach.from;
+    for (int side = 0; side < 2; side++) {
+        if (p->link->dof[side] != WALL) {
+            size += sweep_find_column(w, p, side);
         }
     }
-    p->coupling = number_max(w->most_links * sum / p->flexibility - 1.0, 0.0);
+    p->coupling = number_max(w->most_links * size / p->flexibility - 1.0, 0.0);
     p->per_coupling = 1.0 / (p->flexibility * p->coupling + DBL_MIN);
 }
 

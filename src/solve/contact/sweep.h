@@ -63,8 +63,8 @@ struct link_scratch {
     double v_rest;              // [L/T] at the end of the step, of a rigid contact at rest
     struct resolved *resolved;  // borrowed, as is the next
     const struct link *link;
-    double *combined;  // (2, lanes) columns of ends that are rows; NULL: all are floors
-    int index;         // of the link
+    double *combined[2];  // (lanes) column of an end that is a row; NULL: it is a floor
+    int index;            // of the link
     bool bilateral;
     bool moving_ground;
 };
@@ -84,18 +84,13 @@ struct progress {
     bool some_exact;  // a force was solved for exactly: feedback does not know of it
 };
 
-// The difference of x, an array (n_dof), between both ends of a link, one of which is a row, and
-// the sum of its sizes there. Not in line: the loops over links of floors stay small.
-double sweep_across_rows(const struct link_scratch *p, const double *x);
-double sweep_size_rows(const struct link_scratch *p, const double *x);
-
-// The same of any link.
+// The difference of x, an array (n_dof), between both ends of a link, and the sum of its sizes.
 static inline double sweep_across(const struct link_scratch *p, const double *x) {
-    return p->end[0] >= 0 ? x[p->end[0]] - x[p->end[1]] : sweep_across_rows(p, x);
+    return p->end[0] >= 0 ? x[p->end[0]] - x[p->end[1]] : link_across(p->link, x);
 }
 
 static inline double sweep_size(const struct link_scratch *p, const double *x) {
-    return p->end[0] >= 0 ? fabs(x[p->end[0]]) + fabs(x[p->end[1]]) : sweep_size_rows(p, x);
+    return p->end[0] >= 0 ? fabs(x[p->end[0]]) + fabs(x[p->end[1]]) : link_size(p->link, x);
 }
 
 // What sweep_step.h asks for with one lane.

@@ -7,8 +7,8 @@
 
 #include "core/arena.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/excitation.h"
-#include "solve/method.h"
+#include "solve/forcing.h"
+#include "solve/run.h"
 
 // Times that differ by less than this share of them are the same: of steps, corners and rows.
 static const double SAME_TIME = 8.0 * DBL_EPSILON;

@@ -118,7 +118,7 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
     b->multiplies = b->inverse && effective_prefers_inverse(home);
     for (int i = 0; i < b->shape->n_floor; i++) {
         const int j = b->shape->first + i;
-        const ptrdiff_t at = (ptrdiff_t)i * home->pitch;
+        const ptrdiff_t at = (ptrdiff_t)i * EFFECTIVE_ABREAST;
         const double number[NUMBER_COUNT] = {
             [NUMBER_MASS] = c->mass[j],           [NUMBER_STIFFNESS] = c->stiffness[j],
             [NUMBER_BELOW] = c->damping_below[j], [NUMBER_OWN] = c->damping[j],

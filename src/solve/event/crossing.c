@@ -15,22 +15,17 @@ struct cubic {
     double c0, c1, c2, c3;
 };
 
-static double crossing_value(const struct cubic *c, double x) {
+// The cubic, and its slope.
+static double crossing_at(double x, void *context, double *slope) {
+    const struct cubic *c = context;
+    *slope = c->c1 + x * (2.0 * c->c2 + x * 3.0 * c->c3);
     return c->c0 + x * (c->c1 + x * (c->c2 + x * c->c3));
-}
-
-static double crossing_slope(const struct cubic *c, double x) {
-    return c->c1 + x * (2.0 * c->c2 + x * 3.0 * c->c3);
-}
-
-static double crossing_at(double x, void *context, double *rate) {
-    *rate = crossing_slope(context, x);
-    return crossing_value(context, x);
 }
 
 static double crossing_root(struct cubic *c, double rise) {
     const struct root r = {0.0, 1.0, rise};
-    const double x = c->c0 / (c->c0 - crossing_value(c, 1.0));
+    double slope;
+    const double x = c->c0 / (c->c0 - crossing_at(1.0, c, &slope));
     return root_newton(crossing_at, c, r, x > 0.0 && x < 1.0 ? x : root_middle(&r), PRECISION);
 }
 
@@ -52,13 +47,15 @@ double crossing_find(const struct path *p, double *velocity) {
     } else if (p->d1 != 0.0) {
         x = crossing_root(&c, p->d0 < 0.0 ? 1.0 : -1.0);
     }
-    *velocity = crossing_slope(&c, x) / p->h;
+    (void)crossing_at(x, &c, velocity);
+    *velocity /= p->h;
     return x * p->h;
 }
 
 double crossing_summit(const struct path *p, double *largest) {
     struct cubic c = crossing_cubic(p);
     double x = c.c1 / (sqrt(c.c2 * c.c2 - 3.0 * c.c3 * c.c1) - c.c2);
-    *largest = crossing_value(&c, x);
+    double slope;
+    *largest = crossing_at(x, &c, &slope);
     return x * p->h;
 }

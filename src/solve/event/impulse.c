@@ -17,7 +17,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
 
 enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
@@ -70,57 +69,35 @@ static bool impulse_sweep(struct state *s, const struct model *m, enum rebound r
     return struck;
 }
 
-static void impulse_note(void *context, int k, const struct passage *p) {
-    struct meeting *meeting = (struct meeting *)context + k;
-    if (!meeting->struck) {
-        *meeting = (struct meeting){.struck = true, .approach = fmax(p->approach, 0.0)};
+// Gives the bodies of rows at rest that approach each other one motion; false: there are no rows.
+static bool impulse_pool(struct state *s, const struct model *m, struct meeting *meeting) {
+    struct rest_contacts t;
+    if (!rest_find(s, m, &t)) {
+        return false;
     }
-    meeting->impulse += p->push;
-    meeting->work += p->lost;
+    rest_pool(&t, m, s->v, s->ground_v);
+    for (int i = 0; i < t.n; i++) {
+        const struct passage *p = &t.passage[i];
+        struct meeting *met = &meeting[t.contact[i]];
+        if (p->pooled && !met->struck) {
+            *met = (struct meeting){.struck = true, .approach = fmax(p->approach, 0.0)};
+        }
+        met->impulse += p->push;
+        met->work += p->lost;
+    }
+    return true;
 }
 
 // Strikes contacts at rest until the bodies of none approach.
 static void impulse_strike_those_at_rest(struct state *s, const struct model *m,
                                          const struct least_bounce *least,
                                          struct meeting *meeting) {
-    struct rest_contacts t;
-    for (int i = 0; i < SWEEPS_BY_LAW; i++) {
-        if (!impulse_sweep(s, m, REBOUND_BY_LAW, least, meeting)) {
-            return;
-        }
+    bool settled = false;
+    for (int i = 0; !settled && i < SWEEPS_MAX; i++) {
+        const enum rebound rebound = i < SWEEPS_BY_LAW ? REBOUND_BY_LAW : REBOUND_NONE;
+        settled = (i == SWEEPS_BY_LAW && impulse_pool(s, m, meeting)) ||
+                  !impulse_sweep(s, m, rebound, least, meeting);
     }
-    if (rest_find(s, m, &t)) {
-        rest_pool(&t, m, s->v, s->ground_v, impulse_note, meeting);
-        return;
-    }
-    for (int i = SWEEPS_BY_LAW; i < SWEEPS_MAX; i++) {
-        if (!impulse_sweep(s, m, REBOUND_NONE, least, meeting)) {
-            return;
-        }
-    }
-}
-
-// Opens contacts at rest whose bodies leave each other for longer than the shortest bounce.
-static void impulse_part(struct state *s, const struct model *m, const struct least_bounce *least) {
-    for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k) &&
-            state_rate(s, m, k) < -impulse_slowest_rebound(s, m, k, least)) {
-            s->link[k].closed = false;
-            s->link[k].force = 0.0;
-        }
-    }
-}
-
-// Everything that follows from the velocities.
-static void impulse_follow(struct state *s, const struct model *m) {
-    state_complete(s, m);
-    state_internal_forces(s, m, s->u, s->v);
-    for (int k = 0; k < m->n_link; k++) {
-        if (s->link[k].closed && m->link[k].law->force) {
-            s->link[k].force = state_link_force(s, m, k);
-        }
-    }
-    equilibrium_find(s, m);
 }
 
 static void impulse_come_to_rest(struct state *s, int k, double approached) {
@@ -161,6 +138,21 @@ void impulse_meet(struct state *s, const struct model *m, int k, enum rebound re
         impulse_hold_touching(s, m, least);
     }
     impulse_strike_those_at_rest(s, m, least, meeting);
-    impulse_part(s, m, least);
-    impulse_follow(s, m);
+    // Contacts at rest whose bodies leave each other for longer than the shortest bounce open.
+    for (int i = 0; i < m->n_contact; i++) {
+        if (state_rests(s, m, i) &&
+            state_rate(s, m, i) < -impulse_slowest_rebound(s, m, i, least)) {
+            s->link[i].closed = false;
+            s->link[i].force = 0.0;
+        }
+    }
+    // Forces and accelerations follow from the velocities.
+    state_complete(s, m);
+    state_internal_forces(s, m, s->u, s->v);
+    for (int i = 0; i < m->n_link; i++) {
+        if (s->link[i].closed && m->link[i].law->force) {
+            s->link[i].force = state_link_force(s, m, i);
+        }
+    }
+    equilibrium_find(s, m);
 }

@@ -24,6 +24,10 @@
 #include "solve/event/rest.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "solve/floors/chain.h"
+#include "solve/forcing.h"
 
 enum { SWEEPS_FEW = 10, SWEEPS_MAX = 20000 };
 static const double TOLERANCE = 1e-13;  // relative change of the forces in a sweep
@@ -47,7 +51,7 @@ static const double SLOW = 4.0;
 // A body of a row.
 struct rest_body {
     int dof;       // WALL at an end
-    int contact;   // on its right; -1: none
+    int contact;   // on its right, an index of struct rest_contacts; -1: none
     double shift;  // how the ground on its left end moves ahead of its own,
     double y;      // and its motion less that
 };
@@ -59,56 +63,52 @@ struct rest_block {
     double y;
 };
 
-// The contact at rest with the floor `dof` on its side `side`; -1: none, or *n of them.
-static int rest_contact_of(const struct rest_contacts *t, const struct model *m, int side, int dof,
-                           int *n) {
-    int found = -1;
-    *n = 0;
-    for (int i = 0; i < t->n && dof != WALL; i++) {
-        if (m->link[t->contact[i]].dof[side] == dof) {
-            found = t->contact[i];
-            *n += 1;
-        }
-    }
-    return found;
-}
-
 bool rest_find(const struct state *s, const struct model *m, struct rest_contacts *t) {
     t->n = 0;
     for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k)) {
-            if (t->n == REST_MAX) {
-                return false;
-            }
-            t->contact[t->n++] = k;
+        const struct link *l = &m->link[k];
+        if (!state_rests(s, m, k)) {
+            continue;
         }
-    }
-    for (int i = 0; i < t->n; i++) {
-        const int *dof = m->link[t->contact[i]].dof;
-        int left, right;
-        rest_contact_of(t, m, 0, dof[0], &left);
-        rest_contact_of(t, m, 1, dof[1], &right);
-        if (left > 1 || right > 1 || !link_is_plain(&m->link[t->contact[i]])) {
+        if (t->n == REST_MAX || !link_is_plain(l)) {
             return false;
         }
+        for (int i = 0; i < 2 * t->n; i++) {
+            const int side = i % 2;
+            if (l->dof[side] != WALL && l->dof[side] == m->link[t->contact[i / 2]].dof[side]) {
+                return false;
+            }
+        }
+        t->contact[t->n++] = k;
     }
     return true;
 }
 
-// The row that begins with the left body of contact k. Returns how many bodies it has.
-static int rest_line_up(const struct rest_contacts *t, const struct model *m, int k,
+// The contact of `t` that has the floor `dof` on its side `side`; -1: none.
+static int rest_contact_of(const struct rest_contacts *t, const struct model *m, int side,
+                           int dof) {
+    int i = dof == WALL ? -1 : t->n - 1;
+    while (i >= 0 && m->link[t->contact[i]].dof[side] != dof) {
+        i--;
+    }
+    return i;
+}
+
+// The row that begins with the left body of contact i. Returns how many bodies it has.
+static int rest_line_up(const struct rest_contacts *t, const struct model *m, int i,
                         const double *x, const double *ground, struct rest_body *body) {
-    int dof = m->link[k].dof[0], n = 0, beside;
+    int dof = m->link[t->contact[i]].dof[0], n = 0;
     double shift = 0.0;
     for (;;) {
         const double own = dof == WALL ? 0.0 : x[dof];
-        body[n++] = (struct rest_body){dof, k, shift, own - shift};
-        if (k < 0) {
+        body[n++] = (struct rest_body){dof, i, shift, own - shift};
+        if (i < 0) {
             return n;
         }
-        shift += state_ground_gap(&m->link[k], m, ground);
-        dof = m->link[k].dof[1];
-        k = rest_contact_of(t, m, 0, dof, &beside);
+        const struct link *l = &m->link[t->contact[i]];
+        shift += state_ground_gap(l, m, ground);
+        dof = l->dof[1];
+        i = rest_contact_of(t, m, 0, dof);
     }
 }
 
@@ -143,33 +143,26 @@ static int rest_find_blocks(const struct rest_body *body, int n_body, const stru
     return n;
 }
 
-// What passes between n neighbours, from left to right, when they get the motion y: the momentum
+// Gives n neighbours the motion y. What passes between them, from left to right, is the momentum
 // that those on the side away from a wall have lost.
-static void rest_find_passages(const struct rest_body *body, int n, const struct model *m, double y,
-                               struct passage *p) {
+static void rest_move(struct rest_contacts *t, const struct rest_body *body, int n,
+                      const struct model *m, double y, double *x) {
     const bool wall = body[0].dof == WALL;
     double passed = 0.0, lost = 0.0, pushes = 0.0;
     for (int i = 0; i < n - 1; i++) {
         const struct rest_body *b = &body[wall ? n - 1 - i : i];
-        const int left = wall ? n - 2 - i : i;
+        const struct rest_body *left = &body[wall ? n - 2 - i : i];
+        struct passage *p = &t->passage[left->contact];
         passed += m->mass[b->dof] * (wall ? y - b->y : b->y - y);
-        p[left] = (struct passage){.push = fmax(passed, 0.0),
-                                   .approach = body[left].y - body[left + 1].y};
-        lost += p[left].push * p[left].approach / 2.0;
-        pushes += p[left].push;
+        *p = (struct passage){
+            .pooled = true, .push = fmax(passed, 0.0), .approach = left[0].y - left[1].y};
+        lost += p->push * p->approach / 2.0;
+        pushes += p->push;
     }
-    for (int i = 0; i < n - 1; i++) {
-        p[i].lost = pushes > 0.0 ? lost * p[i].push / pushes : 0.0;
-    }
-}
-
-static void rest_move(const struct rest_body *body, int n, const struct model *m, double y,
-                      double *x, rest_note *note, void *context) {
-    struct passage p[REST_MAX];
-    rest_find_passages(body, n, m, y, p);
     for (int i = 0; i < n; i++) {
-        if (i + 1 < n) {
-            note(context, body[i].contact, &p[i]);
+        if (i + 1 < n && pushes > 0.0) {
+            struct passage *p = &t->passage[body[i].contact];
+            p->lost = lost * p->push / pushes;
         }
         if (body[i].dof != WALL) {
             x[body[i].dof] = y + body[i].shift;
@@ -177,26 +170,47 @@ static void rest_move(const struct rest_body *body, int n, const struct model *m
     }
 }
 
-void rest_pool(const struct rest_contacts *t, const struct model *m, double *x,
-               const double *ground, rest_note *note, void *context) {
+void rest_pool(struct rest_contacts *t, const struct model *m, double *x, const double *ground) {
     struct rest_body body[REST_MAX + 1];
     struct rest_block block[REST_MAX + 2];
+    memset(t->passage, 0, (size_t)t->n * sizeof *t->passage);
     for (int i = 0; i < t->n; i++) {
-        const int k = t->contact[i];
-        int beside;
-        if (rest_contact_of(t, m, 1, m->link[k].dof[0], &beside) >= 0) {
-            continue;
+        if (rest_contact_of(t, m, 1, m->link[t->contact[i]].dof[0]) >= 0) {
+            continue;  // it is within a row
         }
-        const int n = rest_line_up(t, m, k, x, ground, body);
+        const int n = rest_line_up(t, m, i, x, ground, body);
         const int n_block = rest_find_blocks(body, n, m, block);
         block[n_block].first = n;
         for (int j = 0; j < n_block; j++) {
             const int first = block[j].first, size = block[j + 1].first - first;
             if (size > 1) {
-                rest_move(&body[first], size, m, block[j].y, x, note, context);
+                rest_move(t, &body[first], size, m, block[j].y, x);
             }
         }
     }
+}
+
+double rest_rounding(const struct link *l, const double *x) {
+    return 16.0 * state_rounding(l, x);
+}
+
+double rest_velocity(const struct state *now, const struct model *m, double h, int k) {
+    const double d = now->delta[k];
+    const double v = state_rate(now, m, k);
+    const double a = state_pressing(now, m, k);
+    const double ratio = m->beta / m->gamma;  // the step leads to d + drift + ratio h velocity
+    const double drift = h * ((1.0 - ratio) * v - (ratio - 0.5) * h * a);
+    const double gentle = -(d + drift) / (SLOW * m->dt + ratio * h);
+    const double share = fmin(h / m->dt, 1.0);
+    // Without regard to where it leads. A contact that has just come to rest is kept from moving.
+    const double wanted = (-d / (SLOW * m->dt) - v) / (PACE * m->dt);
+    const bool has_rested = now->link[k].t_close < now->time;
+    double velocity = has_rested ? v + h * (a + m->gamma * share * (wanted - a)) : fmax(v, 0.0);
+    velocity = fmin(velocity, fmax(gentle, (1.0 - share) * fmax(v, 0.0)));
+    if (ratio > 0.5 && v <= 0.0) {
+        velocity = fmin(velocity, (fmax(-d, 0.0) - drift) / (ratio * h));
+    }
+    return velocity;
 }
 
 static void rest_push(struct state *s, const struct model *m, int k, double df) {
@@ -219,15 +233,6 @@ static bool rest_sweep(struct state *s, const struct model *m) {
     return change <= TOLERANCE * largest;
 }
 
-double rest_rounding(const struct link *l, const double *x) {
-    return 16.0 * state_rounding(l, x);
-}
-
-static void rest_set_force(void *context, int k, const struct passage *p) {
-    struct state *s = context;
-    s->link[k].force = p->push;
-}
-
 // Finds the forces of rows at once; false: the contacts are no rows.
 static bool rest_solve(struct state *s, const struct model *m) {
     struct rest_contacts t;
@@ -237,51 +242,56 @@ static bool rest_solve(struct state *s, const struct model *m) {
     for (int i = 0; i < t.n; i++) {
         rest_push(s, m, t.contact[i], -s->link[t.contact[i]].force);
     }
-    rest_pool(&t, m, s->a, s->ground_a, rest_set_force, s);
+    rest_pool(&t, m, s->a, s->ground_a);
+    for (int i = 0; i < t.n; i++) {
+        s->link[t.contact[i]].force = t.passage[i].push;
+    }
     return true;
 }
 
-static void rest_find_forces(struct state *s, const struct model *m) {
-    for (int i = 0; i < SWEEPS_MAX; i++) {
-        if (rest_sweep(s, m) || (i == SWEEPS_FEW && rest_solve(s, m))) {
-            return;
-        }
+void equilibrium_find(struct state *s, const struct model *m) {
+    // M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.
+    double *force = s->total;
+    memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
+    chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, force);
+    state_add_link_forces(s, m, force);
+    for (int i = 0; i < m->n_dof; i++) {
+        s->a[i] = force[i] / m->mass[i];
     }
-}
-
-// The velocity without regard to where it leads. A contact that has just come to rest is kept from
-// moving.
-static double rest_free_velocity(const struct state *now, const struct model *m, double h, int k,
-                                 double v, double a) {
-    if (!(now->link[k].t_close < now->time)) {
-        return fmax(v, 0.0);
+    bool found = false;
+    for (int i = 0; !found && i < SWEEPS_MAX; i++) {
+        found = rest_sweep(s, m) || (i == SWEEPS_FEW && rest_solve(s, m));
     }
-    const double wanted = (-now->delta[k] / (SLOW * m->dt) - v) / (PACE * m->dt);
-    return v + h * (a + m->gamma * fmin(h / m->dt, 1.0) * (wanted - a));
-}
-
-double rest_velocity(const struct state *now, const struct model *m, double h, int k) {
-    const double d = now->delta[k];
-    const double v = state_rate(now, m, k);
-    const double a = state_pressing(now, m, k);
-    const double ratio = m->beta / m->gamma;  // the step leads to d + drift + ratio h velocity
-    const double drift = h * ((1.0 - ratio) * v - (ratio - 0.5) * h * a);
-    const double gentle = -(d + drift) / (SLOW * m->dt + ratio * h);
-    const double share = fmin(h / m->dt, 1.0);
-    double velocity = rest_free_velocity(now, m, h, k, v, a);
-    velocity = fmin(velocity, fmax(gentle, (1.0 - share) * fmax(v, 0.0)));
-    if (ratio > 0.5 && v <= 0.0) {
-        velocity = fmin(velocity, (fmax(-d, 0.0) - drift) / (ratio * h));
-    }
-    return velocity;
-}
-
-void rest_forces(struct state *s, const struct model *m) {
-    rest_find_forces(s, m);
     for (int k = 0; k < m->n_contact; k++) {
         if (state_rests(s, m, k) && s->link[k].force == 0.0 &&
             state_pressing(s, m, k) < -state_rounding(&m->link[k], s->a)) {
             s->link[k].closed = false;
         }
     }
+    state_totals(s, m);
+}
+
+// Is link k a rigid contact that nothing presses together?
+static bool rest_is_idle(const struct state *s, const struct model *m, int k) {
+    double least = m->link[k].mass * rest_rounding(&m->link[k], s->a);
+    return m->link[k].law->rebound && s->link[k].force <= least;
+}
+
+void equilibrium_start(struct state *s, const struct model *m) {
+    memcpy(s->u, m->displacement, (size_t)m->n_dof * sizeof *s->u);
+    memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
+    s->time = 0.0;
+    excitation_at(s, m, 0.0);
+    state_reach(s, m, s->u, s->v, s->storey_history);
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        const double delta = s->delta[k] = state_penetration(s, m, k), rate = state_rate(s, m, k);
+        const bool rests = delta >= 0.0 && rate == 0.0;
+        const bool meets = delta > 0.0 || (delta == 0.0 && rate > 0.0);
+        if (l->bilateral || (l->law->rebound ? rests : meets)) {
+            state_close_link(s, m, k);
+        }
+    }
+    equilibrium_find(s, m);
+    state_open_where(s, m, rest_is_idle);
 }

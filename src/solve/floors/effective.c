@@ -15,7 +15,8 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "model/parts.h"
-#include "solve/floors/effective_low.h"
+#include "solve/floors/floor_terms.h"
+#include "solve/floors/floor_vectors.h"
 
 static const struct fields_row list[] = {
     FIELD_VALUE(struct effective, b),
@@ -75,20 +76,18 @@ static bool are_together(const struct effective *e, int n) {
     return together;
 }
 
-// The factors of n buildings of one height.
+// The factors of n buildings of one height, with zeros behind those of the last floor.
 static void alloc_factors(struct effective *e, int n, struct arena *a) {
+    const size_t floors = (size_t)lanes_whole(e->building->n_floor);
+    const size_t line = EFFECTIVE_ABREAST * sizeof(double);
     const bool together = are_together(e, n);
-    const int pitch = together ? EFFECTIVE_ABREAST : 1;
-    const size_t floors = (size_t)e->building->n_floor;
     for (int k = 0; k < n && !arena_failed(a); k++) {
         const bool shares = k > 0 && together;
-        e[k].pitch = pitch;
-        e[k].pivot = shares ? e->pivot + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
-        e[k].factor =
-            shares ? e->factor + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
+        e[k].pivot = shares ? e->pivot + k : lanes_lines(a, floors, line);
+        e[k].factor = shares ? e->factor + k : lanes_lines(a, floors, line);
+        e[k].between = shares ? e->between : together ? lanes_lines(a, floors, line) : NULL;
     }
     e->abreast = together ? n : 0;
-    e->between = together ? lanes_lines(a, floors, EFFECTIVE_ABREAST * sizeof(double)) : NULL;
 }
 
 int effective_alike(const struct building *building, int n) {
@@ -123,7 +122,6 @@ static double right_of(const struct effective *e, double b, int i) {
 
 static int factor_tridiagonal(struct effective *e, double b, double g) {
     const struct building *building = e->building;
-    const ptrdiff_t pitch = e->pitch;
     double carried = 0.0;
     for (int i = 0; i < building->n_floor; i++) {
         double d = diagonal(e, b, i) + g * building->damping_diagonal[i] - carried;
@@ -132,8 +130,8 @@ static int factor_tridiagonal(struct effective *e, double b, double g) {
             return STATUS_RETRY;
         }
         double pivot = 1.0 / d, factor = off * pivot;
-        e->pivot[i * pitch] = pivot;
-        e->factor[i * pitch] = factor;
+        e->pivot[i * EFFECTIVE_ABREAST] = pivot;
+        e->factor[i * EFFECTIVE_ABREAST] = factor;
         carried = off * factor;
     }
     memset(e->ready, 0, (size_t)building->n_floor * sizeof *e->ready);
@@ -191,70 +189,95 @@ int effective_factor(struct effective *e, double b, double g) {
 }
 
 static void solve_tridiagonal(const struct effective *e, double *r) {
-    int n = e->building->n_floor;
-    const ptrdiff_t pitch = e->pitch;
-    const double *l = e->factor, *p = e->pivot;
-    for (int i = 1; i < n; i++, l += pitch) {
-        r[i] -= *l * r[i - 1];
+    const int n = e->building->n_floor;
+    const double *l = e->factor, *p = e->pivot + (ptrdiff_t)(n - 1) * EFFECTIVE_ABREAST;
+    for (int i = 1; i < n; i++, l += EFFECTIVE_ABREAST) {
+        r[i] = FORWARD(r[i], *l, r[i - 1]);
     }
-    p += (n - 1) * pitch;
     r[n - 1] *= *p;
     for (int i = n - 2; i >= 0; i--) {
-        p -= pitch;
-        l -= pitch;
-        r[i] = r[i] * *p - *l * r[i + 1];
+        p -= EFFECTIVE_ABREAST;
+        l -= EFFECTIVE_ABREAST;
+        r[i] = BACKWARD(r[i], *p, *l, r[i + 1]);
     }
 }
 
-// q (n) = the sum of r_i times row i of the inverse.
-LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
-                           int n, double *restrict q) {
-    for (int j = 0; j < n; j += LANES_VECTOR) {
-        const double *restrict row = inverse + j;
-        lanes y = {0.0};
-        for (int i = 0; i < n; i++, row += stride) {
-            y += r[i] * *(const lanes *)row;
+// Up to eight buildings of one height are solved in lanes. A solution is two chains, upwards and
+// downwards, in which each value waits for the one before: one building cannot be spread over
+// lanes, but eight can share them. Squares of four floors of four buildings are transposed on the
+// way in and out; the factors are held that way. While four wait for one another, the other four go
+// on. Floors beyond the top have factors of 0: what is computed there belongs to other buildings,
+// and is written before they are.
+enum { FOUR = LANES_VECTOR, FOURS = EFFECTIVE_ABREAST / FOUR };
+
+// The vectors of floor i of all, as the factors are held.
+#define ABREAST(x, i) ((lanes *)((x) + (ptrdiff_t)(i)*EFFECTIVE_ABREAST))
+
+LANES_INLINE void abreast_forward(const struct effective *e, const double *r) {
+    const int floors = e->building->n_floor, last = e->abreast - 1;
+    lanes carried[FOURS] = {{0.0}};
+    for (int i = 0; i < floors; i += FOUR) {
+        lanes in[FOURS][FOUR];
+        for (int k = 0; k < EFFECTIVE_ABREAST; k++) {  // those that there are not are the last one
+            const ptrdiff_t own = k < last ? k : last;
+            in[k / FOUR][k % FOUR] = *(const lanes *)(r + own * floors + i);
         }
-        if (j + LANES_VECTOR <= n) {
-            *(lanes *)(q + j) = y;
+        for (int j = 0; j < FOURS; j++) {
+            lanes_transpose(in[j]);
         }
-        for (int lane = 0; j + LANES_VECTOR > n && j + lane < n; lane++) {
-            q[j + lane] = y[lane];
+        for (int k = 0; k < FOUR * FOURS; k++) {
+            const int j = k % FOURS, row = k / FOURS;
+            const lanes x = in[j][row] - carried[j];
+            ABREAST(e->between, i + row)[j] = x;
+            carried[j] = ABREAST(e->factor, i + row)[j] * x;
         }
     }
 }
 
-void effective_solve(struct effective *e, double *r, double *q) {
-    int n = e->building->n_floor;
-    if (effective_has_inverse(e)) {
-        multiply(e->inverse, e->stride, r, n, q);
-        return;
-    }
-    solve_tridiagonal(e, r);
-    for (int i = 0; i < n; i++) {
-        q[i] = 0.0 + r[i];
-    }
-    if (effective_prefers_inverse(e)) {
-        effective_column(e, e->n_ready);
+LANES_INLINE void abreast_backward(const struct effective *e, double *q) {
+    const int floors = e->building->n_floor;
+    lanes above[FOURS] = {{0.0}};
+    for (int i = (floors - 1) / FOUR * FOUR; i >= 0; i -= FOUR) {
+        lanes out[FOURS][FOUR];
+        for (int k = FOUR * FOURS - 1; k >= 0; k--) {
+            const int j = k % FOURS, row = k / FOURS;
+            above[j] = BACKWARD(ABREAST(e->between, i + row)[j], ABREAST(e->pivot, i + row)[j],
+                                ABREAST(e->factor, i + row)[j], above[j]);
+            out[j][row] = above[j];
+        }
+        for (int j = 0; j < FOURS; j++) {
+            lanes_transpose(out[j]);
+        }
+        for (int k = 0; k < EFFECTIVE_ABREAST; k++) {
+            if (k < e->abreast) {
+                *(lanes *)(q + (ptrdiff_t)k * floors + i) = 0.0 + out[k / FOUR][k % FOUR];
+            }
+        }
     }
 }
 
-LANES void effective_solve_row(struct effective *e, int n, double *r, double *q) {
-    for (int k = 0; k < n;) {
-        struct effective *first = &e[k];
-        ptrdiff_t floors = first->building->n_floor;
+LANES void effective_solve(struct effective *e, int n, double *r, double *q) {
+    for (struct effective *last = e + n; e < last;) {
+        const int floors = e->building->n_floor;
         int solved = 1;
-        if (effective_is_low(first)) {
-            effective_multiply(first, r, q);
-        } else if (first->abreast > 0 && first->abreast <= n - k) {
-            effective_solve_abreast(first, r, q);
-            solved = first->abreast;
+        if (effective_has_inverse(e)) {
+            floors_multiply(e->inverse, floors, r, q);
+        } else if (e->abreast > 0 && e->abreast <= last - e) {
+            abreast_forward(e, r);
+            abreast_backward(e, q);
+            solved = e->abreast;
         } else {
-            effective_solve(first, r, q);
+            solve_tridiagonal(e, r);
+            for (int i = 0; i < floors; i++) {
+                q[i] = 0.0 + r[i];
+            }
+            if (effective_prefers_inverse(e)) {
+                effective_column(e, e->n_ready);
+            }
         }
-        k += solved;
-        r += solved * floors;
-        q += solved * floors;
+        e += solved;
+        r += (ptrdiff_t)solved * floors;
+        q += (ptrdiff_t)solved * floors;
     }
 }
 

@@ -16,6 +16,7 @@ enum effective_use {
     EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse, but of many alike
 };
 
+// EFFECTIVE_ABREAST is the distance of the factors of one floor from those of the next.
 enum { INVERSE_FLOORS_MAX = 16, EFFECTIVE_ABREAST = LANES_WIDTH };
 
 struct effective {
@@ -24,10 +25,10 @@ struct effective {
     double b, g;             // beta h^2 and gamma h of the factors; NAN: none
     double *tangent;         // [F/L] tangents it was factorised with: of the storeys (n_floor), and
                              // with parts theirs by drifts and by rates, each (n_floor, n_floor)
-    double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T, `pitch` apart; tridiagonal
-    int pitch;               // those of neighbours of one height lie side by side
+    double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal. Those of
+                             // neighbours of one height lie side by side, in whole lanes
     int abreast;             // how many from this one on are solved together; 0: none
-    double *between;         // (n_floor, EFFECTIVE_ABREAST) scratch of such a solution; else NULL
+    double *between;         // (n_floor) vectors: scratch of such a group; NULL: solved alone
     int stride;              // of the rows of `inverse`: n_floor in whole lanes
     double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
     double *damping, *parts;  // (stride, stride) likewise C, and the initial stiffness of parts by
@@ -58,27 +59,17 @@ void effective_resume(struct effective *e);
 static inline bool effective_prefers_inverse(const struct effective *e) {
     return e->use == EFFECTIVE_LONG &&
            (e->building->damping_full ||
-            (e->building->n_floor <= INVERSE_FLOORS_MAX && e->pitch == 1));
+            (e->building->n_floor <= INVERSE_FLOORS_MAX && !e->between));
 }
 
 static inline bool effective_has_inverse(const struct effective *e) {
     return e->n_ready == e->building->n_floor && effective_prefers_inverse(e);
 }
 
-static inline bool effective_is_low(const struct effective *e) {
-    return e->stride <= INVERSE_FLOORS_MAX && effective_has_inverse(e);
-}
-
-// q = A^-1 r; both (n_floor), r is overwritten.
-void effective_solve(struct effective *e, double *r, double *q);
-
-// The same for n buildings whose floors follow each other in r and q, arrays of core/lanes.h: what
-// follows them in r must be finite, and may be written to in q. Much faster than one by one where
-// they are low, or where several have the same height.
-void effective_solve_row(struct effective *e, int n, double *r, double *q);
-
-// The same for those that are solved together from e[0] on (`abreast`), by their factors.
-void effective_solve_abreast(const struct effective *e, const double *r, double *q);
+// q = A^-1 r for n buildings, whose floors follow each other in r and q, arrays of core/lanes.h.
+// What follows them in r must be finite, and may be written to in q; r is overwritten. Much faster
+// than one by one where they are low, or where several have the same height.
+void effective_solve(struct effective *e, int n, double *r, double *q);
 
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
 // floor i + 1. Computed when first asked for after a factorisation.

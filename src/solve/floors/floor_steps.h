@@ -6,7 +6,6 @@
 #ifndef JOSTLE_FLOOR_STEPS_H
 #define JOSTLE_FLOOR_STEPS_H
 
-#include "solve/floors/effective_low.h"
 #include "solve/floors/floor_step.h"
 #include "solve/floors/floors_full.h"
 #include "solve/newmark/flight.h"
@@ -50,14 +49,14 @@ LANES_INLINE void floors_solve_block(const struct floors_pass *p, const struct w
     const ptrdiff_t bottom = e->building->first - s->first;
     double *r = p->residual + bottom;
     q += bottom;
-    for (; e < end && (are_low || effective_is_low(e)); e++) {
+    for (; e < end && (are_low || effective_has_inverse(e)); e++) {
         const int n = e->building->n_floor;
-        effective_multiply(e, r, q);
+        floors_multiply(e->inverse, n, r, q);
         r += n;
         q += n;
     }
     if (e < end) {
-        effective_solve_row(e, (int)(end - e), r, q);
+        effective_solve(e, (int)(end - e), r, q);
     }
 }
 

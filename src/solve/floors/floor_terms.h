@@ -8,6 +8,7 @@
 //                with f_i = spring_i (d_i - rest_i), which leaves the line where |f_i| > limit_i
 //     residual   r_i = p_i - m_i a_i - (C v_t)_i - s_i + s_(i+1)
 //     end        u = u_t + b q,   v = v_t + g q,   a = a + q,   where A q = r
+//     (the solution of A q = r, tridiagonal: by L D L^T)
 //     works      2 W_ground -= (a_g0 + a_g1) m_i (u1_i - u0_i),
 //                2 W_damping += (u1_i - u0_i) (C (v0 + v1))_i
 #ifndef JOSTLE_FLOOR_TERMS_H
@@ -33,5 +34,11 @@
 // Twice the work of a ground acceleration whose sum at both ends is ground_2x, and of damping.
 #define WORK_OF_GROUND(ground_2x, mass, du) ((ground_2x) * ((mass) * (du)))
 #define WORK_OF_DAMPING(du, bands) ((du) * (bands))
+
+// The solution of A x = r by A = L D L^T. On the way up, r less what the floor below has left; on
+// the way down, x from the one above. `factor` is the entry of L between those two floors, `pivot`
+// the reciprocal of that of D.
+#define FORWARD(r, factor, below) ((r) - (factor) * (below))
+#define BACKWARD(left, pivot, factor, above) ((left) * (pivot) - (factor) * (above))
 
 #endif

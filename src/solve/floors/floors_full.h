@@ -6,7 +6,7 @@
 
 #include <stdalign.h>
 
-#include "solve/floors/effective_low.h"
+#include "solve/floors/floor_vectors.h"
 #include "solve/work.h"
 
 // Takes the shears of parts at displacements u off the residual.
@@ -19,7 +19,7 @@ LANES_INLINE void floors_full_parts(const struct effective *e, const double *u, 
         *(floor_lanes *)(drift + i) = own - BELOW(under, own);
         under = own;
     }
-    effective_multiply_by(e, e->parts, drift, shear);
+    floors_multiply(e->parts, e->building->n_floor, drift, shear);
     for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
         const floor_lanes own = FLOORS_AT(shear, i), over = FLOORS_AT(shear, i + FLOORS_VECTOR);
         *(floor_lanes *)(residual + i) = FLOORS_AT(residual, i) - own + ABOVE(own, over);
@@ -31,7 +31,7 @@ LANES_INLINE void floors_full_parts(const struct effective *e, const double *u, 
 LANES_INLINE void floors_full_low(const struct effective *e, const double *u, const double *v,
                                   double *residual) {
     alignas(LANES_LINE) double force[INVERSE_FLOORS_MAX] = {0.0};  // not all columns may be written
-    effective_multiply_by(e, e->damping, v, force);
+    floors_multiply(e->damping, e->building->n_floor, v, force);
     for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
         *(floor_lanes *)(residual + i) = FLOORS_AT(residual, i) - FLOORS_AT(force, i);
     }
@@ -46,7 +46,7 @@ LANES_INLINE void floors_full(const struct work *w, const struct floor_block *b,
     const struct effective *e = &w->effective[b->building];
     for (int i = 0; i < b->n_building; i++, e++) {
         const ptrdiff_t at = e->building->first - b->first;
-        if (e->damping && effective_is_low(e)) {
+        if (e->damping && e->stride <= INVERSE_FLOORS_MAX) {
             floors_full_low(e, u + at, v + at, residual + at);
         } else if (e->damping) {
             floors_full_high(e, u + at, v + at, residual + at);

@@ -19,9 +19,9 @@
 #include <string.h>
 
 #include "solve/account/peaks.h"
-#include "solve/event/equilibrium.h"
-#include "solve/excitation.h"
-#include "solve/method.h"
+#include "solve/event/rest.h"
+#include "solve/forcing.h"
+#include "solve/run.h"
 
 static const double SAFETY = 0.9, EXPONENT = 1.0 / 3.0;
 static const double SHRINK_MOST = 0.1, GROW_MOST = 4.0, GROW_LEAST = 1.2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newmark's method with the steps of the deck: as many at a time as are in free flight, else one by
 // one, halved where they are rejected.
-#include "solve/method.h"
+#include "solve/run.h"
 
 // A run in which steps were rejected more often than this, and this often per step of the deck,
 // will not end in a reasonable time.

@@ -5,6 +5,7 @@
 //     f = y - D S f,   hence   f = (I + D S)^-1 y   and   q = q_0 - A^-1 B' f.
 #include "solve/newmark/flight.h"
 
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
 
@@ -15,7 +16,7 @@
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
 #include "solve/contact/sweep.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 
 // Groups the runs of contacts, a vector at a time, and assigns each group to the first block of
 // floors after which both its ends are known, in order.
@@ -112,6 +113,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
     size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->n_link = f->possible ? m->n_link - m->n_contact : 0;
     f->transfer = arena_alloc(a, (size_t)f->n_link * (size_t)f->n_link, sizeof *f->transfer);
+    f->order = arena_alloc(a, (size_t)f->n_link, sizeof *f->order);
     f->force = arena_alloc(a, (size_t)f->n_link, sizeof *f->force);
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
@@ -127,30 +129,6 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
         flight_group_contacts(f);
     }
     return true;
-}
-
-// Replaces a matrix (n, n) by its inverse. It must be similar to a positive definite one, so that
-// any pivot is as good as another.
-LANES static void flight_invert(double *matrix, int n) {
-    for (int k = 0; k < n; k++) {
-        double *restrict row = matrix + (ptrdiff_t)k * n;
-        const double pivot = 1.0 / row[k];
-        row[k] = 1.0;
-        for (int j = 0; j < n; j++) {
-            row[j] *= pivot;
-        }
-        for (int i = 0; i < n; i++) {
-            double *restrict other = matrix + (ptrdiff_t)i * n;
-            const double factor = other[k];
-            if (i == k || factor == 0.0) {
-                continue;
-            }
-            other[k] = 0.0;
-            for (int j = 0; j < n; j++) {
-                other[j] -= factor * row[j];
-            }
-        }
-    }
 }
 
 // Finds (I + D S)^-1 for the factors at hand. Column i of S is what links see of the accelerations
@@ -170,7 +148,13 @@ static void flight_find_transfer(struct flight *f) {
             *entry = (i == j) + d * sweep_across(&link[j], w->correction);
         }
     }
-    flight_invert(f->transfer, f->n_link);
+    const size_t n = (size_t)f->n_link;
+    gsl_matrix_view matrix = gsl_matrix_view_array(f->transfer, n, n);
+    gsl_permutation order = {.size = n, .data = f->order};
+    int sign;
+    (void)gsl_linalg_LU_decomp(&matrix.matrix, &order,
+                               &sign);  // similar to a positive definite one
+    (void)gsl_linalg_LU_invx(&matrix.matrix, &order);
     f->factors = w->factors;
 }
 

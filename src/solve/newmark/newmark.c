@@ -23,7 +23,7 @@
 #include "core/lanes.h"
 #include "model/parts.h"
 #include "solve/contact/contact.h"
-#include "solve/excitation.h"
+#include "solve/forcing.h"
 
 static void newmark_begin(struct work *w, const struct state *now, struct state *next, double end) {
     const struct model *m = w->model;
@@ -74,7 +74,7 @@ static void newmark_solve_residuals(struct work *w) {
         if (n == 0) {
             continue;
         }
-        effective_solve_row(&w->effective[k], n, s->residual + first, s->change + first);
+        effective_solve(&w->effective[k], n, s->residual + first, s->change + first);
         k += n - 1;
         for (int i = first; i < building[k].first + building[k].n_floor; i++) {
             w->correction[i] += s->change[i];

@@ -11,7 +11,6 @@
 #include "core/root.h"
 #include "solve/account/peaks.h"
 #include "solve/event/crossing.h"
-#include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
@@ -108,7 +107,7 @@ static bool event_splits(const struct work *w, const struct state *now, const st
     bool jumps =
         (law->traits & CONTACT_JUMPS) && (now->link[k].force != 0.0 || next->link[k].force != 0.0);
     return now->link[k].closed != next->link[k].closed && !law->rebound &&
-           (jumps || w->splitting == SPLIT_ALWAYS);
+           (jumps || w->model->adaptive);
 }
 
 static struct path event_path_of(const struct model *m, const struct state *now,
@@ -139,17 +138,16 @@ static double event_meeting_time(const struct model *m, const struct state *now,
     double rate;
     path.d0 -= inside;
     path.d1 -= inside;
-    bool meets = path.d1 > state_rounding(&m->link[k], next->u);
-    if (meets) {
+    if (path.d1 > state_rounding(&m->link[k], next->u)) {
         return crossing_find(&path, &rate);
     }
-    if (path.d0 < 0.0 && path.v0 > 0.0 && path.v1 < 0.0) {
-        struct path rising = path;
-        rising.h = crossing_summit(&path, &rising.d1);
-        rising.v1 = 0.0;
-        return rising.d1 > 0.0 ? crossing_find(&rising, &rate) : INFINITY;
+    if (!(path.d0 < 0.0 && path.v0 > 0.0 && path.v1 < 0.0)) {
+        return INFINITY;
     }
-    return INFINITY;
+    struct path rising = path;  // to its summit
+    rising.h = crossing_summit(&path, &rising.d1);
+    rising.v1 = 0.0;
+    return rising.d1 > 0.0 ? crossing_find(&rising, &rate) : INFINITY;
 }
 
 // Do the bodies of rigid contact k, which meet at the instant of `s`, neither approach nor press?

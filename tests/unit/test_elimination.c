@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "solve/contact/band.h"
+#include "solve/contact/cluster.h"
 #include "support/random.h"
 #include "support/support.h"
 
@@ -43,7 +43,7 @@ static void what_is_found_solves_the_system(void **state) {
         double a[N_MAX * N_MAX], x[N_MAX];
         memcpy(a, s.a, sizeof a);
         memcpy(x, s.b, sizeof x);
-        if (!band_solve(a, x, s.n, s.width)) {
+        if (!cluster_eliminate(a, x, s.n, s.width)) {
             continue;
         }
         solved++;
@@ -62,7 +62,7 @@ static void what_is_found_solves_the_system(void **state) {
 static void a_singular_system_is_told(void **state) {
     (void)state;
     double a[] = {1.0, 2.0, 0.0, 2.0, 4.0, 0.0, 0.0, 0.0, 1.0}, b[] = {1.0, 2.0, 3.0};
-    assert_false(band_solve(a, b, 3, 1));
+    assert_false(cluster_eliminate(a, b, 3, 1));
 }
 
 int main(void) {

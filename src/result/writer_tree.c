@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The groups of the file. A scale is hard-linked into each group that uses it, so that a group
-// opened alone (as xarray does) shows its coordinates.
+// The tree of a run: what is known before it, with its histories, and what is known after it.
 #include <stdlib.h>
 #include <string.h>
 
 #include "jostle/numerics.h"
 #include "result/h5_draft.h"
-#include "result/study_along.h"
-#include "result/study_writer.h"
+#include "result/study_sweep.h"
 #include "result/writer.h"
 
 // Rows of a chunk of a history of `width` values a row; 0: contiguous, as all rows are written at
@@ -30,7 +28,7 @@ static void put_history(struct result_writer *w, hid_t parent, const char *name,
         .file_type = w->model->output.single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
         .n_dim = width_scale > 0 ? 2 : 1,
         .dim = {(hsize_t)w->report->n_row, s.width},
-        .scale = {w->time, width_scale},
+        .scale = {w->tree.time, width_scale},
         .chunk_rows = chunk_rows(w, s.width),
         .compress = w->model->output.compress,
     };
@@ -49,87 +47,66 @@ static void put_time(struct result_writer *w) {
         .many_users = w->stream_capacity > USERS_FEW,
     };
     writer_stream(w, w->root, &d, (struct stream){.source = SOURCE_TIME, .width = 1});
-    w->time = w->n_stream > 0 ? w->stream[0].dataset : -1;
+    w->tree.time = w->n_stream > 0 ? w->stream[0].dataset : -1;
 }
 
 // Properties of a run of a study are in the tree of the study, unless a sweep has their name.
-static bool is_elsewhere(const struct result_writer *w, const char *property) {
-    return w->place && !study_along_has(w->place->sweep, w->place->n_sweep, property);
+static void put_columns(struct result_writer *w, const struct tree_group *g,
+                        const struct column_table *t, const void *base, size_t n) {
+    const struct result_place *p = w->place;
+    for (int c = 0; c < t->n_column && !w->h->failed; c++) {
+        const char *name = t->column[c].name;
+        if (!p || strncmp(name, "law", 3) == 0 || study_sweep_has(p->sweep, p->n_sweep, name)) {
+            h5_put_column(w->h, g->group, t, c, base, n, g->scale);
+        }
+    }
 }
 
 static void put_building(struct result_writer *w, hid_t parent, int position) {
     const struct report_building *b = &w->report->building[position];
+    const struct building *model = &w->model->building[position];
     const size_t n = (size_t)b->n_floor;
-    hid_t group = h5_group(w->h, parent, b->name);
-    h5_put_long(w->h, group, "position", position);
-    hid_t floor = h5_put_scale(w->h, group, "floor", "floor", n);
-    h5_hard_link(w->h, w->time, group, "time");
+    const struct tree_group g = tree_group(&w->tree, parent, b->name, "floor", n);
+    h5_put_long(w->h, g.group, "position", position);
     if (w->place) {
-        h5_put_long(w->h, group, "yields", !w->model->building[position].elastic);
+        h5_put_long(w->h, g.group, "yields", !model->elastic);
     }
-    for (int c = 0; c < layout_building.n_column && !w->h->failed; c++) {
-        if (is_elsewhere(w, layout_building.column[c].name)) {
-            continue;
-        }
-        const double *const *value = layout_at(&layout_building, c, b, 0);
-        const struct h5_dataset d = {
-            .name = layout_building.column[c].name,
-            .quantity = {layout_building.column[c].long_name, layout_building.column[c].dimension},
-            .memory_type = H5T_NATIVE_DOUBLE,
-            .file_type = H5T_IEEE_F64LE,
-            .n_dim = 1,
-            .dim = {n},
-            .scale = {floor},
-        };
-        h5_put(w->h, group, &d, *value);
-    }
+    put_columns(w, &g, &layout_building, b, n);
     for (int f = 0; f < FLOOR_FIELD_COUNT; f++) {
         if (w->report->fields >> f & 1) {
-            const struct stream s = {.source = SOURCE_FLOOR_FIELD + f,
-                                     .first = (size_t)w->model->building[position].first,
-                                     .width = n};
-            put_history(w, group, field_names[f], layout_field[f], s, floor);
+            const struct stream s = {
+                .source = SOURCE_FLOOR_FIELD + f, .first = (size_t)model->first, .width = n};
+            put_history(w, g.group, field_names[f], layout_field[f], s, g.scale);
         }
     }
-    h5_close(w->h, floor);
-    h5_close(w->h, group);
+    tree_close(&w->tree, &g);
 }
 
 // /contacts or /links: the table of the links and the histories of their force and penetration.
-static void put_links(struct result_writer *w, const struct link_group *g,
+static void put_links(struct result_writer *w, const struct link_group *group,
                       const struct report_link *link, size_t first, size_t n) {
-    hid_t group = h5_group(w->h, w->root, g->name);
-    hid_t scale = h5_put_scale(w->h, group, g->scale, g->scale, n);
-    h5_hard_link(w->h, w->time, group, "time");
-    for (int c = 0; c < layout_link.n_column; c++) {
-        const struct column *column = &layout_link.column[c];
-        if (strncmp(column->name, "law", 3) == 0 || !is_elsewhere(w, column->name)) {
-            h5_put_column(w->h, group, &layout_link, c, link, n, scale);
-        }
-    }
-    for (int c = 0; c < layout_level.n_column && layout_has_levels(link, (int)n); c++) {
-        if (!is_elsewhere(w, layout_level.column[c].name)) {
-            h5_put_column(w->h, group, &layout_level, c, link, n, scale);
-        }
+    const struct tree_group g = tree_group(&w->tree, w->root, group->name, group->scale, n);
+    put_columns(w, &g, &layout_link, link, n);
+    if (layout_has_levels(link, (int)n)) {
+        put_columns(w, &g, &layout_level, link, n);
     }
     for (int f = 0; f < 2; f++) {
         if (w->report->fields >> (FLOOR_FIELD_COUNT + f) & 1) {
             const struct stream s = {.source = SOURCE_FORCE + f, .first = first, .width = n};
-            put_history(w, group, g->field[f], g->quantity[f], s, scale);
+            put_history(w, g.group, group->field[f], group->quantity[f], s, g.scale);
         }
     }
-    h5_close(w->h, scale);
-    h5_close(w->h, group);
+    tree_close(&w->tree, &g);
 }
 
 static void put_energy(struct result_writer *w) {
-    hid_t group = h5_group(w->h, w->root, "energy");
-    h5_hard_link(w->h, w->time, group, "time");
+    const struct tree_group g = tree_group(&w->tree, w->root, "energy", NULL, 0);
     for (size_t i = 0; i < ENERGY_COUNT; i++) {
+        const struct column *c = &layout_energy.column[i];
         const struct stream s = {.source = SOURCE_ENERGY, .first = i, .width = 1};
-        put_history(w, group, energy_names[i], layout_energy[i], s, 0);
+        put_history(w, g.group, c->name, (struct quantity){c->long_name, c->dimension}, s, 0);
     }
-    h5_close(w->h, group);
+    tree_close(&w->tree, &g);
 }
 
 // Buildings on the same ground share one dataset. A building called `time` takes the place of the
@@ -158,26 +135,22 @@ static void put_ground(struct result_writer *w) {
         owner[b->ground] = w->n_stream - 1;
     }
     if (!time_is_taken) {
-        h5_hard_link(w->h, w->time, group, "time");
+        h5_hard_link(w->h, w->tree.time, group, "time");
     }
     free(owner);
     h5_close(w->h, group);
 }
 
-static void put_attributes(struct result_writer *w) {
-    if (!w->place) {
-        h5_draft_attributes(w->h, w->root, w->report, NUMERICS_VERSION);
-    }
-    for (int c = 0; c < layout_root.n_column; c++) {
-        if (!w->place || !study_tree_is_shared(&layout_root.column[c])) {
-            h5_put_member(w->h, w->root, &layout_root, c, w->report);
-        }
-    }
-}
-
 void writer_layout(struct result_writer *w) {
     const struct report *r = w->report;
-    put_attributes(w);
+    if (!w->place) {
+        h5_draft_attributes(w->h, w->root, r, NUMERICS_VERSION);
+    }
+    for (int c = 0; c < layout_root.n_column; c++) {
+        if (!w->place || !layout_is_shared(&layout_root.column[c])) {
+            h5_put_member(w->h, w->root, &layout_root, c, r);
+        }
+    }
     put_time(w);
     hid_t buildings = h5_group(w->h, w->root, "buildings");
     for (int i = 0; i < r->n_building && !w->h->failed; i++) {
@@ -190,4 +163,56 @@ void writer_layout(struct result_writer *w) {
     }
     put_energy(w);
     put_ground(w);
+}
+
+// The envelope at a place: those of a run of a study are in the tree of the study.
+static void put_envelope(void *context, const struct layout_place *p) {
+    struct result_writer *w = context;
+    if (!p->leaf || w->place) {
+        return;
+    }
+    hid_t parent = h5_open_object(w->h, w->root, p->parent);
+    const hid_t owner = h5_open_object(w->h, parent, p->owner ? p->owner : ".");
+    const struct tree_group g = {owner, h5_open_object(w->h, owner, p->scale), p->scale};
+    hid_t envelope = tree_envelope(&w->tree, &g);
+    for (int c = 0; c < p->table->n_column && !w->h->failed; c++) {
+        if (p->n == 0 || layout_at(p->table, c, p->base, 0)) {  // else no storey can yield
+            h5_put_column(w->h, envelope, p->table, c, p->base, p->n, g.scale);
+        }
+    }
+    h5_close(w->h, envelope);
+    tree_close(&w->tree, &g);
+    h5_close(w->h, parent);
+}
+
+static void put_impacts(struct h5 *h, hid_t root, const struct report *r) {
+    const size_t n = (size_t)r->n_impact;
+    hid_t group = h5_group(h, root, "impacts");
+    hid_t scale = h5_put_scale(h, group, "impact", "impact", n);
+    for (int c = 0; c < layout_impact.n_column; c++) {
+        h5_put_column(h, group, &layout_impact, c, r->impact, n, scale);
+    }
+    h5_close(h, scale);
+    h5_close(h, group);
+}
+
+void writer_results(struct result_writer *w, const struct report *r) {
+    struct h5 *h = w->h;
+    layout_each(r, put_envelope, w);
+    put_impacts(h, w->root, r);
+    // The account at the end as attributes: histories may be of single precision.
+    for (int i = 0; i < w->n_stream; i++) {
+        const struct stream *s = &w->stream[i];
+        if (s->source == SOURCE_ENERGY) {
+            h5_put_double(h, s->dataset, "final", r->energy[s->first]);
+        }
+    }
+    hid_t energy = h5_open_object(h, w->root, "energy");
+    for (int c = ENERGY_COUNT; c < layout_energy.n_column; c++) {
+        h5_put_member(h, energy, &layout_energy, c, r);
+    }
+    h5_close(h, energy);
+    for (int c = 0; c < layout_totals.n_column; c++) {
+        h5_put_member(h, w->root, &layout_totals, c, r);
+    }
 }

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pictures of commands: response spectra, isolated impacts, pounding force spectra.
+#ifndef JOSTLE_PLOT_PICTURES_H
+#define JOSTLE_PLOT_PICTURES_H
+
+#include "jostle/intensity.h"
+#include "jostle/spectrum.h"
+#include "law/isolated.h"
+#include "motion/target.h"
+#include "plot/figure.h"
+
+// The picture of response spectra: pseudo-acceleration against the logarithm of the period.
+
+// What is drawn, in SI units; periods of 0 are left out.
+struct response_sheet {
+    const struct spectra *spectra;
+    const char *const *name;            // (n_record)
+    const struct intensity *intensity;  // (n_record)
+    const struct target *target;        // to which they were scaled; NULL: to none
+    const double *factor;               // (n_record) by which
+    struct span match;                  // the periods between which it was compared
+    double gravity;                     // [m/s^2] the unit g
+    const char *version;                // of the program
+};
+
+// Writes the script and its data. One damping ratio: each record, of several the mean and the band
+// from 16 to 84 %, and the target. Several ratios: the record, or the mean of all. Errors:
+// STATUS_INPUT (the picture has another ending). Write errors are the caller's.
+int response_write(const struct response_sheet *sheet, const struct figure_files *to,
+                   struct error *e);
+
+// The picture of isolated impacts: force against time, and against penetration.
+
+enum { IMPACT_FIGURE_CURVES = 7 };
+
+struct impact_curve {
+    const char *name;
+    size_t n;
+    const struct isolated_point *point;  // (n) in SI
+    double start;                        // time of the first one
+};
+
+struct impact_figure {
+    const char *title, *subtitle, *version;
+    const struct isolated_impact *impact;  // its numbers stand above the panels; NULL: none do
+    double nominal;                        // coefficient of restitution asked of it; NAN: none
+    int n_curve;                           // at most IMPACT_FIGURE_CURVES
+    const struct impact_curve *curve;
+    size_t n_sample;             // of a measured force; 0: there is none
+    const double *time, *force;  // (n_sample)
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending),
+// STATUS_SYSTEM (no memory). Write errors are the caller's.
+int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
+                        struct error *e);
+
+// The picture of a pounding force spectrum: the largest contact force as a colour over the periods
+// of the left and the right structure.
+
+struct pounding_map {
+    const char *title, *subtitle, *version;
+    const struct unit_system *units;  // of the force
+    int n;                            // periods of each structure, at least 3
+    const double *period;             // (n) [s] > 0, ascending
+    const double *force;              // (n, n) the left structure's period first
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending). Write
+// errors are the caller's.
+int pounding_map_write(const struct pounding_map *map, const struct figure_files *to,
+                       struct error *e);
+
+#endif
