@@ -11,7 +11,6 @@
 #include "core/number.h"
 #include "core/wall.h"
 #include "solve/account/peaks.h"
-#include "solve/account/residual_drift.h"
 #include "solve/event/rest.h"
 #include "solve/run.h"
 

@@ -170,8 +170,9 @@ static void excitation_on_floors(struct state *s, const struct model *m, const s
                                  double t) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            s->base[i] = s->ground_a[g->ground];
+        const double a = s->ground_a[g->ground];
+        for (int i = 0; i < g->n_floor; i++) {
+            s->base[g->first + i] = a;
         }
     }
     chain_inertia(&m->chain, s->base, s->external);

@@ -68,9 +68,8 @@ LANES static double peaks_largest(int n, const double *x) {
     return most[0];
 }
 
-void peaks_speed(struct results *r, int first, int n) {
-    const double largest = peaks_largest(n, r->peak[PEAK_VELOCITY] + first);
-    r->totals.speed = number_max(r->totals.speed, largest);
+void peaks_speed(struct results *r, int n) {
+    r->totals.speed = number_max(r->totals.speed, peaks_largest(n, r->peak[PEAK_VELOCITY]));
 }
 
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s) {
@@ -91,7 +90,7 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
             peak_larger(fabs(value[q][i]), s->time, &r->peak[q][i], &r->peak_time[q][i]);
         }
     }
-    peaks_speed(r, 0, m->n_dof);
+    peaks_speed(r, m->n_dof);
     for (int k = 0; k < m->n_contact; k++) {
         peaks_penetration(r, k, s->delta[k], s->time);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest values over all computed steps, and their times.
+// The largest values over all computed steps, and their times; and the drifts that remain.
 #ifndef JOSTLE_PEAKS_H
 #define JOSTLE_PEAKS_H
 
@@ -16,6 +16,11 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
 // Gives links their largest penetrations, at the end of a run.
 void peaks_finish(struct results *r, const struct model *m);
 
+// In residual_drift.c: the size of the residual drift [L] of each storey (n_dof): where its law has
+// no shear when the storey unloads from state `s`; 0 of elastic ones. NAN: the law does not unload
+// to zero, or no memory.
+void residual_drifts(const struct model *m, const struct state *s, double *out);
+
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
 
@@ -28,8 +33,8 @@ static inline void peak_larger(double x, double time, double *peak, double *peak
     *peak = x > *peak ? x : *peak;
 }
 
-// Raises the largest velocity of any floor so far to the peaks of n floors from `first` on.
-void peaks_speed(struct results *r, int first, int n);
+// Raises the largest velocity of any floor so far to the peaks of n floors.
+void peaks_speed(struct results *r, int n);
 
 // What counts of a force or penetration x of link k: of a bilateral one its size.
 static inline double peaks_size(const struct model *m, int k, double x) {

@@ -5,8 +5,6 @@
 //
 // The storeys of a building with parts come to rest together: Newton's method finds the drifts at
 // which all shears are 0, from the histories at the end of the analysis and without velocities.
-#include "solve/account/residual_drift.h"
-
 #include <assert.h>
 #include <float.h>
 #include <gsl/gsl_blas.h>
@@ -17,6 +15,7 @@
 #include "core/arena.h"
 #include "core/root.h"
 #include "model/parts.h"
+#include "solve/account/peaks.h"
 
 enum { DOUBLINGS = 60, ITERATIONS_MAX = 100 };
 

@@ -211,38 +211,9 @@ static double cluster_sweep(struct work *w, const struct state *now, struct stat
     return moved;
 }
 
-// Whole steps, until the sweep after one moves the links by at most half of *nearest, which then
-// becomes the way of that sweep. False: not found.
-static bool cluster_whole_steps(struct work *w, const struct state *now, struct state *next,
-                                double *nearest) {
-    for (int i = 0; i < WHOLE_STEPS; i++) {
-        if (!cluster_newton(w, now, next)) {
-            return false;
-        }
-        cluster_apply(w, 1.0);
-        double moved = cluster_sweep(w, now, next);
-        if (moved <= 0.5 * *nearest) {
-            *nearest = moved;
-            return true;
-        }
-    }
-    return false;
-}
-
-// The derivative along the Newton step of the function that sweeps minimise.
-static double cluster_descent(struct work *w, const struct state *now, struct state *next) {
-    const struct clusters *c = &w->clusters;
-    double sum = 0.0;
-    for (int i = 0; i < c->n; i++) {
-        const struct link_scratch *p = &w->link[c->link[i]];
-        struct equation e = exact_equation(w, now, next, p->index);
-        sum += c->change[i] * p->flexibility * exact_excess(&e, p->force);
-    }
-    return sum;
-}
-
 // The part of a Newton step that leads lowest on the function that sweeps minimise: it is convex,
-// so its derivative is bisected. No force of a law that does not pull may become negative.
+// so its derivative along the step is bisected. No force of a law that does not pull may become
+// negative.
 static bool cluster_part_step(struct work *w, const struct state *now, struct state *next) {
     const struct clusters *c = &w->clusters;
     if (!cluster_newton(w, now, next)) {
@@ -256,20 +227,33 @@ static bool cluster_part_step(struct work *w, const struct state *now, struct st
     }
     struct root part = {.high = 2.0};
     for (int i = 0; i < PARTS && part.low != 1.0; i++) {
+        double rise = 0.0;
         cluster_apply(w, root_middle(&part));
-        root_halve(&part, cluster_descent(w, now, next) <= 0.0);
+        for (int j = 0; j < c->n; j++) {
+            const struct link_scratch *p = &w->link[c->link[j]];
+            struct equation e = exact_equation(w, now, next, p->index);
+            rise += c->change[j] * p->flexibility * exact_excess(&e, p->force);
+        }
+        root_halve(&part, rise <= 0.0);
         cluster_restore(w);
     }
     cluster_apply(w, part.low);
     return part.low > 0.0;
 }
 
+// Whole steps, until the sweep after one moves the links by at most half of *nearest, which then
+// becomes the way of that sweep; else a part of one.
 static bool cluster_step(struct work *w, const struct state *now, struct state *next,
                          double *nearest) {
     *nearest = fmin(*nearest, cluster_sweep(w, now, next));
     cluster_keep(w);
-    if (cluster_whole_steps(w, now, next, nearest)) {
-        return true;
+    for (int i = 0; i < WHOLE_STEPS && cluster_newton(w, now, next); i++) {
+        cluster_apply(w, 1.0);
+        double moved = cluster_sweep(w, now, next);
+        if (moved <= 0.5 * *nearest) {
+            *nearest = moved;
+            return true;
+        }
     }
     cluster_restore(w);
     return cluster_part_step(w, now, next);

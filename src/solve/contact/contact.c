@@ -46,6 +46,7 @@ static const double AT_REST = 0.1;
 // Velocity relative to the largest of any floor so far.
 static const double NEGLIGIBLE = 1e-5;
 
+// How a sweep gives links their forces.
 enum sweep_kind {
     SWEEP_FIRST,   // Newton steps where they are safe, by groups of links that the cache holds
     SWEEP_NEWTON,  // the same
@@ -102,14 +103,15 @@ static bool contact_judge(struct work *w, const struct state *now, const struct 
     const bool was_closed = now->link[k].closed, is_closed = p->branch == BRANCH_CLOSED;
     const double d0 = now->delta[k], v = p->v_trial + w->g * x;
     const struct contact_response tangents = {.dfdd = p->dfdd, .dfdv = p->dfdv};
-    if ((!was_closed || p->resolved->step >= w->h ||
-         contact_resolved_at(w, p, d0, state_rate(now, w->model, k))) &&
-        (!is_closed ||
-         (p->stale ? contact_resolved_at(w, p, d, v) : contact_fits(w, p, tangents, d)))) {
-        p->resolved->step = w->h;
+    bool resolved = !was_closed || p->resolved->step >= w->h ||
+                    contact_resolved_at(w, p, d0, state_rate(now, w->model, k));
+    if (resolved && is_closed) {
+        resolved = p->stale ? contact_resolved_at(w, p, d, v) : contact_fits(w, p, tangents, d);
+    }
+    p->resolved->step = resolved ? w->h : 0.0;
+    if (resolved) {
         return true;
     }
-    p->resolved->step = 0.0;
     const double v0 = state_rate(now, w->model, k);
     if (was_closed && is_closed) {
         const double allowed = AT_REST * fmin(d0, d), fastest = fmax(fabs(v0), fabs(v));
@@ -138,25 +140,6 @@ static bool contact_resolves(struct work *w, const struct state *now, const stru
     }
     w->memory->unresolved = p->index;
     return false;
-}
-
-// Is the step short enough for all links? Checked early, so that one that is not costs little.
-static bool contact_is_hopeful(struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; i < w->n_acting && w->strictness == STEP_STRICT; i++) {
-        if (!contact_resolves(w, now, next, w->acting[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-// With laws that pull there may be no solution, or several between which sweeps go to and fro.
-// Without their tension there is just one.
-static void contact_clamp(struct work *w) {
-    for (int i = 0; i < w->n_acting; i++) {
-        struct link_scratch *p = w->acting[i];
-        p->clamped = !p->link->bilateral && (p->link->law->traits & CONTACT_MAY_PULL);
-    }
 }
 
 // Would another sweep change next to nothing? One of Newton steps measures that against the largest
@@ -199,8 +182,11 @@ static int contact_iterate(struct work *w, const struct state *now, struct state
             return STATUS_OK;
         }
         if (i == PLAIN_SWEEPS) {
-            if (!contact_is_hopeful(w, now, next)) {
-                return STATUS_RETRY;
+            // Is the step short enough? Checked early, so that one that is not costs little.
+            for (int k = 0; k < w->n_acting && w->strictness == STEP_STRICT; k++) {
+                if (!contact_resolves(w, now, next, w->acting[k])) {
+                    return STATUS_RETRY;
+                }
             }
             w->others_d = contact_rounding(w, w->u_trial);
             w->others_v = contact_rounding(w, w->v_trial);
@@ -208,8 +194,11 @@ static int contact_iterate(struct work *w, const struct state *now, struct state
         if (i + 1 == PLAIN_SWEEPS) {
             cluster_find(&w->clusters, w->model, next);
         }
-        if (i == PULLING_SWEEPS) {
-            contact_clamp(w);
+        // With laws that pull there may be no solution, or several between which sweeps go to and
+        // fro. Without their tension there is just one.
+        for (int k = 0; k < w->n_acting && i == PULLING_SWEEPS; k++) {
+            struct link_scratch *p = w->acting[k];
+            p->clamped = !p->bilateral && (p->law->traits & CONTACT_MAY_PULL);
         }
         const double change = number_max(s.moved[LAW_UNKNOWN], s.moved[LAW_KNOWN]);
         const bool slow = i + 1 >= PLAIN_SWEEPS && change > SLOW * before;

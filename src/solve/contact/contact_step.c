@@ -30,9 +30,10 @@ static inline void contact_carry_on(struct work *w, const struct state *now, str
         .closed = true,
     };
     if (p->law->n_history > 0) {
-        p->history = next->link_history + p->link->history;
-        memcpy(next->link_history + p->link->history, now->link_history + p->link->history,
-               (size_t)p->law->n_history * sizeof *p->history);
+        double *history = next->link_history + p->link->history;
+        memcpy(history, now->link_history + p->link->history,
+               (size_t)p->law->n_history * sizeof *history);
+        p->history = history;
     }
     if (p->law->rebound) {
         p->v_rest = rest_velocity(now, w->model, w->h, k);

@@ -55,29 +55,17 @@ static double exact_residual_at_rest(const struct equation *e, double f, double 
     return exact_residual(&at_rest, f);
 }
 
-// Moves one end of the bracket to the force that makes v = 0, where the law may jump or have a
-// kink. True if the root is there: both ends are.
-static bool exact_split_at_rest(const struct equation *e, struct root *r) {
-    double f = e->v_free / e->v_force;
-    if (!(f > r->low && f < r->high)) {
-        return false;
-    }
-    if (exact_residual_at_rest(e, f, -SMALLEST) < 0.0) {
-        r->low = f;
-        return false;
-    }
-    r->high = f;
-    if (exact_residual_at_rest(e, f, SMALLEST) <= 0.0) {
-        r->low = f;
-    }
-    return r->low == f;
-}
-
-// The root of g in [low, high], g(low) <= 0 <= g(high).
+// The root of g in [low, high], g(low) <= 0 <= g(high). Where v = 0 the law may jump or have a
+// kink: the root is there, or on one side.
 static double exact_search(const struct equation *e, double low, double high, double f) {
     struct root within = {low, high, 1.0};
-    if (exact_split_at_rest(e, &within)) {
-        return within.low;
+    const double rest = e->v_free / e->v_force;
+    if (rest > low && rest < high) {
+        bool above = exact_residual_at_rest(e, rest, -SMALLEST) < 0.0;
+        if (!above && exact_residual_at_rest(e, rest, SMALLEST) <= 0.0) {
+            return rest;
+        }
+        *(above ? &within.low : &within.high) = rest;
     }
     if (!(f > within.low && f < within.high)) {
         f = root_middle(&within);
@@ -100,25 +88,20 @@ static double exact_search(const struct equation *e, double low, double high, do
     return f;
 }
 
-// Moves `low` down from a negative force until g(low) <= 0; false: nowhere.
-static bool exact_bracket_below(const struct equation *e, double *low) {
-    for (int i = 0; i < EXPANSIONS_MAX; i++) {
-        if (exact_residual(e, *low) <= 0.0) {
-            return true;
-        }
-        *low *= 2.0;
+// An end of the bracket below `low` < 0: as a force of tension grows, d and v do, until no law
+// pulls.
+static double exact_bracket_below(const struct equation *e, double low) {
+    while (exact_residual(e, low) > 0.0) {
+        low *= 2.0;
     }
-    return false;
+    return low;
 }
 
 // The root that is no more than `top`, which bounds it from above.
 static double exact_root(const struct equation *e, double top, double guess) {
     double f = exact_law(e, 0.0).force;
-    if (f >= 0.0) {
-        return exact_search(e, 0.0, fmin(top, f), guess);
-    }
-    double low = f;
-    return exact_bracket_below(e, &low) ? exact_search(e, low, 0.0, guess) : f;
+    return f >= 0.0 ? exact_search(e, 0.0, fmin(top, f), guess)
+                    : exact_search(e, exact_bracket_below(e, f), 0.0, guess);
 }
 
 double exact_excess(const struct equation *e, double force) {
@@ -166,10 +149,10 @@ enum branch exact_force(const struct equation *e, double guess, double *force) {
         return BRANCH_OPEN;
     }
     double low = exact_law(e, top).force;
-    if (low >= top || !exact_bracket_below(e, &low)) {
+    if (low >= top) {
         return BRANCH_OPEN;
     }
-    *force = exact_search(e, low, top, guess);
+    *force = exact_search(e, exact_bracket_below(e, low), top, guess);
     return BRANCH_CLOSED;
 }
 
@@ -207,36 +190,32 @@ double exact_solve(struct work *w, const struct state *now, struct state *next, 
     return df;
 }
 
-// How much rounding errors d and v change the force of a link.
-static double exact_noise(const struct equation *e, enum branch branch, double f, double d,
-                          double v) {
-    if (e->link->law->rebound || f == e->v_free / e->v_force) {
-        return v / e->v_force;
-    }
-    if (branch == BRANCH_CLOSED) {
-        struct contact_response r = exact_law(e, f);
-        double change = (fabs(r.dfdd) * d + fabs(r.dfdv) * v) / (1.0 + fabs(exact_slope(e, &r)));
-        if (isfinite(change)) {
-            return change;
-        }
-    }
-    return e->d_force > 0.0 ? d / e->d_force : 0.0;
-}
-
-// Is a change of the force no more than rounding? Rounding in other links' forces counts too where
-// the change is small and the sweeps have been going on for long.
+// Is a change of the force no more than what rounding errors of d and v make of it? Rounding in
+// other links' forces counts too where the change is small and the sweeps have been going on for
+// long.
 static bool exact_negligible(const struct work *w, const struct equation *e, enum branch branch,
                              double f, double df) {
-    double corrected = state_rounding(e->link, w->correction);
+    const double size = fabs(df), corrected = state_rounding(e->link, w->correction);
     double d =
         state_rounding(e->link, w->u_trial) + w->b * corrected + 4.0 * DBL_EPSILON * e->link->gap;
     double v = state_rounding(e->link, w->v_trial) + w->g * corrected;
-    if (fabs(df) <= SMALL * fabs(f)) {
+    if (size <= SMALL * fabs(f)) {
         d += w->others_d;
         v += w->others_v;
     }
-    bool maybe = e->v_force * fabs(df) <= v || e->d_force * fabs(df) <= d;
-    return maybe && fabs(df) <= exact_noise(e, branch, f, d, v);
+    if (!(e->v_force * size <= v || e->d_force * size <= d)) {
+        return false;
+    }
+    if (e->link->law->rebound || f == e->v_free / e->v_force) {
+        return size <= v / e->v_force;
+    }
+    double noise = e->d_force > 0.0 ? d / e->d_force : 0.0;
+    if (branch == BRANCH_CLOSED) {
+        struct contact_response r = exact_law(e, f);
+        double change = (fabs(r.dfdd) * d + fabs(r.dfdv) * v) / (1.0 + fabs(exact_slope(e, &r)));
+        noise = isfinite(change) ? change : noise;
+    }
+    return size <= noise;
 }
 
 void exact_visit(struct work *w, const struct state *now, struct state *next,

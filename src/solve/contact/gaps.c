@@ -165,22 +165,16 @@ void gaps_update_touched(struct gaps *g, struct state *s) {
     gaps_update_runs(g, s, g->is_touched);
 }
 
-LANES static void gaps_raise_run(const struct gaps *g, const struct gap_run *r, const double *delta,
-                                 double now) {
-    const double *restrict d = delta + r->first;
-    double *restrict nearest = g->nearest + r->first;
-    double *restrict time = g->time + r->first;
-    double *restrict limit = g->limit + r->first;
-    for (int j = 0, n = r->n; j < n; j++) {
-        peak_larger(d[j], now, &nearest[j], &time[j]);
-        limit[j] = limit[j] > 0.0 ? limit[j] : number_min(nearest[j], 0.0);
-    }
-}
-
-void gaps_peaks(struct gaps *g, const struct state *s) {
+LANES void gaps_peaks(struct gaps *g, const struct state *s) {
     for (int i = 0; i < g->n_run; i++) {
-        if (g->beyond[i]) {
-            gaps_raise_run(g, &g->run[i], s->delta, s->time);
+        const struct gap_run *r = &g->run[i];
+        const double *restrict d = s->delta + r->first;
+        double *restrict nearest = g->nearest + r->first;
+        double *restrict time = g->time + r->first;
+        double *restrict limit = g->limit + r->first;
+        for (int j = 0, n = g->beyond[i] ? r->n : 0; j < n; j++) {
+            peak_larger(d[j], s->time, &nearest[j], &time[j]);
+            limit[j] = limit[j] > 0.0 ? limit[j] : number_min(nearest[j], 0.0);
         }
     }
 }

@@ -117,6 +117,15 @@ void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
     }
 }
 
+// Evaluates the law of a link where it is.
+static inline void sweep_evaluate_here(struct work *w, struct link_scratch *p, struct progress *s) {
+    const bool always = true;
+    bool safe;
+    double x;
+    sweep_see(w, p, &x);
+    sweep_evaluate(w, p, &x, &always, s, &safe);
+}
+
 void sweep_prepare(struct work *w, const struct state *next, struct link_scratch *p) {
     p->trusted = p->branch == BRANCH_CLOSED && p->law->force && !p->clamped;
     p->open = false;
@@ -132,20 +141,12 @@ void sweep_prepare(struct work *w, const struct state *next, struct link_scratch
     }
 }
 
-// Evaluates the law of a link where it is.
-static inline void sweep_evaluate_here(struct work *w, struct link_scratch *p, struct progress *s) {
-    const bool always = true;
-    bool safe;
-    double x;
-    sweep_see(w, p, &x);
-    sweep_evaluate(w, p, &x, &always, s, &safe);
-}
-
 void sweep_gather(struct work *w, const struct state *next, int first, int end,
                   struct progress *s) {
     for (int i = first; i < end; i++) {
-        sweep_prepare(w, next, w->acting[i]);
-        sweep_evaluate_here(w, w->acting[i], s);
+        struct link_scratch *p = w->acting[i];
+        sweep_prepare(w, next, p);
+        sweep_evaluate_here(w, p, s);
     }
     s->law_tolerance = s->tolerance;
 }
@@ -158,25 +159,19 @@ void sweep_evaluate_again(struct work *w, struct progress *s) {
     }
 }
 
-// Does a link stay open?
-static inline bool sweep_stays_open(const struct work *w, const struct link_scratch *p,
-                                    struct progress *s) {
-    double d = p->d_trial + w->b * sweep_across(p, w->correction);
-    if (!(p->open && d <= 0.0)) {
-        return false;
-    }
-    s->margin = number_min(s->margin, -d * w->per_b * p->per_coupling);
-    return true;
-}
-
 LANES int sweep_newton(struct work *w, int first, int end, struct progress *progress) {
     struct progress s = *progress;  // in registers
     int i = first;
-    for (bool safe = true; i < end; i++) {
-        safe = true;
+    for (; i < end; i++) {
+        const struct link_scratch *p = w->acting[i];
+        bool safe = true;
         sweep_visit(w, w->acting[i], &safe, &s);
-        if (!safe && !sweep_stays_open(w, w->acting[i], &s)) {
-            break;
+        if (!safe) {
+            double d = p->d_trial + w->b * sweep_across(p, w->correction);
+            if (!(p->open && d <= 0.0)) {
+                break;
+            }
+            s.margin = number_min(s.margin, -d * w->per_b * p->per_coupling);  // it stays open
         }
     }
     *progress = s;

@@ -94,24 +94,6 @@ static int rest_contact_of(const struct rest_contacts *t, const struct model *m,
     return i;
 }
 
-// The row that begins with the left body of contact i. Returns how many bodies it has.
-static int rest_line_up(const struct rest_contacts *t, const struct model *m, int i,
-                        const double *x, const double *ground, struct rest_body *body) {
-    int dof = m->link[t->contact[i]].dof[0], n = 0;
-    double shift = 0.0;
-    for (;;) {
-        const double own = dof == WALL ? 0.0 : x[dof];
-        body[n++] = (struct rest_body){dof, i, shift, own - shift};
-        if (i < 0) {
-            return n;
-        }
-        const struct link *l = &m->link[t->contact[i]];
-        shift += state_ground_gap(l, m, ground);
-        dof = l->dof[1];
-        i = rest_contact_of(t, m, 0, dof);
-    }
-}
-
 // Two blocks become one; both at walls stay what they are, as nothing could move them.
 static bool rest_join(struct rest_block *left, const struct rest_block *right) {
     if (!(left->y > right->y) || (isinf(left->mass) && isinf(right->mass))) {
@@ -128,19 +110,31 @@ static bool rest_join(struct rest_block *left, const struct rest_block *right) {
     return true;
 }
 
-static int rest_find_blocks(const struct rest_body *body, int n_body, const struct model *m,
-                            struct rest_block *block) {
-    int n = 0;
-    for (int i = 0; i < n_body; i++) {
-        const bool wall = body[i].dof == WALL;
-        const double mass = wall ? INFINITY : m->mass[body[i].dof];
-        const double momentum = wall ? 0.0 : mass * body[i].y;
-        block[n++] = (struct rest_block){i, mass, momentum, body[i].y};
-        while (n > 1 && rest_join(&block[n - 2], &block[n - 1])) {
-            n--;
+// The bodies of the row that begins with the left one of contact i, and its blocks. Returns how
+// many blocks there are; `first` of the one behind them is the number of bodies.
+static int rest_line_up(const struct rest_contacts *t, const struct model *m, int i,
+                        const double *x, const double *ground, struct rest_body *body,
+                        struct rest_block *block) {
+    int dof = m->link[t->contact[i]].dof[0], n = 0, n_block = 0;
+    double shift = 0.0;
+    for (;;) {
+        const bool wall = dof == WALL;
+        const double mass = wall ? INFINITY : m->mass[dof], y = (wall ? 0.0 : x[dof]) - shift;
+        body[n] = (struct rest_body){dof, i, shift, y};
+        block[n_block++] = (struct rest_block){n, mass, wall ? 0.0 : mass * y, y};
+        n++;
+        while (n_block > 1 && rest_join(&block[n_block - 2], &block[n_block - 1])) {
+            n_block--;
         }
+        if (i < 0) {
+            block[n_block].first = n;
+            return n_block;
+        }
+        const struct link *l = &m->link[t->contact[i]];
+        shift += state_ground_gap(l, m, ground);
+        dof = l->dof[1];
+        i = rest_contact_of(t, m, 0, dof);
     }
-    return n;
 }
 
 // Gives n neighbours the motion y. What passes between them, from left to right, is the momentum
@@ -178,9 +172,7 @@ void rest_pool(struct rest_contacts *t, const struct model *m, double *x, const 
         if (rest_contact_of(t, m, 1, m->link[t->contact[i]].dof[0]) >= 0) {
             continue;  // it is within a row
         }
-        const int n = rest_line_up(t, m, i, x, ground, body);
-        const int n_block = rest_find_blocks(body, n, m, block);
-        block[n_block].first = n;
+        const int n_block = rest_line_up(t, m, i, x, ground, body, block);
         for (int j = 0; j < n_block; j++) {
             const int first = block[j].first, size = block[j + 1].first - first;
             if (size > 1) {

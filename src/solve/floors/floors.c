@@ -121,7 +121,7 @@ void floors_catch_up(struct work *w, const struct state *old, const struct state
     struct floors_account *account = &w->floors.account;
     if (account->due) {
         steps()->account(w, old, now, account->ground_a);
-        peaks_speed(account->results, 0, w->model->n_dof);
+        peaks_speed(account->results, w->model->n_dof);
         account->due = false;
     }
 }
@@ -142,7 +142,7 @@ void floors_account(struct work *w, const struct state *now, const struct state 
     if (to->defers && state_is_linear(w->model)) {
         floors_defer(to, now);
     } else if (steps()->account(w, now, next, now->ground_a[0])) {
-        peaks_speed(to->results, 0, w->model->n_dof);
+        peaks_speed(to->results, w->model->n_dof);
     }
 }
 

@@ -132,7 +132,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
 }
 
 // Finds (I + D S)^-1 for the factors at hand. Column i of S is what links see of the accelerations
-// that a unit force of link i causes.
+// that a unit force of link i causes. The matrix is similar to a positive definite one.
 static void flight_find_transfer(struct flight *f) {
     struct work *w = f->work;
     struct link_scratch *link = w->link + f->model->n_contact;
@@ -152,8 +152,7 @@ static void flight_find_transfer(struct flight *f) {
     gsl_matrix_view matrix = gsl_matrix_view_array(f->transfer, n, n);
     gsl_permutation order = {.size = n, .data = f->order};
     int sign;
-    (void)gsl_linalg_LU_decomp(&matrix.matrix, &order,
-                               &sign);  // similar to a positive definite one
+    (void)gsl_linalg_LU_decomp(&matrix.matrix, &order, &sign);
     (void)gsl_linalg_LU_invx(&matrix.matrix, &order);
     f->factors = w->factors;
 }
@@ -163,7 +162,6 @@ LANES void flight_join(const struct flight *f, const struct state *now, struct s
     const int first = f->model->n_contact, n = f->n_link;
     const double *column = f->transfer;
     double *restrict force = f->force;
-    contact_begin(w, now, next);
     memset(force, 0, (size_t)n * sizeof *force);
     for (int i = 0; i < n; i++, column += n) {
         struct link_scratch *p = &w->link[first + i];
@@ -176,7 +174,13 @@ LANES void flight_join(const struct flight *f, const struct state *now, struct s
         }
     }
     for (int i = 0; i < n; i++) {
-        next->link[first + i].force = force[i];
+        struct link_state *to = &next->link[first + i];
+        *to = now->link[first + i];
+        to->past[2] = to->past[1];
+        to->past[1] = to->past[0];
+        to->past[0] = to->force;
+        to->n_past = to->n_past < PAST_STEPS ? to->n_past + 1 : PAST_STEPS;
+        to->force = force[i];
         sweep_push(w, &w->link[first + i], &force[i]);
     }
 }
@@ -230,7 +234,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
         state_internal_forces(s, m, s->u, s->v);
         state_totals(s, m);
     }
-    peaks_speed(f->account->results, 0, m->n_dof);
+    peaks_speed(f->account->results, m->n_dof);
     w->totals->steps += n - first;
     w->totals->iterations += n - first;
     return n;
