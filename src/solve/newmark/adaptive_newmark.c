@@ -197,9 +197,11 @@ static int adaptive_advance(struct run *r, long *n, long last) {
     run_forget_events(r);
     while (status == STATUS_OK && r->now->time < limit) {
         const long events = r->results->totals.events;
-        double h, end, rest;
-        status = adaptive_next(r, limit, &h, &end);
-        status = status == STATUS_OK ? run_step(r, end, h, 0, &rest) : status;
+        double h = 0.0, end = limit, rest;
+        if (adaptive_next(r, limit, &h, &end) != STATUS_OK) {
+            return r->error->status;
+        }
+        status = run_step(r, end, h, 0, &rest);
         if (status == STATUS_RETRY) {
             status = adaptive_reject(r, h);
         } else if (status == STATUS_OK) {

@@ -44,7 +44,7 @@ struct flight {
 bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, struct arena *a);
 
 // Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
-// step in which a link would act or a storey change its branch. Returns the step that it has
+// step in which a contact would close or a storey change its branch. Returns the step that it has
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
