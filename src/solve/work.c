@@ -17,9 +17,6 @@ static bool work_alloc_floors(struct work *w, const struct model *m, struct aren
     s->drift = lanes_array(a, m->n_dof);
     s->shear = lanes_array(a, m->n_dof);
     s->rate = lanes_array(a, m->n_dof);
-    s->residual = lanes_array(a, m->n_dof);
-    s->change = lanes_array(a, m->n_dof);
-    s->agree = arena_alloc(a, (size_t)m->n_building, sizeof *s->agree);
     return floors_alloc(w, a);
 }
 
@@ -76,7 +73,7 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
         return false;
     }
     work_fill_links(w, m, a);
-    w->most_links = work_most_links(m, w->storeys.residual);
+    w->most_links = work_most_links(m, w->correction);
     return effective_alloc(w->home, m->building, m->n_building, EFFECTIVE_LONG, a) &&
            effective_alloc(w->other, m->building, m->n_building, EFFECTIVE_BRIEFLY, a);
 }

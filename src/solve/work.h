@@ -19,13 +19,10 @@ enum strictness {
     STEP_ACCEPT,  // take the last iterate and count it: the step is as short as it gets
 };
 
-// Newton's iteration on the storeys, in newmark.c.
+// Newton's iteration on the storeys, in newmark.c: each is linear about its point at the trial.
 struct storeys {
-    double *drift, *shear;  // (n_dof) [L] [F] where they were linearised
-    double *rate;           // (n_dof) [L/T] the same of drift rates, of buildings with parts
-    double *residual;       // (n_dof) [F]
-    double *change;         // (n_dof) [L/T^2] of the correction
-    bool *agree;            // (n_building) a building's shears are as their tangents predicted
+    double *drift, *shear;  // (n_dof) [L] [F] shears on their tangents
+    double *rate;           // (n_dof) [L/T] of the drifts of buildings with parts
 };
 
 struct link_scratch;

@@ -261,7 +261,7 @@ LANES void effective_solve(struct effective *e, int n, double *r, double *q) {
         const int floors = e->building->n_floor;
         int solved = 1;
         if (effective_has_inverse(e)) {
-            floors_multiply(e->inverse, floors, r, q);
+            floors_multiply(e->inverse, floors, false, r, q);
         } else if (e->abreast > 0 && e->abreast <= last - e) {
             abreast_forward(e, r);
             abreast_backward(e, q);

@@ -33,9 +33,11 @@ struct floors_motion {
     const double *external;  // NULL: forces of one ground
 };
 
-// The lines that storeys follow; all NULL where they are elastic.
+// The lines that storeys follow; all NULL where they are elastic. With `given`, the shears at the
+// trial are known, and those at the end are left to the caller.
 struct floors_lines {
     const double *back, *spring, *rest, *limit;
+    const double *given;
 };
 
 // Numbers of a step; and what it leaves between its loops, from the first floor of a block on.
@@ -81,7 +83,11 @@ LANES_INLINE void floors_try(const struct floors_pass *p, ptrdiff_t i, const flo
                              struct floors_trial *t, floor_bits *beyond) {
     floor_lanes drift;
     floors_predict(p, i, &t->u, &t->v);
-    floors_strain(p, i, u_under, &t->u, &drift, &t->shear, beyond);
+    if (p->lines.given) {
+        t->shear = FLOORS_AT(p->lines.given, i);
+    } else {
+        floors_strain(p, i, u_under, &t->u, &drift, &t->shear, beyond);
+    }
 }
 
 // The trial of n floors, and residual = p - M a - C v - storey shears there. `external` NULL: p is

@@ -6,8 +6,9 @@
 #ifndef JOSTLE_FLOOR_STEPS_H
 #define JOSTLE_FLOOR_STEPS_H
 
+#include <stdalign.h>
+
 #include "solve/floors/floor_step.h"
-#include "solve/floors/floors_full.h"
 #include "solve/newmark/flight.h"
 #include "solve/work.h"
 
@@ -51,7 +52,7 @@ LANES_INLINE void floors_solve_block(const struct floors_pass *p, const struct w
     q += bottom;
     for (; e < end && (are_low || effective_has_inverse(e)); e++) {
         const int n = e->building->n_floor;
-        floors_multiply(e->inverse, n, r, q);
+        floors_multiply(e->inverse, n, false, r, q);
         r += n;
         q += n;
     }
@@ -87,6 +88,81 @@ LANES_INLINE struct floors_taken floors_taken_of(const struct work *w, const str
         .peak_time = to->results->peak_time,
         .yields = yields,
     };
+}
+
+// What these loops leave out of buildings with full matrices, all parts of which are linear. What
+// is read and written beyond a building belongs to the next one, and is changed by 0.
+
+// Takes C v, and the shears of parts if they are not in the residual, off that of the buildings of
+// a block; u, v and the residual are from its first floor on.
+LANES_INLINE void floors_full_forces(const struct work *w, const struct floor_block *b,
+                                     const struct floors_pass *p) {
+    alignas(LANES_LINE) double drift[FLOORS_MAX], force[FLOORS_MAX], shear[FLOORS_MAX];
+    for (int k = b->building; k < b->building + b->n_building; k++) {
+        const struct effective *e = &w->effective[k];
+        const int n = e->building->n_floor;
+        const ptrdiff_t at = e->building->first - b->first;
+        const bool with_parts = e->parts && !p->lines.given;
+        double *residual = p->residual + at;
+        floor_lanes under = none, over;
+        if (!e->damping) {
+            continue;
+        }
+        for (int i = 0; with_parts && i < e->stride; i += FLOORS_VECTOR) {
+            const floor_lanes own = FLOORS_AT(p->u_trial + at, i);
+            FLOORS_SET(drift, i) = own - BELOW(under, own);
+            under = own;
+        }
+        floors_multiply(e->damping, n, false, p->v_trial + at, force);
+        if (with_parts) {
+            floors_multiply(e->parts, n, false, drift, shear);
+        }
+        for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
+            floor_lanes left = FLOORS_AT(residual, i) - FLOORS_AT(force, i);
+            if (with_parts) {
+                over = i + FLOORS_VECTOR < e->stride ? FLOORS_AT(shear, i + FLOORS_VECTOR) : none;
+                left += ABOVE(FLOORS_AT(shear, i), over) - FLOORS_AT(shear, i);
+            }
+            FLOORS_SET(residual, i) = left;
+        }
+    }
+}
+
+// Adds the shears of parts at the drifts of `s` to those of the storeys alone.
+LANES_INLINE void floors_full_strain(const struct work *w, struct state *s) {
+    for (int k = 0; w->model->chain.parts && k < w->model->n_building; k++) {
+        const struct effective *e = &w->effective[k];
+        if (e->parts) {
+            const double *drift = s->drift + e->building->first;
+            floors_multiply(e->parts, e->building->n_floor, true, drift,
+                            s->shear + e->building->first);
+        }
+    }
+}
+
+// Adds twice the work of C in the step from s0 to s1.
+LANES_INLINE void floors_full_work(const struct work *w, const struct floors_motion *s0,
+                                   const struct floors_motion *s1, double *damping_2x) {
+    alignas(LANES_LINE) double mean_2x[FLOORS_MAX], force_2x[FLOORS_MAX];
+    for (int k = 0; k < w->model->n_building; k++) {
+        const struct effective *e = &w->effective[k];
+        const int first = e->building->first;
+        if (!e->damping) {
+            continue;
+        }
+        for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
+            FLOORS_SET(mean_2x, i) = FLOORS_AT(s0->v + first, i) + FLOORS_AT(s1->v + first, i);
+        }
+        floors_multiply(e->damping, e->building->n_floor, false, mean_2x, force_2x);
+        for (int i = 0; i < e->stride; i += LANES_WIDTH) {
+            EACH_OF_LANES(j) {
+                const ptrdiff_t at = i + j * FLOORS_VECTOR;
+                FLOORS_SET(damping_2x, j * FLOORS_VECTOR) +=
+                    FLOORS_AT(force_2x, at) *
+                    (FLOORS_AT(s1->u + first, at) - FLOORS_AT(s0->u + first, at));
+            }
+        }
+    }
 }
 
 // The account that is due, which is taken from floor `done` on.
@@ -199,6 +275,9 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
     struct due account = floors_due(w, next, now, few, lines->back != NULL);
     struct floors_approach near = {{0}, {0}};
     floor_bits ends = {0};
+    if (w->model->chain.full_damping && w->floors.account.due) {
+        floors_full_work(w, &account.step.s0, &account.step.s1, account.step.damping_2x);
+    }
     for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
         const struct span s = floors_span(b, few);
@@ -208,7 +287,7 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
             floors_push(w, now, next, b);
         }
         if (w->model->chain.full_damping) {
-            floors_full(w, b, pass.u_trial, pass.v_trial, pass.residual);
+            floors_full_forces(w, b, &pass);
         }
         floors_solve_block(&pass, w, b, &s, f && few > 0, q);
         if (f && f->n_link > 0) {
@@ -266,7 +345,7 @@ LANES_INLINE long floors_fly_from(const struct flight *f, const struct floors_li
         if (f->model->chain.full_damping) {
             floors_full_strain(f->work, to);
         }
-        if ((few > 0 || f->account->defers) && !f->model->chain.full_damping) {
+        if (few > 0 || f->account->defers) {
             floors_defer(&f->work->floors.account, from);
         } else {
             floors_account(f->work, from, to);
@@ -285,7 +364,7 @@ LANES_INLINE ptrdiff_t floors_few(const struct model *m) {
     return state_is_uniform(m) && m->chain.n <= 2 * LANES_WIDTH ? m->chain.n : 0;
 }
 
-static const struct floors_lines elastic = {NULL, NULL, NULL, NULL};
+static const struct floors_lines elastic = {0};
 
 LANES_INLINE long floors_fly_on(const struct flight *f, const struct floors_lines *lines,
                                 struct state **now, struct state **next, long n, long end) {
@@ -301,20 +380,40 @@ LANES_INLINE long floors_fly_on(const struct flight *f, const struct floors_line
 
 FLOORS_CLONES static long floor_steps_fly(const struct flight *f, struct state **now,
                                           struct state **next, long n, long end) {
-    const struct floors_lines lines = {f->back, f->spring, f->rest, f->limit};
+    const struct floors_lines lines = {f->back, f->spring, f->rest, f->limit, NULL};
     return f->on_lines ? floors_fly_on(f, &lines, now, next, n, end)
                        : floors_fly_on(f, &elastic, now, next, n, end);
 }
 
-FLOORS_CLONES static bool floor_steps_move(struct work *w, const struct state *now,
-                                           struct state *next) {
+LANES_INLINE bool floors_move_by(struct work *w, const struct floors_lines *lines,
+                                 const struct state *now, struct state *next) {
     switch (floors_few(w->model)) {
         case LANES_WIDTH:
-            return floors_step(w, NULL, &elastic, now, next, LANES_WIDTH);
+            return floors_step(w, NULL, lines, now, next, LANES_WIDTH);
         case 2 * LANES_WIDTH:
-            return floors_step(w, NULL, &elastic, now, next, (ptrdiff_t)2 * LANES_WIDTH);
+            return floors_step(w, NULL, lines, now, next, (ptrdiff_t)2 * LANES_WIDTH);
         default:
-            return floors_step(w, NULL, &elastic, now, next, 0);
+            return floors_step(w, NULL, lines, now, next, 0);
+    }
+}
+
+FLOORS_CLONES static bool floor_steps_move(struct work *w, const struct state *now,
+                                           struct state *next, const double *shear) {
+    const struct floors_lines lines = {.given = shear};
+    return shear ? floors_move_by(w, &lines, now, next) : floors_move_by(w, &elastic, now, next);
+}
+
+FLOORS_CLONES static void floor_steps_correct(struct work *w, const struct state *now,
+                                              struct state *next) {
+    struct floors_pass pass = floors_pass_of(w, now, next, w->model->chain);
+    floor_bits beyond = {0};
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        const ptrdiff_t first = g->first;
+        pass.u_trial = w->u_trial + first;
+        pass.v_trial = w->v_trial + first;
+        floors_finish(&pass, first, first + lanes_whole(g->n_floor), w->correction + first,
+                      &beyond);
     }
 }
 
@@ -327,12 +426,16 @@ FLOORS_CLONES static bool floor_steps_account(const struct work *w, const struct
         step.s0.external = s0->external;
         step.s1.external = s1->external;
     }
+    if (m->chain.full_damping) {
+        floors_full_work(w, &step.s0, &step.s1, step.damping_2x);
+    }
     return floors_account_part(&step, 0, step.chain.n);
 }
 
 const struct floors_steps FLOORS_STEPS = {
     .move = floor_steps_move,
     .fly = floor_steps_fly,
+    .correct = floor_steps_correct,
     .account = floor_steps_account,
 };
 

@@ -107,10 +107,14 @@ LANES_INLINE bool floors_any(const floor_bits *sign) {
 
 #ifndef FLOORS_OF_RUNS
 // y = x A, for `n` rows and as many columns of a matrix, rows `stride` apart: y_j is the sum of
-// x_i A_ij in the order of i. The number of columns is a constant, so the sums are in registers.
+// x_i A_ij in the order of i, with `adds` after what it was. The number of columns is a constant,
+// so the sums are in registers.
 LANES_INLINE void floors_add_rows(const double *matrix, int n, ptrdiff_t stride, ptrdiff_t columns,
-                                  const double *x, double *y) {
+                                  bool adds, const double *x, double *y) {
     floor_lanes sum[2 * FLOORS_VECTORS] = {{0.0}};
+    for (ptrdiff_t j = 0; adds && j < columns / FLOORS_VECTOR; j++) {
+        sum[j] = FLOORS_AT(y, j * FLOORS_VECTOR);
+    }
     for (int i = 0; i < n; i++, matrix += stride) {
         for (ptrdiff_t j = 0; j < columns / FLOORS_VECTOR; j++) {
             sum[j] += x[i] * FLOORS_AT(matrix, j * FLOORS_VECTOR);
@@ -122,15 +126,16 @@ LANES_INLINE void floors_add_rows(const double *matrix, int n, ptrdiff_t stride,
 }
 
 // The same for the matrix of a building (n, n), in whole lanes with zeros beyond n.
-LANES_INLINE void floors_multiply(const double *matrix, int n, const double *x, double *y) {
+LANES_INLINE void floors_multiply(const double *matrix, int n, bool adds, const double *x,
+                                  double *y) {
     enum { LOW = LANES_WIDTH, HIGH = 2 * LANES_WIDTH };
     if (n <= LOW) {
-        floors_add_rows(matrix, LOW, LOW, LOW, x, y);
+        floors_add_rows(matrix, LOW, LOW, LOW, adds, x, y);
     } else if (n <= HIGH) {
-        floors_add_rows(matrix, n, HIGH, HIGH, x, y);
+        floors_add_rows(matrix, n, HIGH, HIGH, adds, x, y);
     } else {
         for (int j = 0; j < n; j += LOW) {
-            floors_add_rows(matrix + j, n, lanes_whole(n), LOW, x, y + j);
+            floors_add_rows(matrix + j, n, lanes_whole(n), LOW, adds, x, y + j);
         }
     }
 }

@@ -10,7 +10,7 @@
 #include "core/arena.h"
 #include "core/number.h"
 #include "solve/account/peaks.h"
-#include "solve/floors/chain.h"
+#include "solve/floors/floor_terms.h"
 #include "solve/newmark/flight.h"
 
 // A block has at least so many floors; buildings that are solved together stay together.
@@ -97,11 +97,15 @@ void floors_push(struct work *w, const struct state *now, const struct state *ne
     }
 }
 
-void floors_trial(struct work *w, const struct state *now, int k) {
+LANES void floors_trial(struct work *w, const struct state *now, int k) {
     const struct building *g = &w->model->building[k];
-    const int i = g->first;
-    chain_trial(lanes_whole(g->n_floor), w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i,
-                w->v_trial + i);
+    const double *restrict u = now->u, *restrict v = now->v, *restrict a = now->a;
+    double *restrict u_t = w->u_trial, *restrict v_t = w->v_trial;
+    const double h = w->h, half = h * h / 2.0;
+    for (int i = g->first, end = i + lanes_whole(g->n_floor); i < end; i++) {
+        u_t[i] = TRIAL_U(u[i], v[i], a[i], h, half);
+        v_t[i] = TRIAL_V(v[i], a[i], h);
+    }
 }
 
 void floors_account_to(struct work *w, struct energy_account *energy, struct results *results) {
@@ -138,7 +142,6 @@ double floors_speed(const struct work *w, const struct state *now) {
 
 void floors_account(struct work *w, const struct state *now, const struct state *next) {
     struct floors_account *to = &w->floors.account;
-    floors_full_work(w, now, next);
     if (to->defers && state_is_linear(w->model)) {
         floors_defer(to, now);
     } else if (steps()->account(w, now, next, now->ground_a[0])) {
@@ -146,29 +149,14 @@ void floors_account(struct work *w, const struct state *now, const struct state 
     }
 }
 
-bool floors_move(struct work *w, const struct state *now, struct state *next) {
-    const bool finite = steps()->move(w, now, next);
+bool floors_move(struct work *w, const struct state *now, struct state *next, const double *shear) {
+    const bool finite = steps()->move(w, now, next, shear);
     gaps_update(&w->gaps, next);
     return finite;
 }
 
-bool floors_correct(const struct work *w, const struct state *now, struct state *next, int first,
-                    int n) {
-    const int i = first;
-    return chain_correct(n, w->b, w->g, w->correction + i, w->u_trial + i, w->v_trial + i,
-                         now->a + i, next->u + i, next->v + i, next->a + i);
-}
-
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {
-    if (w->floors.n_block == 1) {
-        floors_correct(w, now, next, 0, w->model->chain.n);
-        gaps_update(&w->gaps, next);
-        return;
-    }
-    for (int i = 0; i < w->gaps.n_touched; i++) {
-        const struct building *g = &w->model->building[w->gaps.touched[i]];
-        floors_correct(w, now, next, g->first, lanes_whole(g->n_floor));
-    }
+    steps()->correct(w, now, next);
     gaps_update_touched(&w->gaps, next);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step does for every floor where all storeys are elastic and C is tridiagonal: Newmark's
-// step and its account, a block of buildings at a time, so that each loop finds in the cache what
-// the one before has written.
+// What a step does for every floor: Newmark's step under given forces of links, and its account, a
+// block of buildings at a time, so that each loop finds in the cache what the one before has
+// written.
 #ifndef JOSTLE_FLOORS_H
 #define JOSTLE_FLOORS_H
 
@@ -48,17 +48,14 @@ void floors_account_to(struct work *w, struct energy_account *energy, struct res
 
 // Computes displacements, velocities, accelerations and penetrations of `next` under the forces of
 // its live links, with the trial of their buildings and all corrections in `w`; and takes what
-// account is due. False: not finite.
-bool floors_move(struct work *w, const struct state *now, struct state *next);
+// account is due. `shear` (n_dof) is that of all storeys and parts at the trial; NULL: they are
+// elastic. False: not finite.
+bool floors_move(struct work *w, const struct state *now, struct state *next, const double *shear);
 
 // Computes the trial of building k.
 void floors_trial(struct work *w, const struct state *now, int k);
 
-// Brings n floors of `next`, from `first` on, to the corrections. False: not finite.
-bool floors_correct(const struct work *w, const struct state *now, struct state *next, int first,
-                    int n);
-
-// The same for the buildings with live links, and penetrations.
+// Brings the buildings of `next` with live links to their corrections, and all penetrations.
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next);
 
 // Takes the step from `now` to `next` into works and peaks, or puts that off until the next step or
@@ -85,7 +82,8 @@ long floors_fly(const struct flight *f, struct state **now, struct state **next,
 // The loops over floors of these functions, on vectors of one width. `account` takes a step which
 // began with ground acceleration ground_a0 into works and peaks; true: a peak has risen.
 struct floors_steps {
-    bool (*move)(struct work *w, const struct state *now, struct state *next);
+    bool (*move)(struct work *w, const struct state *now, struct state *next, const double *shear);
+    void (*correct)(struct work *w, const struct state *now, struct state *next);
     long (*fly)(const struct flight *f, struct state **now, struct state **next, long n, long end);
     bool (*account)(const struct work *w, const struct state *now, const struct state *next,
                     double ground_a0);
@@ -96,15 +94,5 @@ extern const struct floors_steps floors_narrow, floors_wide;
 // the contact iteration.
 void floors_push(struct work *w, const struct state *now, const struct state *next,
                  const struct floor_block *b);
-
-// floors_full.h for one building that is not low.
-void floors_full_high(const struct effective *e, const double *u, const double *v,
-                      double *residual);
-
-// Adds the work of full matrices C in the step from `now` to `next`.
-void floors_full_work(const struct work *w, const struct state *now, const struct state *next);
-
-// Adds the shears of parts, all linear, to those of the storeys alone.
-void floors_full_strain(const struct work *w, struct state *s);
 
 #endif

@@ -7,13 +7,15 @@
 //     A q = p - M a_n - C v_t - f_s(u_t) - B' f,   A = M + gamma h C + beta h^2 K.
 // This form holds for any beta >= 0, and loses no digits in small steps, where A -> M.
 //
-// Storeys: Newton's method with their consistent tangents, building by building. A building whose
-// storeys turn out to be on the branch that was assumed is finished; an elastic one always is.
+// Storeys: Newton's method with their consistent tangents. Each iteration takes the shears on their
+// tangents back to the trial, and solves from there: so a step of yielding storeys is one of linear
+// storeys whose shears at the trial are given. It is finished once the shears at its end are those
+// that the tangents of all buildings foretold, as they are if all storeys stay on the branches that
+// were assumed.
 // Links: contact.c solves for their forces exactly about each linearisation. Both are consistent,
 // so the two together are Newton's method on all unknowns.
 //
-// Work on floors is done in flat loops, those of floors.c where all but the links is linear, else
-// those of chain.c; work on links is done for live ones only.
+// Work on floors is done in the flat loops of floors.c; work on links is done for live ones only.
 #include "solve/newmark/newmark.h"
 
 #include <float.h>
@@ -38,48 +40,6 @@ static void newmark_begin(struct work *w, const struct state *now, struct state 
         }
         excitation_floors(next, m, end);
     }
-    if (m->elastic) {
-        return;
-    }
-    memset(w->storeys.agree, 0, (size_t)m->n_building * sizeof *w->storeys.agree);
-    memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
-}
-
-// residual = external - M a - C v - storey shears - link forces, with the internal forces of
-// `next`.
-static void newmark_residuals(struct work *w, struct state *next, const double *a) {
-    const struct model *m = w->model;
-    chain_residual(&m->chain, next->external, a, next->damping_force, next->shear,
-                   w->storeys.residual);
-    state_add_link_forces(next, m, w->storeys.residual);
-}
-
-// How many buildings in a row, from k on, have storeys that do not agree yet.
-static int newmark_disagreeing(const struct work *w, int k) {
-    int n = 0;
-    while (k + n < w->model->n_building && !w->storeys.agree[k + n]) {
-        n++;
-    }
-    return n;
-}
-
-// Solves A dq = residual for the buildings whose storeys do not agree, and adds dq to their
-// corrections.
-static void newmark_solve_residuals(struct work *w) {
-    const struct building *building = w->model->building;
-    const struct storeys *s = &w->storeys;
-    for (int k = 0; k < w->model->n_building; k++) {
-        int n = newmark_disagreeing(w, k);
-        int first = building[k].first;
-        if (n == 0) {
-            continue;
-        }
-        effective_solve(&w->effective[k], n, s->residual + first, s->change + first);
-        k += n - 1;
-        for (int i = first; i < building[k].first + building[k].n_floor; i++) {
-            w->correction[i] += s->change[i];
-        }
-    }
 }
 
 // At the drifts of the solution, are the shears of building k those that their linearisation
@@ -94,7 +54,7 @@ LANES static bool newmark_agrees(const struct work *w, const struct state *next,
     long beyond = 0;
     for (int i = 0, n = g->n_floor; i < n; i++) {
         double predicted = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
-        double size = fabs(u[i] - drift[i]) + fabs(u[i]);
+        double size = fabs(u[i] - drift[i]) + fabs(u[i]) + fabs(drift_0[i]);
         double allowed = tolerance * fabs(shear[i]) + 8.0 * DBL_EPSILON * stiffness[i] * size;
         beyond |= !(fabs(shear[i] - predicted) <= allowed);
     }
@@ -119,8 +79,8 @@ static bool newmark_parts_agree(const struct work *w, const struct state *next, 
             const double drift = next->drift[at], rate = next->rate[at];
             predicted +=
                 stiffness * (drift - from->drift[at]) + by_rate[j] * (rate - from->rate[at]);
-            rounding += fabs(stiffness) * (fabs(u - drift) + fabs(u)) +
-                        fabs(by_rate[j]) * (fabs(v - rate) + fabs(v));
+            rounding += fabs(stiffness) * (fabs(u - drift) + fabs(u) + fabs(from->drift[at])) +
+                        fabs(by_rate[j]) * (fabs(v - rate) + fabs(v) + fabs(from->rate[at]));
         }
         const double shear = next->shear[first + i];
         agree = agree && fabs(shear - predicted) <=
@@ -129,69 +89,63 @@ static bool newmark_parts_agree(const struct work *w, const struct state *next, 
     return agree;
 }
 
-static bool newmark_storeys_agree(struct work *w, const struct state *next) {
-    bool all = true;
-    if (w->model->elastic) {
-        return true;
-    }
-    for (int k = 0; k < w->model->n_building; k++) {
-        const struct building *g = &w->model->building[k];
-        w->storeys.agree[k] = g->elastic || (g->n_part > 0 ? newmark_parts_agree(w, next, k)
-                                                           : newmark_agrees(w, next, k));
-        all &= w->storeys.agree[k];
-    }
-    return all;
-}
-
-// Takes the tangents of the parts of building k at the drifts of `at`.
-static void newmark_linearise_parts(struct work *w, const struct state *now, const struct state *at,
-                                    int k) {
-    const struct building *g = &w->model->building[k];
-    const size_t n = (size_t)g->n_floor;
-    double *by_drift = w->effective[k].tangent + n;
-    memset(by_drift, 0, 2 * n * n * sizeof *by_drift);
-    parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first,
-                  &(struct part_sums){.by_drift = by_drift, .by_rate = by_drift + n * n}, NULL);
-}
-
-// Takes the tangents at the drifts of `at` for building k, and factorises again.
+// Takes the tangents of the storeys of building k, and of its parts, at the drifts of `at`, and
+// factorises again.
 static int newmark_linearise(struct work *w, const struct state *now, const struct state *at,
                              int k) {
     const struct building *g = &w->model->building[k];
-    const size_t size = (size_t)g->n_floor * sizeof *at->tangent;
-    memcpy(w->effective[k].tangent, at->tangent + g->first, size);
-    memcpy(w->memory->tangent + g->first, at->tangent + g->first, size);
+    const size_t n = (size_t)g->n_floor;
+    double *tangent = w->effective[k].tangent, *by_drift = tangent + n;
+    memcpy(tangent, at->tangent + g->first, n * sizeof *tangent);
+    memcpy(w->memory->tangent + g->first, at->tangent + g->first, n * sizeof *tangent);
     if (g->n_part > 0) {
-        newmark_linearise_parts(w, now, at, k);
+        memset(by_drift, 0, 2 * n * n * sizeof *by_drift);
+        parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first,
+                      &(struct part_sums){.by_drift = by_drift, .by_rate = by_drift + n * n}, NULL);
     }
-    int status = effective_factor(&w->effective[k], w->b, w->g);
+    const int status = effective_factor(&w->effective[k], w->b, w->g);
     w->h = status == STATUS_OK ? w->h : 0.0;
     return status;
 }
 
-// Does so for all buildings whose storeys did not agree.
-static int newmark_relinearise(struct work *w, const struct state *now, const struct state *next) {
-    int status = STATUS_OK;
-    w->factors++;
-    for (int k = 0; status == STATUS_OK && k < w->model->n_building; k++) {
-        status = w->storeys.agree[k] ? STATUS_OK : newmark_linearise(w, now, next, k);
+// Takes the shears of building k at the state reached back to the trial, on their tangents there.
+static void newmark_extrapolate(const struct work *w, const struct state *next, int k) {
+    const struct building *g = &w->model->building[k];
+    const struct storeys *trial = &w->storeys;
+    const int first = g->first, n = g->n_floor;
+    const double *tangent = w->effective[k].tangent;
+    const double *by_drift = tangent + n, *by_rate = by_drift + (ptrdiff_t)n * n;
+    for (int i = 0; i < n; i++) {
+        const int at = first + i;
+        double shear = next->shear[at] + tangent[i] * (trial->drift[at] - next->drift[at]);
+        for (int j = 0; j < (g->n_part > 0 ? n : 0); j++) {
+            const int other = first + j;
+            shear += by_drift[i * n + j] * (trial->drift[other] - next->drift[other]) +
+                     by_rate[i * n + j] * (trial->rate[other] - next->rate[other]);
+        }
+        trial->shear[at] = shear;
     }
-    return status;
 }
 
-// The tangents of smooth laws change in every step. Those at the trial are close enough to those at
-// the end of most steps.
-static int newmark_linearise_smooth(struct work *w, const struct state *now,
-                                    const struct state *trial) {
-    const struct model *m = w->model;
-    int status = STATUS_OK;
-    for (int k = 0; status == STATUS_OK && k < m->n_building; k++) {
-        if (m->building[k].smooth) {
-            w->factors++;
-            status = newmark_linearise(w, now, trial, k);
+// Linearises the buildings again whose shears are not as foretold. STATUS_OK: there are none.
+// STATUS_RETRY: a matrix is not positive definite.
+static int newmark_relinearise(struct work *w, const struct state *now, const struct state *next,
+                               bool *agree) {
+    *agree = true;
+    for (int k = 0; k < w->model->n_building; k++) {
+        const struct building *g = &w->model->building[k];
+        if (g->elastic ||
+            (g->n_part > 0 ? newmark_parts_agree(w, next, k) : newmark_agrees(w, next, k))) {
+            continue;
         }
+        w->factors += *agree;
+        *agree = false;
+        if (newmark_linearise(w, now, next, k) != STATUS_OK) {
+            return STATUS_RETRY;
+        }
+        newmark_extrapolate(w, next, k);
     }
-    return status;
+    return STATUS_OK;
 }
 
 // Solves for the forces of live links, which may make other links close.
@@ -223,15 +177,6 @@ static int newmark_not_finite(const struct model *m, const struct state *s, stru
     return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g", s->time);
 }
 
-// Keeps where the storeys were linearised, and takes the forces at the state reached.
-static void newmark_take_forces(struct work *w, const struct state *now, struct state *next) {
-    const struct model *m = w->model;
-    memcpy(w->storeys.drift, next->drift, (size_t)m->n_dof * sizeof *next->drift);
-    memcpy(w->storeys.shear, next->shear, (size_t)m->n_dof * sizeof *next->shear);
-    memcpy(w->storeys.rate, next->rate, (size_t)m->n_dof * sizeof *next->rate);
-    state_reach(next, m, next->u, next->v, now->storey_history);
-}
-
 // The shears of building g at drifts near those of `now`, by the tangents it is factorised with.
 LANES static void newmark_predict_shears(const struct building *g, const double *tangent,
                                          const struct state *now, struct state *next) {
@@ -243,11 +188,17 @@ LANES static void newmark_predict_shears(const struct building *g, const double 
     }
 }
 
-// Internal forces at the trial. Storeys of straight lines most likely stay on theirs: the end of
-// the step tells.
-static void newmark_try_forces(struct work *w, const struct state *now, struct state *next) {
+// Drifts and shears at the trial. Storeys of straight lines most likely stay on theirs: the end of
+// the step tells. The tangents of smooth laws change in every step; those at the trial are close
+// enough to those at the end of most steps.
+static int newmark_try(struct work *w, const struct state *now, struct state *next) {
     const struct model *m = w->model;
     const double *history = now->storey_history;
+    const size_t size = (size_t)m->n_dof * sizeof *next->drift;
+    int status = STATUS_OK;
+    for (int k = 0; k < m->n_building; k++) {
+        floors_trial(w, now, k);
+    }
     chain_forces(&m->chain, w->u_trial, w->v_trial, next->drift, next->shear, next->damping_force);
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
@@ -258,50 +209,45 @@ static void newmark_try_forces(struct work *w, const struct state *now, struct s
         }
     }
     state_full_forces(next, m, w->v_trial, history, next->storey_history);
+    memcpy(w->storeys.drift, next->drift, size);
+    memcpy(w->storeys.shear, next->shear, size);
+    memcpy(w->storeys.rate, next->rate, size);
+    for (int k = 0; status == STATUS_OK && k < m->n_building; k++) {
+        if (m->building[k].smooth) {
+            w->factors++;
+            status = newmark_linearise(w, now, next, k);
+        }
+    }
+    return status;
 }
 
-// Newton's iteration on storeys and links. Leaves the internal forces of the state it finds.
+// Newton's iteration on storeys and links. Where storeys yield, it leaves the internal forces of
+// the state it finds.
 static int newmark_solve(struct work *w, const struct state *now, struct state *next,
                          struct error *e) {
     const struct model *m = w->model;
-    chain_trial(m->chain.n, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
-    newmark_try_forces(w, now, next);
-    newmark_residuals(w, next, now->a);
-    if (newmark_linearise_smooth(w, now, next) != STATUS_OK) {
+    const double *shear = m->elastic ? NULL : w->storeys.shear;
+    if (!m->elastic && newmark_try(w, now, next) != STATUS_OK) {
         return STATUS_RETRY;
     }
     for (int i = 0; i < m->iterations; i++) {
         w->totals->iterations++;
-        newmark_solve_residuals(w);
-        if (!floors_correct(w, now, next, 0, m->chain.n)) {
+        if (!floors_move(w, now, next, shear)) {
             return newmark_not_finite(m, next, e);
         }
-        gaps_update(&w->gaps, next);
         int status = newmark_solve_links(w, now, next);
-        if (status != STATUS_OK) {
+        if (status != STATUS_OK || m->elastic) {
             return status;
         }
-        newmark_take_forces(w, now, next);
-        if (newmark_storeys_agree(w, next)) {
-            return STATUS_OK;
-        }
-        newmark_residuals(w, next, next->a);
-        if (newmark_relinearise(w, now, next) != STATUS_OK) {
-            return STATUS_RETRY;
+        bool agree;
+        state_reach(next, m, next->u, next->v, now->storey_history);
+        status = newmark_relinearise(w, now, next, &agree);
+        if (status != STATUS_OK || agree) {
+            return status;
         }
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
-}
-
-// The same where the floors are linear.
-static int newmark_solve_linear(struct work *w, const struct state *now, struct state *next,
-                                struct error *e) {
-    w->totals->iterations++;
-    if (!floors_move(w, now, next)) {
-        return newmark_not_finite(w->model, next, e);
-    }
-    return newmark_solve_links(w, now, next);
 }
 
 // Completes the end of the step: internal forces where newmark_solve has not left them, total
@@ -323,8 +269,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
         return STATUS_RETRY;
     }
     newmark_begin(w, now, next, end);
-    int status =
-        w->model->elastic ? newmark_solve_linear(w, now, next, e) : newmark_solve(w, now, next, e);
+    int status = newmark_solve(w, now, next, e);
     if (status == STATUS_OK) {
         newmark_finish(w, next);
     }
