@@ -7,8 +7,8 @@
 enum { PACE_STEPS = 20000 };
 
 // The equal parts may be this much longer than the error control asks for: less than 1 / SAFETY of
-// step_length.c, so that a step rejected is never tried again, and less than what makes SAFETY of
-// dp_step.c of the way to a corner one part again.
+// adaptive_newmark.c, so that a step rejected is never tried again, and less than what makes SAFETY
+// of dp_step.c of the way to a corner one part again.
 static const double STRETCH = 0.1;
 
 // Rounding of rest / longest.

@@ -7,7 +7,7 @@
 #include "solve/account/energy.h"
 #include "solve/account/impacts.h"
 #include "solve/newmark/flight.h"
-#include "solve/newmark/step_length.h"
+#include "solve/pace.h"
 #include "solve/work.h"
 
 struct dp;
@@ -43,6 +43,19 @@ struct method {
 #include "solve/method_list.inc"
 #undef METHOD
 
+// What the adaptive steps of Newmark's method remember from step to step.
+struct step_length {
+    struct forcing forcing;  // for its corners
+    struct scales scales;    // of errors
+    struct pace pace;
+    double trial;             // [T] what the error control would take next
+    double last;              // [T] the step to the present state; 0: its accelerations jump there
+    double split;             // [T] when a step was last split at an event
+    bool turned;              // the forcing has a corner at the present state
+    double *before, *within;  // [L/T^2] (n_dof) accelerations at the start of the last step: all of
+                              // them, and without what the forcing does directly
+};
+
 struct run {
     const struct model *model;
     const struct method *method;
@@ -61,10 +74,9 @@ struct run {
     // Newmark's method, in run_step_fields.
     struct memory memory;
     int *events;                // (n_contact) at which the current step of the deck was split
-    long events_before;         // totals.events at the start of it
     bool has_met;               // bodies have met at `now`, of which no peaks have been taken since
     struct work work;           // scratch, but for the factors
-    struct step_length length;  // adaptive steps, in step_length_fields
+    struct step_length length;  // adaptive steps
 
     // Dormand & Prince's method, in dp_fields.
     struct dp *dp;
@@ -116,7 +128,7 @@ enum { RUN_HALVINGS_MAX = 30 };
 
 // Steps to `end`, h later, or to the first event on the way; *rest is what is left of h.
 // `halvings`: how often the step has been halved; at RUN_HALVINGS_MAX it is taken as it is.
-// STATUS_RETRY: a shorter step is needed.
+// STATUS_RETRY: the step is rejected, and r->now as it was.
 int run_step(struct run *r, double end, double h, int halvings, double *rest);
 
 // `complete` and `resume` of struct method.
@@ -125,6 +137,22 @@ void run_step_resume(struct run *r);
 
 // Counts the events of each contact from 0 again.
 void run_forget_events(struct run *r);
+
+// An instant within a step at which a force or a velocity jumps.
+struct event {
+    int link;     // -1: none
+    double time;  // [T] from the start of the step
+};
+
+// The first event in the step from `now` to `next` of size h; its time is exactly 0 or h if it is
+// at an end. `count` (n_contact): events of each contact in this step of the deck so far. Link
+// `except` is passed over; -1: none.
+struct event event_first(const struct work *w, const struct state *now, const struct state *next,
+                         double h, const int *count, int except);
+
+// In adaptive_newmark.c: does the step of size h from r->now to r->next meet the tolerance?
+// STATUS_RETRY: no.
+int adaptive_judge(struct run *r, double h);
 
 // In fixed_newmark.c: step n of the deck (from 1), in as many steps as it takes.
 int fixed_newmark_step(struct run *r, long n);

@@ -62,7 +62,6 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
         .model = m,
         .totals = &r->totals,
         .memory = memory,
-        .splitting = m->adaptive ? SPLIT_ALWAYS : SPLIT_JUMPS,
         .ahead.from = -EXCITATION_AHEAD,
         .held = -1,
     };

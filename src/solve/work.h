@@ -19,12 +19,6 @@ enum strictness {
     STEP_ACCEPT,  // take the last iterate and count it: the step is as short as it gets
 };
 
-// Closures and openings at which steps are split.
-enum splitting {
-    SPLIT_JUMPS,   // those at which the force jumps
-    SPLIT_ALWAYS,  // all
-};
-
 // Newton's iteration on the storeys, in newmark.c: each is linear about its point at the trial.
 struct storeys {
     double *drift, *shear;  // (n_dof) [L] [F] shears on their tangents
@@ -47,7 +41,6 @@ struct work {
     struct effective *other;      // (n_building) for shorter ones
     long factors;                 // counts its factorisations
     enum strictness strictness;
-    enum splitting splitting;
     int held;  // link that stays open or closed in this step; -1: none
 
     // Borrowed; NULL: steps are fixed, and do not end at corners.

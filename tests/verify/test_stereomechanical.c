@@ -110,7 +110,7 @@ static void a_force_that_lets_go_within_a_long_step_gives_nothing_back(void **st
     double speed = 8.0 / PI * (1.0 - sin(0.9 * PI));
     // The trapezoidal rule misses (omega h)^2 / 12 of the integral of the force.
     assert_close(a.rows.velocity[a.rows.n - 1], -speed, 0.027);
-    // 1e-4 of m v^2, as event.c has it; it was 2 % of that.
+    // 1e-4 of m v^2, as run_step.c has it; it was 2 % of that.
     assert_true(r->energy[ENERGY_CONTACT] > -1e-4 * speed * speed);
     assert_true(r->residual_peak < 1e-12);
     analysis_free(&a);

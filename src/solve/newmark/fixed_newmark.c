@@ -7,10 +7,21 @@
 // will not end in a reasonable time.
 enum { REJECTED_BUDGET = 2000000, REJECTED_BUDGET_PER_STEP = 100 };
 
-static int give_up(struct run *r, double h) {
+// Counts a step of size h that is rejected, and has been halved so often. Errors: STATUS_FAILED
+// (too many).
+static int fixed_reject(struct run *r, double h, int halvings) {
     const struct model *m = r->model;
     const char *unit = m->deck->units.time_name;
-    int k = r->memory.unresolved;
+    const int k = r->memory.unresolved;
+    if (halvings == RUN_HALVINGS_MAX) {
+        return error_set(
+            r->error, STATUS_FAILED,
+            "no step is short enough at t = %.9g: the numbers are beyond double precision",
+            r->now->time);
+    }
+    if (r->results->totals.rejected++ < REJECTED_BUDGET + REJECTED_BUDGET_PER_STEP * m->n_step) {
+        return run_poll_now(r, r->now->time);
+    }
     return error_set(
         r->error, STATUS_FAILED,
         "at t = %.6g %s a step of %.3g %s is still too long for contact %s, after %ld rejections; "
@@ -19,45 +30,34 @@ static int give_up(struct run *r, double h) {
         r->results->totals.rejected);
 }
 
-// Counts a step of size h that is rejected, and has been halved so often. Errors: STATUS_FAILED
-// (too many).
-static int reject(struct run *r, double h, int halvings) {
-    if (halvings == RUN_HALVINGS_MAX) {
-        return error_set(
-            r->error, STATUS_FAILED,
-            "no step is short enough at t = %.9g: the numbers are beyond double precision",
-            r->now->time);
-    }
-    long budget = REJECTED_BUDGET + REJECTED_BUDGET_PER_STEP * r->model->n_step;
-    return r->results->totals.rejected++ < budget ? run_poll_now(r, r->now->time) : give_up(r, h);
-}
-
-// Goes from the committed state to `end`, h later; one that is rejected is halved.
-static int go_to(struct run *r, double end, double h, int halvings) {
-    while (h > 0.0) {
-        double rest;
-        int status = run_step(r, end, h, halvings, &rest);
-        if (status == STATUS_RETRY) {
-            status = reject(r, h, halvings++);
-            rest = h / 2.0;
-            status = status == STATUS_OK ? go_to(r, end - rest, rest, halvings) : status;
-        }
-        if (status != STATUS_OK) {
-            return status;
-        }
-        h = rest;
-    }
-    return STATUS_OK;
-}
-
+// The rest of a step of the deck is a list of parts, the next one last. Half of a part that is
+// rejected becomes a part of its own.
 int fixed_newmark_step(struct run *r, long n) {
-    const struct model *m = r->model;
-    double end = model_time(m, n);
+    struct part {
+        double end, h;
+        int halvings;
+    } part[RUN_HALVINGS_MAX + 2];
+    const double end = model_time(r->model, n);
+    int left = 1, status = STATUS_OK;
+    part[0] = (struct part){end, n < r->model->n_step ? r->model->dt : end - r->now->time, 0};
     run_forget_events(r);
-    return go_to(r, end, n < m->n_step ? m->dt : end - r->now->time, 0);
+    while (status == STATUS_OK && left > 0) {
+        struct part *p = &part[left - 1];
+        double rest;
+        status = run_step(r, p->end, p->h, p->halvings, &rest);
+        if (status == STATUS_RETRY) {
+            status = fixed_reject(r, p->h, p->halvings++);
+            p->h /= 2.0;
+            part[left++] = (struct part){p->end - p->h, p->h, p->halvings};
+        } else {
+            p->h = rest;
+            left -= rest <= 0.0;
+        }
+    }
+    return status;
 }
 
-static int advance(struct run *r, long *n, long end) {
+static int fixed_advance(struct run *r, long *n, long end) {
     long reached = flight_take(&r->flight, &r->now, &r->next, *n, end);
     if (reached > *n) {
         *n = reached;
@@ -66,7 +66,7 @@ static int advance(struct run *r, long *n, long end) {
     return fixed_newmark_step(r, ++*n);
 }
 
-static bool alloc(struct run *r, struct arena *a) {
+static bool fixed_alloc(struct run *r, struct arena *a) {
     return run_step_alloc(r, a) && flight_alloc(&r->flight, &r->work, &r->impacts, a);
 }
 
@@ -75,7 +75,7 @@ const struct method fixed_newmark = {
     .resume = run_step_resume,
     .integrator = INTEGRATOR_NEWMARK,
     .adaptive = false,
-    .alloc = alloc,
-    .advance = advance,
+    .alloc = fixed_alloc,
+    .advance = fixed_advance,
     .complete = run_step_complete,
 };

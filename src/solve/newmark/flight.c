@@ -5,6 +5,7 @@
 //     f = y - D S f,   hence   f = (I + D S)^-1 y   and   q = q_0 - A^-1 B' f.
 #include "solve/newmark/flight.h"
 
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
 
@@ -17,43 +18,34 @@
 #include "solve/contact/sweep.h"
 #include "solve/forcing.h"
 
-// The runs of contacts, a vector at a time.
-static void group_contacts(struct flight *f, const struct gaps *gaps) {
+// Groups the runs of contacts, a vector at a time, and assigns each group to the first block of
+// floors after which both its ends are known, in order.
+static void flight_group_contacts(struct flight *f) {
     const struct model *m = f->model;
-    for (int i = 0; i < m->n_contact; f->n_group++) {
+    const struct gaps *gaps = &f->work->gaps;
+    const struct floors *floors = &f->work->floors;
+    int block = 0;
+    for (int i = 0, n; i < m->n_contact; f->n_group++, i += n) {
         const struct gap_run *r = &gaps->run[gaps->run_of[i]];
         const struct link *l = &m->link[i];
-        const int left = r->first + r->n - i, n = left < LANES_WIDTH ? left : LANES_WIDTH;
+        const int left = r->first + r->n - i;
+        const int last = l->building[0] > l->building[1] ? l->building[0] : l->building[1];
         struct gap_group *g = &f->group[f->n_group];
+        n = left < LANES_WIDTH ? left : LANES_WIDTH;
         *g = (struct gap_group){.contact = i};
         for (int side = 0; side < 2; side++) {
             g->dof[side] = state_end(l, m, side);
             g->ground[side] = l->moving_ground ? m->building[l->building[side]].ground : 0;
         }
-        memcpy(f->gap + (ptrdiff_t)f->n_group * LANES_WIDTH, gaps->gap + i,
-               (size_t)n * sizeof *f->gap);
-        i += n;
-    }
-}
-
-// The last building of a group.
-static int last_building(const struct flight *f, int group) {
-    const int *k = f->model->link[f->group[group].contact].building;
-    return k[0] > k[1] ? k[0] : k[1];
-}
-
-// Assigns each group to the first block of floors after which both its ends are known, in order.
-static void assign_groups(struct flight *f) {
-    const struct floors *floors = &f->work->floors;
-    int group = 0;
-    for (int i = 0; i < floors->n_block; i++) {
-        const struct floor_block *b = &floors->block[i];
-        bool last = i == floors->n_block - 1;
-        while (group < f->n_group &&
-               (last || last_building(f, group) < b->building + b->n_building)) {
-            group++;
+        for (int k = 0; k < LANES_WIDTH; k++) {
+            f->gap[f->n_group * LANES_WIDTH + k] = k < n ? gaps->gap[i + k] : INFINITY;
         }
-        f->group_end[i] = group;
+        while (floors->block[block].building + floors->block[block].n_building <= last) {
+            f->group_end[block++] = f->n_group;
+        }
+    }
+    for (; block < floors->n_block; block++) {
+        f->group_end[block] = f->n_group;
     }
 }
 
@@ -62,20 +54,21 @@ static void assign_groups(struct flight *f) {
 enum { LINKS_MAX = 100 };
 
 // Is the force of a bilateral link k d + c v?
-static bool is_linear(const struct link *l) {
+static bool flight_is_linear(const struct link *l) {
     return l->constant[BILATERAL_DASHPOT] == 0.0 || l->constant[BILATERAL_EXPONENT] == 1.0;
 }
 
 // Are all contacts those of floors with a law of force, all links linear and few, all storeys of
 // straight lines, and buildings with full matrices elastic? Floors of linked buildings are solved
 // for together.
-static bool is_possible(const struct model *m, const struct floors *floors) {
+static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
     bool possible = (m->elastic || !m->chain.full_damping) && n_link <= LINKS_MAX &&
                     (n_link == 0 || floors->n_block == 1);
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        possible = possible && (l->bilateral ? is_linear(l) : !l->law->rebound && link_is_plain(l));
+        possible =
+            possible && (l->bilateral ? flight_is_linear(l) : !l->law->rebound && link_is_plain(l));
     }
     for (int i = 0; i < m->n_dof; i++) {
         possible = possible && m->storey[i].law->branch;
@@ -83,33 +76,27 @@ static bool is_possible(const struct model *m, const struct floors *floors) {
     return possible;
 }
 
-static void find_branches(struct flight *f, const double *history) {
-    for (int i = 0; i < f->model->n_dof; i++) {
-        const struct storey *s = &f->model->storey[i];
-        const double *h = s->law->n_history > 0 ? history + s->history : NULL;
-        struct storey_branch b = s->law->branch(s->constant, h);
-        f->back[i] = b.back;
-        f->spring[i] = b.spring;
-        f->rest[i] = b.rest;
-        f->limit[i] = b.limit;
-    }
-}
-
-// Are the buildings factorised for the branches, and do low ones have their inverse?
-static bool is_factorised(const struct flight *f) {
+// Finds the lines that the storeys are on. Are the buildings factorised for them, and do low ones
+// have their inverse?
+static bool flight_find_lines(struct flight *f, const double *history) {
+    bool factorised = true;
     for (int k = 0; k < f->model->n_building; k++) {
         const struct effective *e = &f->work->effective[k];
         const struct building *g = e->building;
-        for (int i = 0; !g->elastic && i < g->n_floor; i++) {
-            if (e->tangent[i] != f->back[g->first + i] + f->spring[g->first + i]) {
-                return false;
-            }
+        for (int i = 0; i < g->n_floor; i++) {
+            const int at = g->first + i;
+            const struct storey *s = &f->model->storey[at];
+            const double *h = s->law->n_history > 0 ? history + s->history : NULL;
+            const struct storey_branch b = s->law->branch(s->constant, h);
+            f->back[at] = b.back;
+            f->spring[at] = b.spring;
+            f->rest[at] = b.rest;
+            f->limit[at] = b.limit;
+            factorised &= g->elastic || e->tangent[i] == b.back + b.spring;
         }
-        if (effective_prefers_inverse(e) && !effective_has_inverse(e)) {
-            return false;
-        }
+        factorised &= !effective_prefers_inverse(e) || effective_has_inverse(e);
     }
-    return true;
+    return factorised;
 }
 
 bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, struct arena *a) {
@@ -119,13 +106,14 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
         .work = w,
         .account = &w->floors.account,
         .impacts = impacts,
-        .possible = is_possible(m, &w->floors),
+        .possible = flight_is_possible(m, &w->floors),
         .on_lines = !state_is_linear(m),
         .uniform = state_is_uniform(m),
     };
     size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->n_link = f->possible ? m->n_link - m->n_contact : 0;
     f->transfer = arena_alloc(a, (size_t)f->n_link * (size_t)f->n_link, sizeof *f->transfer);
+    f->order = arena_alloc(a, (size_t)f->n_link, sizeof *f->order);
     f->force = arena_alloc(a, (size_t)f->n_link, sizeof *f->force);
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
@@ -137,43 +125,15 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
     if (arena_failed(a)) {
         return false;
     }
-    for (size_t i = 0; i < n * LANES_WIDTH; i++) {
-        f->gap[i] = INFINITY;
-    }
     if (f->possible) {
-        group_contacts(f, &w->gaps);
-        assign_groups(f);
+        flight_group_contacts(f);
     }
     return true;
 }
 
-// Replaces a matrix (n, n) by its inverse. It must be similar to a positive definite one, so that
-// any pivot is as good as another.
-LANES static void invert(double *matrix, int n) {
-    for (int k = 0; k < n; k++) {
-        double *restrict row = matrix + (ptrdiff_t)k * n;
-        const double pivot = 1.0 / row[k];
-        row[k] = 1.0;
-        for (int j = 0; j < n; j++) {
-            row[j] *= pivot;
-        }
-        for (int i = 0; i < n; i++) {
-            double *restrict other = matrix + (ptrdiff_t)i * n;
-            const double factor = other[k];
-            if (i == k || factor == 0.0) {
-                continue;
-            }
-            other[k] = 0.0;
-            for (int j = 0; j < n; j++) {
-                other[j] -= factor * row[j];
-            }
-        }
-    }
-}
-
 // Finds (I + D S)^-1 for the factors at hand. Column i of S is what links see of the accelerations
-// that a unit force of link i causes.
-static void find_transfer(struct flight *f) {
+// that a unit force of link i causes. The matrix is similar to a positive definite one.
+static void flight_find_transfer(struct flight *f) {
     struct work *w = f->work;
     struct link_scratch *link = w->link + f->model->n_contact;
     const double unit = -1.0;
@@ -188,7 +148,12 @@ static void find_transfer(struct flight *f) {
             *entry = (i == j) + d * sweep_across(&link[j], w->correction);
         }
     }
-    invert(f->transfer, f->n_link);
+    const size_t n = (size_t)f->n_link;
+    gsl_matrix_view matrix = gsl_matrix_view_array(f->transfer, n, n);
+    gsl_permutation order = {.size = n, .data = f->order};
+    int sign;
+    (void)gsl_linalg_LU_decomp(&matrix.matrix, &order, &sign);
+    (void)gsl_linalg_LU_invx(&matrix.matrix, &order);
     f->factors = w->factors;
 }
 
@@ -197,7 +162,6 @@ LANES void flight_join(const struct flight *f, const struct state *now, struct s
     const int first = f->model->n_contact, n = f->n_link;
     const double *column = f->transfer;
     double *restrict force = f->force;
-    contact_begin(w, now, next);
     memset(force, 0, (size_t)n * sizeof *force);
     for (int i = 0; i < n; i++, column += n) {
         struct link_scratch *p = &w->link[first + i];
@@ -210,7 +174,13 @@ LANES void flight_join(const struct flight *f, const struct state *now, struct s
         }
     }
     for (int i = 0; i < n; i++) {
-        next->link[first + i].force = force[i];
+        struct link_state *to = &next->link[first + i];
+        *to = now->link[first + i];
+        to->past[2] = to->past[1];
+        to->past[1] = to->past[0];
+        to->past[0] = to->force;
+        to->n_past = to->n_past < PAST_STEPS ? to->n_past + 1 : PAST_STEPS;
+        to->force = force[i];
         sweep_push(w, &w->link[first + i], &force[i]);
     }
 }
@@ -222,73 +192,50 @@ void flight_account_links(const struct flight *f, const struct state *now, struc
     (void)impacts_step(f->impacts, now, next, NULL);  // none opens, which alone can fail
 }
 
-// Computes what steps in flight leave out.
-static void complete(const struct flight *f, struct state *s) {
+static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
+    if (!f->possible || s->n_live > f->n_link || f->work->h != f->model->dt) {
+        return false;
+    }
+    // A storey that has left its line in the last step most likely will again in the next.
+    const size_t histories = (size_t)f->model->n_storey_history * sizeof *s->storey_history;
+    return memcmp(before->storey_history, s->storey_history, histories) == 0 &&
+           (!f->on_lines || flight_find_lines(f, s->storey_history));
+}
+
+long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
     const struct model *m = f->model;
-    gaps_update(&f->work->gaps, s);
-    gaps_peaks(&f->work->gaps, s);
+    struct work *w = f->work;
+    const long first = n;
+    if (f->uniform) {
+        excitation_foresee(&w->ahead, m, n + 1);
+    }
+    if (!flight_may_start(f, *next, *now)) {
+        return n;
+    }
+    contact_begin(w, *now, *next);
+    memcpy((*next)->storey_history, (*now)->storey_history,
+           (size_t)m->n_storey_history * sizeof *(*now)->storey_history);
+    if (f->n_link > 0 && f->factors != w->factors) {
+        flight_find_transfer(f);
+    }
+    n = floors_fly(f, now, next, n, end < m->n_step ? end : m->n_step - 1);  // it may be shorter
+    if (n == first) {
+        return n;
+    }
+    // Accounts for these steps, and computes what they leave out.
+    struct state *s = *now;
+    if (f->on_lines) {
+        floors_catch_up(w, *next, s);
+    }
+    gaps_update(&w->gaps, s);
+    gaps_peaks(&w->gaps, s);
     if (f->on_lines) {
         excitation_floors(s, m, s->time);
         state_internal_forces(s, m, s->u, s->v);
         state_totals(s, m);
     }
-}
-
-// Has a storey left its line in the step from `before`? Then it most likely will again in the next.
-static bool has_yielded(const struct model *m, const struct state *before, const struct state *s) {
-    return memcmp(before->storey_history, s->storey_history,
-                  (size_t)m->n_storey_history * sizeof *s->storey_history) != 0;
-}
-
-static bool may_start(struct flight *f, const struct state *before, const struct state *s) {
-    if (!f->possible || s->n_live > f->n_link || f->work->h != f->model->dt ||
-        has_yielded(f->model, before, s)) {
-        return false;
-    }
-    if (f->on_lines) {
-        find_branches(f, s->storey_history);
-    }
-    return !f->on_lines || is_factorised(f);
-}
-
-static void start_flight(struct flight *f, const struct state *now, struct state *next) {
-    const struct model *m = f->model;
-    contact_begin(f->work, now, next);
-    if (f->n_link > 0 && f->factors != f->work->factors) {
-        find_transfer(f);
-    }
-    if (f->on_lines) {
-        memcpy(next->storey_history, now->storey_history,
-               (size_t)m->n_storey_history * sizeof *next->storey_history);
-    }
-}
-
-// Accounts for n steps that end in state s, and computes the internal forces of yielding storeys.
-static void finish_flight(const struct flight *f, const struct state *old, struct state *s,
-                          long n) {
-    struct totals *t = &f->account->results->totals;
-    if (f->on_lines) {
-        floors_catch_up(f->work, old, s);
-    }
-    complete(f, s);
-    peaks_speed(f->account->results, f->model->n_dof);
-    t->steps += n;
-    t->iterations += n;
-}
-
-long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
-    if (f->uniform) {
-        excitation_foresee(&f->work->ahead, f->model, n + 1);
-    }
-    if (!may_start(f, *next, *now)) {
-        return n;
-    }
-    end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
-    start_flight(f, *now, *next);
-    const long first = n;
-    n = floors_fly(f, now, next, n, end);
-    if (n > first) {
-        finish_flight(f, *next, *now, n - first);
-    }
+    peaks_speed(f->account->results, m->n_dof);
+    w->totals->steps += n - first;
+    w->totals->iterations += n - first;
     return n;
 }

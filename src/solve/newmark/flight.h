@@ -32,11 +32,11 @@ struct flight {
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
     int *group_end;           // by block of floors: after it, groups below this can be checked
 
-    int n_link;  // bilateral links, all linear
-    double
-        *transfer;  // (n_link, n_link) (I + D S)^-1, by columns, for the factors with this number
-    long factors;   // in struct work; 0: there is none
-    double *force;  // [F] (n_link) scratch
+    int n_link;        // bilateral links, all linear
+    double *transfer;  // (n_link, n_link) (I + D S)^-1, by columns
+    long factors;      // of struct work, for which it is; 0: there is none
+    size_t *order;     // (n_link) scratch, as is the next
+    double *force;     // [F] (n_link)
 };
 
 // Room for the flights of a run with this scratch, whose accounts (floors_account_to) must be set;
@@ -44,7 +44,7 @@ struct flight {
 bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, struct arena *a);
 
 // Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
-// step in which a link would act or a storey change its branch. Returns the step that it has
+// step in which a contact would close or a storey change its branch. Returns the step that it has
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 

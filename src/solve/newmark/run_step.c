@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step of Newmark's method: taken, committed and accounted for, and split where forces jump or
-// bodies meet.
+// A step of Newmark's method: taken, committed and accounted for, and split at events. An event is
+// an instant at which a force or a velocity jumps: closures and openings of contact laws whose
+// force jumps there, and closures of rigid ones. Passing over a jump is an error of the first order
+// in the step. Adaptive steps are split wherever a contact closes or opens, as forces may begin
+// there with an infinite slope.
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/root.h"
 #include "solve/account/peaks.h"
-#include "solve/newmark/event.h"
+#include "solve/event/crossing.h"
+#include "solve/event/rest.h"
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
+
+// At most so many events of one contact in one step of the deck: a contact whose force jumps is
+// then left to the step, a rigid one is settled without rebound, and if that does not help, the run
+// is ended.
+enum { EVENTS_JUMP_MAX = 50, EVENTS_RIGID_MAX = 500, EVENTS_ENDLESS = 100000 };
+
+// An event this close to an end of the step, relative to it, is at that end.
+static const double AT_END = 1e-9;
 
 // Attempts to locate an event, and how near d = 0 is near enough, as a share of the way that the
 // link would go in the whole step. It is finer for rigid contacts, which keep that penetration.
@@ -20,13 +32,15 @@ static const double LOCATED_RIGID = 1e-8;
 static const double SHORTEST_BOUNCE = 0.01;
 // Events nearer to each other than this share of their time are at the same instant.
 static const double TOGETHER = 1e-6;
+// Energy that the opening of a contact may bring, over the kinetic energy at the largest velocity
+// so far, or that it would have reached after a step of the deck at this rate.
+static const double ABRUPT = 1e-4;
 
 // The factors outlive a step, and floors.c puts off the account of the last one.
 static const struct fields_row list[] = {
     FIELD_PARTS(struct run, next, FIELD_AT, state_fields),
     FIELD_PART(struct run, memory, memory_fields),
     FIELD_ARRAY(struct run, events, FIELD_LINKS),
-    FIELD_VALUE(struct run, events_before),
     FIELD_VALUE(struct run, has_met),
     FIELD_VALUE(struct run, work.h),
     FIELD_VALUE(struct run, work.factors),
@@ -50,7 +64,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
 
 // Takes the peaks of a state in which bodies have met once it lasts or is shown: between impacts at
 // one instant there are velocities and accelerations that nobody has for any time.
-static void take_peaks_of_meeting(struct run *r) {
+static void run_step_take_meeting(struct run *r) {
     if (r->has_met) {
         peaks_update(r->results, r->model, r->now);
         impacts_jump(&r->impacts, r->now);
@@ -59,7 +73,7 @@ static void take_peaks_of_meeting(struct run *r) {
 }
 
 void run_step_complete(struct run *r) {
-    take_peaks_of_meeting(r);
+    run_step_take_meeting(r);
     floors_catch_up(&r->work, r->next, r->now);
     state_complete(r->now, r->model);
 }
@@ -70,8 +84,8 @@ void run_step_resume(struct run *r) {
 }
 
 // Takes `next` as the new committed state.
-static int commit(struct run *r) {
-    take_peaks_of_meeting(r);
+static int run_step_commit(struct run *r) {
+    run_step_take_meeting(r);
     floors_account(&r->work, r->now, r->next);
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, r->now, r->next, r->error);
@@ -82,11 +96,128 @@ static int commit(struct run *r) {
     return status == STATUS_OK ? run_poll(r, r->now->time) : status;
 }
 
+static double event_snap(double time, double h) {
+    return time <= AT_END * h ? 0.0 : time >= (1.0 - AT_END) * h ? h : time;
+}
+
+// Has contact k closed or opened in the step, in a way that steps are split at?
+static bool event_splits(const struct work *w, const struct state *now, const struct state *next,
+                         int k) {
+    const struct contact_law *law = w->model->link[k].law;
+    bool jumps =
+        (law->traits & CONTACT_JUMPS) && (now->link[k].force != 0.0 || next->link[k].force != 0.0);
+    return now->link[k].closed != next->link[k].closed && !law->rebound &&
+           (jumps || w->model->adaptive);
+}
+
+static struct path event_path_of(const struct model *m, const struct state *now,
+                                 const struct state *next, double h, int k) {
+    return (struct path){now->delta[k], state_rate(now, m, k), next->delta[k],
+                         state_rate(next, m, k), h};
+}
+
+// Time from the start of the step at which the force of link k jumps.
+static double event_jump_time(const struct model *m, const struct state *now,
+                              const struct state *next, double h, int k) {
+    if (next->link[k].closed) {
+        return next->link[k].t_close - now->time;
+    }
+    struct path path = event_path_of(m, now, next, h, k);
+    path.d0 = fmax(path.d0, 0.0);
+    path.d1 = fmin(path.d1, 0.0);
+    double rate;
+    return crossing_find(&path, &rate);
+}
+
+// Time from the start of the step at which the bodies of rigid contact k meet; infinite if they do
+// not, but for rounding.
+static double event_meeting_time(const struct model *m, const struct state *now,
+                                 const struct state *next, double h, int k) {
+    struct path path = event_path_of(m, now, next, h, k);
+    double inside = fmax(path.d0, 0.0);  // by an error of rounding or integration
+    double rate;
+    path.d0 -= inside;
+    path.d1 -= inside;
+    if (path.d1 > state_rounding(&m->link[k], next->u)) {
+        return crossing_find(&path, &rate);
+    }
+    if (!(path.d0 < 0.0 && path.v0 > 0.0 && path.v1 < 0.0)) {
+        return INFINITY;
+    }
+    struct path rising = path;  // to its summit
+    rising.h = crossing_summit(&path, &rising.d1);
+    rising.v1 = 0.0;
+    return rising.d1 > 0.0 ? crossing_find(&rising, &rate) : INFINITY;
+}
+
+// Do the bodies of rigid contact k, which meet at the instant of `s`, neither approach nor press?
+// Such a meeting changes nothing: it is the step that is long.
+static bool event_is_idle(const struct state *s, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    double rate = state_rate(s, m, k);
+    double rounding = rest_rounding(l, s->v);
+    double pressing = state_pressing(s, m, k);
+    return rate < -rounding || (rate <= rounding && pressing <= rest_rounding(l, s->a));
+}
+
+static void event_take_earlier(struct event *first, int k, double time, double h) {
+    if (time < first->time) {
+        *first = (struct event){.link = k, .time = event_snap(time, h)};
+    }
+}
+
+struct event event_first(const struct work *w, const struct state *now, const struct state *next,
+                         double h, const int *count, int except) {
+    const struct model *m = w->model;
+    struct event first = {.link = -1, .time = INFINITY};
+    struct event otherwise = first;
+    for (int i = 0; i < w->n_toggled; i++) {
+        int k = w->toggled[i];
+        if (k != except && event_splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {
+            double time = event_jump_time(m, now, next, h, k);
+            // What makes a contact close that neither moves nor presses inwards at the start of the
+            // step comes later in it. Closed before, it would open again, to and fro at one
+            // instant.
+            bool is_idle =
+                event_snap(time, h) == 0.0 && next->link[k].closed && event_is_idle(now, m, k);
+            event_take_earlier(is_idle ? &otherwise : &first, k, time, h);
+        }
+    }
+    for (int i = 0; i < w->n_rigid; i++) {
+        int k = w->rigid[i];
+        if (k != except && !now->link[k].closed) {
+            event_take_earlier(&first, k, event_meeting_time(m, now, next, h, k), h);
+        }
+    }
+    return first.link < 0 ? otherwise : first;
+}
+
+// Has a rigid contact at rest opened in the step just taken while its force was large? The force,
+// taken to fall evenly over the step, then pushes bodies that already part, which makes energy of
+// nothing: f d / 2, which is small where the step is short. memory.unresolved says which contact.
+static bool event_is_abrupt(struct work *w, const struct state *now, const struct state *next) {
+    for (int i = 0; i < w->n_toggled; i++) {
+        int k = w->toggled[i];
+        const struct link *l = &w->model->link[k];
+        if (!l->law->rebound || next->link[k].closed) {
+            continue;
+        }
+        double way = now->delta[k] - next->delta[k];
+        double parting = fabs(state_rate(next, w->model, k));
+        double speed = fmax(floors_speed(w, now), parting * w->model->dt / w->h);
+        if (now->link[k].force * way > ABRUPT * l->mass * speed * speed) {
+            w->memory->unresolved = k;
+            return true;
+        }
+    }
+    return false;
+}
+
 // Steps to the instant of an event with its link held as it was. In a long step the instant is only
 // an estimate; it is improved by Newton's method, safeguarded by bisection, until the link stands
 // near d = 0 (or, if a rounding error had it inside at the start, where it stood). Where other
 // contacts make it jump past that, the instant before the jump is taken. STATUS_RETRY: not found.
-static int step_to_event(struct run *r, struct event *event, double end, double h) {
+static int event_step_to(struct run *r, struct event *event, double end, double h) {
     bool opens = r->now->link[event->link].closed;
     double sign = opens ? -1.0 : 1.0;
     double start = opens ? 0.0 : fmax(r->now->delta[event->link], 0.0);
@@ -110,16 +241,24 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
     return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// Lets the force of the event's link jump.
-static int let_jump(struct run *r, const struct event *event) {
-    event_apply(r->now, r->model, event->link);
-    peaks_update(r->results, r->model, r->now);
-    impacts_part(&r->impacts, r->now);
-    return impacts_toggle(&r->impacts, r->now, event->link, r->error);
+// Lets the force of the event's link jump: it closes or opens, with the accelerations that follow.
+static int event_jump(struct run *r, const struct event *event) {
+    struct state *s = r->now;
+    if (s->link[event->link].closed) {
+        s->link[event->link].closed = false;
+        s->link[event->link].force = 0.0;
+    } else {
+        state_close_link(s, r->model, event->link);
+    }
+    state_complete(s, r->model);
+    equilibrium_find(s, r->model);
+    peaks_update(r->results, r->model, s);
+    impacts_part(&r->impacts, s);
+    return impacts_toggle(&r->impacts, s, event->link, r->error);
 }
 
 // Lets the bodies of a rigid contact meet.
-static int let_meet(struct run *r, const struct event *event) {
+static int event_meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
     r->has_met = true;
     if (event_is_idle(r->now, m, event->link)) {
@@ -138,9 +277,9 @@ static int let_meet(struct run *r, const struct event *event) {
 }
 
 // Steps to the first event, which may turn out to be another one than was seen from the whole step.
-static int step_to_first(struct run *r, struct event *event, double end, double h) {
+static int event_step_to_first(struct run *r, struct event *event, double end, double h) {
     for (int i = 0; i < LOCATIONS_MAX; i++) {
-        int status = step_to_event(r, event, end, h);
+        int status = event_step_to(r, event, end, h);
         if (status != STATUS_OK) {
             return status;
         }
@@ -157,67 +296,49 @@ static int step_to_first(struct run *r, struct event *event, double end, double 
     return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-static int endless(const struct run *r, const struct event *event) {
-    return error_set(r->error, STATUS_FAILED, "contact %s meets without end at t = %.9g",
-                     r->model->link[event->link].name, r->now->time);
-}
-
 // Steps to the event and lets the force jump or the bodies meet.
-static int pass_event(struct run *r, struct event *event, double end, double h) {
+static int event_pass(struct run *r, struct event *event, double end, double h) {
     int status = STATUS_OK;
     if (r->events[event->link] == EVENTS_ENDLESS) {
-        return endless(r, event);
+        return error_set(r->error, STATUS_FAILED, "contact %s meets without end at t = %.9g",
+                         r->model->link[event->link].name, r->now->time);
     }
     if (event->time > 0.0) {
-        status = step_to_first(r, event, end, h);
-        status = status == STATUS_OK && event->time > 0.0 ? commit(r) : status;
+        status = event_step_to_first(r, event, end, h);
+        status = status == STATUS_OK && event->time > 0.0 ? run_step_commit(r) : status;
     }
     if (status == STATUS_OK) {
         floors_catch_up(&r->work, r->next, r->now);
         r->results->totals.events++;
         r->events[event->link]++;
-        status = r->model->link[event->link].law->rebound ? let_meet(r, event) : let_jump(r, event);
+        status =
+            r->model->link[event->link].law->rebound ? event_meet(r, event) : event_jump(r, event);
     }
     return status == STATUS_OK ? run_poll_now(r, r->now->time) : status;
 }
 
-// Is the step of size h short enough for what was found in it? STATUS_RETRY: no.
-static int judge(struct run *r, double h) {
-    struct work *w = &r->work;
-    if (!r->model->adaptive) {
-        bool strict = w->strictness == STEP_STRICT;
-        return strict && event_is_abrupt(w, r->now, r->next) ? STATUS_RETRY : STATUS_OK;
-    }
-    int status = step_length_judge(&r->length, r->now, r->next, h);
-    if (status != STATUS_OK) {
-        r->memory.unresolved = -1;
-    }
-    return status;
-}
-
 int run_step(struct run *r, double end, double h, int halvings, double *rest) {
-    r->work.strictness = halvings < RUN_HALVINGS_MAX ? STEP_STRICT : STEP_ACCEPT;
+    const bool strict = halvings < RUN_HALVINGS_MAX;
+    r->work.strictness = strict ? STEP_STRICT : STEP_ACCEPT;
     *rest = 0.0;
     int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
-    status = status == STATUS_OK ? judge(r, h) : status;
+    if (status == STATUS_OK && r->model->adaptive) {
+        status = adaptive_judge(r, h);
+    } else if (status == STATUS_OK && strict && event_is_abrupt(&r->work, r->now, r->next)) {
+        status = STATUS_RETRY;
+    }
     if (status != STATUS_OK) {
         return status;
     }
-    if (r->work.n_toggled == 0 && r->work.n_rigid == 0) {
-        return commit(r);
-    }
     struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
     if (event.link < 0) {
-        return commit(r);
+        return run_step_commit(r);
     }
-    status = pass_event(r, &event, end, h);
+    status = event_pass(r, &event, end, h);
     *rest = h - event.time;
     return status;
 }
 
 void run_forget_events(struct run *r) {
-    if (r->results->totals.events > r->events_before) {
-        memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
-        r->events_before = r->results->totals.events;
-    }
+    memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
 }
