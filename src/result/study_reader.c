@@ -103,7 +103,7 @@ static void get_table(struct study_file *f) {
         memcpy(item, f->all->item, n * sizeof *item);
         qsort(item, n, sizeof *item, by_name);
     }
-    for (size_t i = 0; i < n && !f->file.h.failed; i++) {
+    for (size_t i = 0; item && i < n && !f->file.h.failed; i++) {
         get_item(f, &item[i]);
     }
     f->view.table.item = f->item;
@@ -329,7 +329,12 @@ int study_file_each(struct study_file *f, study_run_function *take, void *contex
         n_value > BLOCK_VALUES / BLOCK_RUNS ? (long)(BLOCK_VALUES / n_value) + 1 : BLOCK_RUNS;
     struct study_outcome *outcome = malloc((size_t)most * sizeof *outcome);
     double *value = malloc((size_t)most * n_value * sizeof *value);
-    int status = outcome && value ? STATUS_OK : error_no_memory(e);
+    int status = STATUS_OK;
+    if (!outcome || !value) {
+        free(outcome);
+        free(value);
+        return error_no_memory(e);
+    }
     for (long first = 0; first < v->n_run && status == STATUS_OK; first += most) {
         const long left = v->n_run - first, n = left < most ? left : most;
         status = study_file_read(f, first, n, outcome, value, e);
