@@ -47,8 +47,8 @@ struct study_part {
 struct study_item {
     const char *parent, *owner, *leaf;  // group: "buildings", "A", "envelope"; NULL: none
     const char *name, *long_name;
-    const struct dimension *dimension;  // NULL: a pure number, or read from a file
-    const char *units;                  // of values read from a file
+    const struct dimension *dimension;  // NULL: a pure number
+    const char *units;                  // of the values: "m", "1"
     const char *scale;                  // dimension of the values: "floor"; NULL: one value
     bool property;                      // of the model, known before the run
     size_t first, n;                    // values [first, first + n) of a run

@@ -155,12 +155,9 @@ static int parse_limit(const struct plan *p, const char *text, struct gap_search
     }
     struct arena *a = p->table->arena;
     const char *name = arena_text(a, text, (size_t)(equal - text));
-    struct study_view view;
+    const struct study_view view = plan_view(p);
     struct error e;
-    int status = name ? plan_view(p, &view, &e) : error_no_memory(&e);
-    if (status == STATUS_OK) {
-        status = edp_parse(&view, name, a, &q->edp, &e);
-    }
+    int status = name ? edp_parse(&view, name, a, &q->edp, &e) : error_no_memory(&e);
     if (status == STATUS_OK) {
         status = edp_limit(&q->edp, &view.units, equal + 1, &q->limit, &e);
     }

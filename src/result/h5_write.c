@@ -42,19 +42,7 @@ void h5_put_double(struct h5 *h, hid_t object, const char *name, double value) {
     add_attribute(h, object, name, H5T_NATIVE_DOUBLE, &value);
 }
 
-// Rows not yet written read as NaN.
-static void set_chunks(struct h5 *h, hid_t list, const struct h5_chunk *c) {
-    const hsize_t size[2] = {c->rows, c->width};
-    const double missing = NAN;
-    h5_failed(h, H5Pset_chunk(list, c->n_dim, size));
-    h5_failed(h, H5Pset_fill_value(list, H5T_NATIVE_DOUBLE, &missing));
-    if (c->compress > 0) {
-        h5_failed(h, H5Pset_shuffle(list));
-        h5_failed(h, H5Pset_deflate(list, (unsigned)c->compress));
-    }
-}
-
-// The creation list of datasets in such chunks, kept for the next one, which is often alike.
+// The creation list of datasets in chunks, kept for the next one, which is often alike.
 static hid_t chunked_list(struct h5 *h, const struct h5_chunk *c) {
     const struct h5_chunk *last = &h->chunk;
     if (h->chunked > 0 && last->n_dim == c->n_dim && last->rows == c->rows &&
@@ -65,7 +53,14 @@ static hid_t chunked_list(struct h5 *h, const struct h5_chunk *c) {
     if (h5_failed(h, list)) {
         return list;
     }
-    set_chunks(h, list, c);
+    const hsize_t size[2] = {c->rows, c->width};
+    const double missing = NAN;  // rows not yet written read as this
+    h5_failed(h, H5Pset_chunk(list, c->n_dim, size));
+    h5_failed(h, H5Pset_fill_value(list, H5T_NATIVE_DOUBLE, &missing));
+    if (c->compress > 0) {
+        h5_failed(h, H5Pset_shuffle(list));
+        h5_failed(h, H5Pset_deflate(list, (unsigned)c->compress));
+    }
     if (h->chunked > 0) {
         H5Pclose(h->chunked);
     }

@@ -52,7 +52,7 @@ int result_check_path(const char *path, enum result_existing existing, struct er
 
 // A file about to get its name.
 struct publication {
-    const char *path, *partial_path;
+    const char *path;
     int folder;                  // AT_FDCWD: the folder cannot be read
     const char *name, *partial;  // relative to the folder
 };
@@ -84,36 +84,29 @@ static int keep(const struct publication *p, struct error *e) {
     return status;
 }
 
-// Others may read the file from here on, as it is complete. Nobody may remove it before it has its
-// name.
-static int name_file(int file, const struct publication *p, enum result_existing existing,
-                     struct error *e) {
-    if (file_sync(file) != 0) {
-        return cannot_write(e, p->path, errno);
-    }
-    if (!file_share(file) || !file_is_named(file, p->partial_path)) {
-        return error_set(e, STATUS_SYSTEM, "cannot write %s: another program has taken %s", p->path,
-                         p->partial_path);
-    }
-    int status = check_obstacle(p->folder, p->name, p->path, e);
-    if (status == STATUS_OK) {
-        status = existing == RESULT_REPLACE ? replace(p, e) : keep(p, e);
-    }
-    return status == STATUS_OK && file_sync_folder(p->folder) != 0 ? cannot_write(e, p->path, errno)
-                                                                   : status;
-}
-
 int result_publish(int file, const char *partial, const char *path, enum result_existing existing,
                    struct error *e) {
     const int folder = file_open_folder(path);
     const char *slash = strrchr(path, '/');
     const size_t start = folder >= 0 && slash ? (size_t)(slash - path) + 1 : 0;
     const struct publication p = {.path = path,
-                                  .partial_path = partial,
                                   .folder = folder >= 0 ? folder : AT_FDCWD,
                                   .name = path + start,
                                   .partial = partial + start};
-    const int status = name_file(file, &p, existing, e);
+    int status = file_sync(file) == 0 ? STATUS_OK : cannot_write(e, path, errno);
+    // Others may read the file from here on, as it is complete. Nobody may remove it before it has
+    // its name.
+    if (status == STATUS_OK && (!file_share(file) || !file_is_named(file, partial))) {
+        status = error_set(e, STATUS_SYSTEM, "cannot write %s: another program has taken %s", path,
+                           partial);
+    }
+    status = status == STATUS_OK ? check_obstacle(p.folder, p.name, path, e) : status;
+    if (status == STATUS_OK) {
+        status = existing == RESULT_REPLACE ? replace(&p, e) : keep(&p, e);
+    }
+    if (status == STATUS_OK && file_sync_folder(p.folder) != 0) {
+        status = cannot_write(e, path, errno);
+    }
     if (status != STATUS_OK) {
         unlink(partial);
     }

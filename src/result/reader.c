@@ -156,7 +156,7 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
     if (n > 0 && h5_has(&r->h, holder(r, &links, level), level)) {
         get_columns(r, &links, &layout_level, link, n);
     }
-    for (size_t i = 0; i < n && !r->h.failed; i++) {
+    for (size_t i = 0; link && i < n && !r->h.failed; i++) {
         if (link[i].left_floor > FLOORS_MAX || link[i].right_floor > FLOORS_MAX) {
             h5_fail(&r->h, "a link of /%s is at floor %d; there are at most %d", g->name,
                     link[i].left_floor > FLOORS_MAX ? link[i].left_floor : link[i].right_floor,

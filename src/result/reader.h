@@ -23,16 +23,16 @@ struct result_file {
 int reader_init(struct result_file *f, const char *path, enum reading reading, struct error *e);
 void reader_close(struct result_file *f);
 
-// Opens `file` with buffers of `sieve` bytes for each dataset that is read piece by piece, and
-// checks that it is a complete result that this program can read. Errors: STATUS_INPUT (it is not),
-// STATUS_SYSTEM (no memory); they name the path.
-int reader_open(struct result_file *f, const char *file, size_t sieve, struct error *e);
+// Opens the file `path` with buffers of `sieve` bytes for each dataset that is read piece by piece,
+// and checks that it is a complete result that this program can read. Errors: STATUS_INPUT (it is
+// not), STATUS_SYSTEM (no memory); they name the path.
+int reader_open(struct result_file *r, const char *path, size_t sieve, struct error *e);
 
 // Reads attributes, buildings and links into the report; of a run impacts and energies, too. Errors
-// are noted in f->h.
-void reader_get(struct result_file *f);
+// are noted in r->h.
+void reader_get(struct result_file *r);
 
 // Is it a run of a study?
-bool reader_is_run(const struct result_file *f);
+bool reader_is_run(const struct result_file *r);
 
 #endif

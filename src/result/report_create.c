@@ -92,16 +92,6 @@ static void results_fill(struct report *to, const struct results *r) {
     to->totals = r->totals;
 }
 
-static const char *now(struct arena *a) {
-    const time_t seconds = time(NULL);
-    struct tm utc;
-    char text[32];
-    if (!gmtime_r(&seconds, &utc) || !strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)) {
-        return "";
-    }
-    return arena_text(a, text, strlen(text));
-}
-
 static const char *text_or_nothing(struct arena *a, const char *text) {
     return text ? arena_text(a, text, strlen(text)) : "";
 }
@@ -109,11 +99,18 @@ static const char *text_or_nothing(struct arena *a, const char *text) {
 static void texts_fill(struct report *to, const struct model *m, const char *file,
                        const char *version) {
     struct arena *a = to->arena;
+    const time_t seconds = time(NULL);
+    struct tm utc;
+    char created[32];
+    if (!gmtime_r(&seconds, &utc) ||
+        !strftime(created, sizeof created, "%Y-%m-%dT%H:%M:%SZ", &utc)) {
+        created[0] = '\0';
+    }
     to->file = file ? arena_text(a, file, strlen(file)) : NULL;
     to->title = text_or_nothing(a, m->deck->title);
     to->program = "jostle";
     to->version = text_or_nothing(a, version);
-    to->created = now(a);
+    to->created = arena_text(a, created, strlen(created));
     to->deck_file = text_or_nothing(a, m->deck->path);
     to->deck = text_or_nothing(a, m->deck->text);
     to->includes = text_or_nothing(a, deck_includes(m->deck));

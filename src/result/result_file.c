@@ -171,7 +171,10 @@ static int read_file(struct result_file *r, struct error *e) {
 
 int result_open(const char *path, struct result_file **out, struct error *e) {
     struct result_file *f = calloc(1, sizeof *f);
-    int status = f ? reader_init(f, path, READ_VALUES, e) : error_no_memory(e);
+    if (!f) {
+        return error_no_memory(e);
+    }
+    int status = reader_init(f, path, READ_VALUES, e);
     if (status == STATUS_OK) {
         f->report->file = f->path;
         status = read_file(f, e);

@@ -194,10 +194,14 @@ int study_file_write(const struct study_content *c, const struct result_options 
     struct arena *a = arena_create();
     const size_t n = (size_t)c->table->n_item;
     w.dataset = a ? arena_alloc(a, n, sizeof *w.dataset) : NULL;
-    for (size_t i = 0; w.dataset && i < n; i++) {
+    if (!w.dataset) {
+        arena_free(a);
+        return error_no_memory(e);
+    }
+    for (size_t i = 0; i < n; i++) {
         w.dataset[i] = -1;
     }
-    status = w.dataset ? make_file(&w, o, a, e) : error_no_memory(e);
+    status = make_file(&w, o, a, e);
     arena_free(a);
     return status;
 }

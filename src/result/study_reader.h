@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An open study file, shared by study_reader.c, study_runs.c and study_origin.c.
+// An open study file, shared by study_reader.c and study_origin.c.
 #ifndef JOSTLE_STUDY_READER_H
 #define JOSTLE_STUDY_READER_H
 

@@ -11,6 +11,7 @@
 // `item` NULL: nothing is described; `value` NULL: nothing is read.
 struct walk {
     struct arena *arena;
+    const struct unit_system *units;
     struct study_item *item;
     double *value;
     int n_item;
@@ -21,6 +22,10 @@ struct walk {
 static void add(struct walk *w, const struct layout_place *p, int c, bool property) {
     const struct column *column = &p->table->column[c];
     if (w->item) {
+        char units[64] = "1";
+        if (column->dimension) {
+            unit_text(w->units, *column->dimension, units, sizeof units);
+        }
         // Of a history the value at its end.
         const bool at_end = p->table == &layout_energy && c < ENERGY_COUNT;
         w->item[w->n_item] = (struct study_item){
@@ -31,6 +36,7 @@ static void add(struct walk *w, const struct layout_place *p, int c, bool proper
             .long_name = at_end ? arena_format(w->arena, "%s, at the end", column->long_name)
                                 : column->long_name,
             .dimension = column->dimension,
+            .units = arena_text(w->arena, units, strlen(units)),
             .scale = p->scale,
             .property = property,
             .first = w->n_value,
@@ -68,7 +74,7 @@ int study_table_create(const struct report *r, struct study_table **out, struct 
     layout_each(r, add_place, &count);
     struct arena *a = arena_create();
     struct study_table *t = a ? arena_alloc(a, 1, sizeof *t) : NULL;
-    struct walk w = {.arena = a};
+    struct walk w = {.arena = a, .units = &r->units};
     w.item = t ? arena_alloc(a, (size_t)count.n_item, sizeof *w.item) : NULL;
     if (w.item) {
         layout_each(r, add_place, &w);

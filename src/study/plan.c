@@ -168,32 +168,14 @@ int plan_check_shape(const struct plan *p, long run, const struct model *m, stru
     return status == STATUS_OK ? check_links(p, run, m, e) : status;
 }
 
-int plan_view(const struct plan *p, struct study_view *out, struct error *e) {
+struct study_view plan_view(const struct plan *p) {
     const struct report *r = p->report;
-    struct arena *a = p->table->arena;
-    struct study_item *item = arena_alloc(a, (size_t)p->table->n_item, sizeof *item);
-    *out = (struct study_view){.units = r->units,
+    return (struct study_view){.units = r->units,
                                .table = *p->table,
                                .n_contact = r->n_contact,
                                .n_link = r->n_link,
                                .contact = r->contact,
                                .link = r->link};
-    if (!item) {
-        return error_no_memory(e);
-    }
-    for (int i = 0; i < p->table->n_item; i++) {
-        char units[64] = "1";
-        item[i] = p->table->item[i];
-        if (item[i].dimension) {
-            unit_text(&r->units, *item[i].dimension, units, sizeof units);
-        }
-        item[i].units = arena_text(a, units, strlen(units));
-        if (!item[i].units) {
-            return error_no_memory(e);
-        }
-    }
-    out->table.item = item;
-    return STATUS_OK;
 }
 
 long study_shard_run(const struct study_shard *s, long i) {

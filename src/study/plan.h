@@ -40,7 +40,7 @@ int plan_check(const struct plan *p, long run, const struct model *m, struct err
 int plan_check_shape(const struct plan *p, long run, const struct model *m, struct error *e);
 
 // What a result file of these runs would say of their values, for demands that are parsed before
-// there is one. *out borrows from the plan. Errors: STATUS_SYSTEM (no memory).
-int plan_view(const struct plan *p, struct study_view *out, struct error *e);
+// there is one. It borrows from the plan.
+struct study_view plan_view(const struct plan *p);
 
 #endif

@@ -23,9 +23,8 @@ static int run_search(const struct plan *p, struct error *e) {
                                    .to = 0.01,
                                    .n = 2,
                                    .tolerance = 0.004};
-    struct study_view view;
-    if (plan_view(p, &view, e) != STATUS_OK ||
-        edp_parse(&view, "force", p->table->arena, &q.edp, e) != STATUS_OK) {
+    const struct study_view view = plan_view(p);
+    if (edp_parse(&view, "force", p->table->arena, &q.edp, e) != STATUS_OK) {
         return e->status;
     }
     const struct gap_runs how = {.n_thread = 1};

@@ -141,10 +141,9 @@ static int try_search(const struct model *m, const char *edp, struct gap_search_
                       struct gap_search *out, struct error *e) {
     const struct gap_runs how = {.n_thread = 2};
     const struct study_request study = {.first = m, .result = {.version = ""}};
-    struct study_view view;
     struct plan p;
     assert_int_equal(plan_init(&p, &study, e), STATUS_OK);
-    assert_int_equal(plan_view(&p, &view, e), STATUS_OK);
+    const struct study_view view = plan_view(&p);
     assert_int_equal(edp_parse(&view, edp, p.table->arena, &q.edp, e), STATUS_OK);
     q.plan = &p;
     const int status = gap_search_run(&q, &how, out, e);
