@@ -161,7 +161,7 @@ static int print_results(const struct model *m, const struct refinement *r) {
             (!before || before->owner != f->owner || before->index != f->index)) {
             safe_line(stdout, "%s %s", owner_of(m, f), name_of(m, f));
         }
-        // A result; below it, an acceleration in g.
+        // The result. An acceleration has a second row, in g.
         char unit[48];
         print_row(&t, r, f, f->dimension ? unit_of(m, f, unit, sizeof unit) : "", 1.0);
         if (f->dimension && dimension_equal(*f->dimension, dimension_acceleration)) {

@@ -67,7 +67,7 @@ static void print_kind(enum page page, const struct statement_kind *kind) {
     rows_heading(page, 2, kind->name);
     rows_entry(page, "what", kind->summary);
     rows_code(page, "usage", usage);
-    // The laws that the statement chooses from.
+    // The laws that the statement can choose.
     const char *name[STATEMENTS_MAX];
     char list[USAGE_SIZE], text[2 * USAGE_SIZE];
     const bool contact = strcmp(kind->name, "contact") == 0;

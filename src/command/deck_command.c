@@ -11,7 +11,7 @@ static int guide(const struct model *m, const struct load_request *request, stru
     if (status == STATUS_OK) {
         guidance_warn(m, request->guidance);
     }
-    // check_study.c looks at the contacts of all runs of a study.
+    // check_study.c checks the contacts of all runs of a study.
     const bool study = deck_is_study(m->deck);
     if (status == STATUS_OK && request->checks && !study) {
         const struct guidance *g = request->guidance;

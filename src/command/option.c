@@ -52,7 +52,7 @@ static void print_rows(const struct option_row *row, int column) {
         } else {
             printf("  %-*s", column - 2, text);
         }
-        // Prints the words of the text from a column on, and a line end.
+        // Prints the text, wrapped, from a column on.
         int at = column;
         for (const char *word = r->doc; *word; word += strspn(word, " ")) {
             const size_t n = strcspn(word, " ");
@@ -290,8 +290,8 @@ static int read_option(struct scan *s, char **argv) {
         return refuse_word(s, word);
     }
     if (answer == '?' || answer == ':') {
-        // Says what getopt_long found wrong in a word: '?' or ':'. Of letters it leaves the wrong
-        // one in optopt, as there may be others in the word.
+        // getopt_long found an error in a word. '?': unknown option; ':': no value. A word may have
+        // several letters; the wrong letter is in optopt.
         const char letter[] = {'-', (char)optopt, '\0'};
         const char *shown = optopt == 0 || optopt > UCHAR_MAX ? word : letter;
         return answer == ':' ? command_usage(s->list->command, "option '%s' needs a value", shown)

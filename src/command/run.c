@@ -133,8 +133,8 @@ static int run_once(const struct model *m, const struct run_options *o,
         return command_fail(&e);
     }
     if (!o->load.quiet) {
-        // With Newmark's method and these parameters the account closes to rounding. With Dormand &
-        // Prince's the residual is of the size of the tolerance.
+        // Newmark's method with these parameters conserves energy, so the residual is a rounding
+        // error. The residual of Dormand & Prince's method is of the size of the tolerance.
         double scale = fmax(fabs(results->energy[ENERGY_INPUT]), results->initial_energy);
         bool closes = m->integrator == INTEGRATOR_NEWMARK && m->beta == 0.25 && m->gamma == 0.5;
         if (closes && results->residual_peak > 1e-6 * scale) {

@@ -187,7 +187,7 @@ static int print_data(const struct spectrum_request *q, const struct spectrum_se
         }
     }
     if (q->target) {
-        // At those of the periods that it has.
+        // The target at its periods.
         for (int p = 0; p < q->periods.n; p++) {
             const double goal = goal_at(q, set, p);
             if (!isnan(goal)) {

@@ -135,7 +135,7 @@ int file_claim(const char *wanted, const char *path, int flags, int *file, struc
     }
     const int opened = open_file(path, O_RDWR | O_NOFOLLOW | O_NOCTTY | flags);
     if (opened < 0) {
-        // After `path` could not be opened.
+        // `path` could not be opened.
         if (errno == ENOENT && !(flags & O_CREAT)) {
             return STATUS_OK;
         }

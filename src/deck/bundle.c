@@ -140,7 +140,7 @@ bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct 
     if (!define || !q->name.text || deck_define_find(d, q->name.text)) {
         return false;
     }
-    // Counts the occurrences of `text` in `s`; *at is the number of the last one, from 0.
+    // Counts the occurrences of the text; `at` is the index of the last one.
     int n = 0;
     for (int i = 0; own->text && i < own->n; i++) {
         if (strcmp(own->text[i], define->value.text) == 0) {

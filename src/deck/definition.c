@@ -143,9 +143,8 @@ bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
         defined = add_definition(d, name, by, kept, value);
     } else {
         value->name = name->text;
-        // Sets the value of a new parameter to the value of a -D or, for a param, of a sweep of the
-        // first reading. A sweep that does not fit is ignored here and reported at its statement.
-        // True if a -D gives the value.
+        // The value of a new parameter comes from a -D or, for a param, from a sweep of the first
+        // reading. A sweep that does not fit is ignored here and reported at its statement.
         struct define *define = deck_define_find(d, value->name);
         int choice;
         const struct sweep *s = by == BY_PARAM ? sweep_bound(d, value->name, &choice) : NULL;

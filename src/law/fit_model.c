@@ -209,7 +209,7 @@ int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct 
     for (size_t i = p.first; i < p.last; i++) {
         p.impulse += (q->force[i] + q->force[i + 1]) / 2.0 * (q->time[i + 1] - q->time[i]);
     }
-    // Beyond the ends the force goes to 0 within one interval, somehow.
+    // Beyond the ends the force goes to 0 within one interval.
     const double before = p.first > 0 ? q->time[p.first] - q->time[p.first - 1] : 0.0;
     const double behind = p.last + 1 < q->n ? q->time[p.last + 1] - q->time[p.last] : 0.0;
     p.edges = (q->force[p.first] * before + q->force[p.last] * behind) / 2.0;

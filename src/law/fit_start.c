@@ -126,7 +126,7 @@ static void scan(struct fit_model *m, struct fit_point *p, double width) {
 }
 
 int fit_start(struct fit_model *m, struct fit_point *p, double *duration, struct error *e) {
-    // Of the samples around the peak, down to PULSE of it.
+    // The moments of the samples around the peak, down to PULSE times the peak.
     const struct fit_request *q = m->q;
     size_t first = 0;
     while (q->force[first] < m->peak) {

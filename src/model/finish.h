@@ -15,6 +15,9 @@ void finish_chain(struct builder *b, struct model *m);
 // the same ground motions share a ground.
 void finish_grounds(struct builder *b, struct model *m, struct building *building);
 
+// True if the ground motion acts below the building.
+bool finish_acts_under(const struct ground_draft *g, int building);
+
 // Contacts and bilateral links, loads.
 void finish_links(struct builder *b, struct model *m);
 void finish_loads(struct builder *b, struct model *m);

@@ -59,7 +59,7 @@ static void scale_record(struct builder *b, const struct building *building,
         factor, s->acceleration, unit, period, b->deck->units.time_name, 100.0 * s->damping);
 }
 
-static bool acts_under(const struct ground_draft *g, int building) {
+bool finish_acts_under(const struct ground_draft *g, int building) {
     for (int i = 0; i < g->n_building; i++) {
         if (g->building[i] == building) {
             return true;
@@ -100,7 +100,7 @@ void finish_grounds(struct builder *b, struct model *m, struct building *buildin
         // mark[k]: draft k acts below building i.
         int n = 0;
         for (int k = 0; k < b->grounds.n; k++) {
-            mark[k] = acts_under(&draft[k], i);
+            mark[k] = finish_acts_under(&draft[k], i);
             n += mark[k];
         }
         int same = 0;

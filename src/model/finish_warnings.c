@@ -40,19 +40,11 @@ static bool check_signal(struct builder *b, const struct model *m, const struct 
     return true;
 }
 
-static bool acts_under(const struct ground_draft *g, int building) {
-    bool found = g->n_building == 0;
-    for (int i = 0; i < g->n_building; i++) {
-        found |= g->building[i] == building;
-    }
-    return found;
-}
-
 static bool share_a_building(const struct model *m, const struct ground_draft *a,
                              const struct ground_draft *b) {
     bool found = false;
     for (int i = 0; i < m->n_building; i++) {
-        found |= acts_under(a, i) && acts_under(b, i);
+        found |= finish_acts_under(a, i) && finish_acts_under(b, i);
     }
     return found;
 }
@@ -99,7 +91,7 @@ static void check_repeated(struct builder *b, const struct model *m) {
 static bool is_shaken(const struct builder *b, int building) {
     bool found = false;
     for (int i = 0; i < b->grounds.n; i++) {
-        found |= acts_under((const struct ground_draft *)b->grounds.item + i, building);
+        found |= finish_acts_under((const struct ground_draft *)b->grounds.item + i, building);
     }
     return found;
 }

@@ -245,8 +245,8 @@ void canvas_axes(const struct canvas *c, struct area a, const struct axis *x,
     write_scale(c, 'x', x, a.right - a.left, 0);
     write_scale(c, 'y', y, a.top - a.bottom, 1.5);
     if (x->name) {
-        // The name of an axis across; the brief one where the other would run into those beside,
-        // and a small one where that would.
+        // The name of the horizontal axis. If there is no room, the brief name; if there is no room
+        // for that, a small font.
         char text[160];
         axis_text(x, x->name, c->units, text, sizeof text);
         const double room = a.right - a.left + 2;

@@ -255,7 +255,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
     if (v->s->n > 1) {
         runs_legend(v->s, NULL, &l);
     } else {
-        // Both sides, the right one as the left one sees it.
+        // The displacements of both sides; that of the right side includes the gap.
         const bool hit = v->contact[0] >= 0;
         char floor[48], tail[64];
         for (int side = 0; side < 2; side++) {
@@ -301,7 +301,7 @@ static void draw_panels(const struct view *v, struct canvas *c) {
         }
     }
     if (v->s->n == 1) {
-        // Whether the ground moves below what is shown.
+        // Checks whether the ground below these floors moves.
         struct span span = {0, 0};
         for (int k = 0; k < v->s->n; k++) {
             data_span(&v->data[k], GROUND_LEFT, &span);

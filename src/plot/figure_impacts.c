@@ -133,8 +133,8 @@ static double names_width(const struct view *v) {
 
 static void write_names(const struct view *v, double em, FILE *to) {
     double at[BANDS_MAX];
-    // The names stand beside the middles of the bands, or so near that they do not touch: `line` is
-    // the room of one on the axis.
+    // Each name stands beside the middle of its band, or as near as possible without touching the
+    // next name. `line` is the height of a name on the axis.
     double line = 0.8 / em;
     for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
@@ -251,7 +251,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     (void)e;
     struct view v = {.s = s};
     collect(&v);
-    // Finds the largest force, or impulse where some impact has no force.
+    // Finds the largest force; if an impact has no force, the largest impulse.
     double force = 0.0;
     double impulse = 0.0;
     for (int k = 0; k < v.s->n; k++) {

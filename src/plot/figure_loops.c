@@ -126,7 +126,7 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
         fprintf(to, "EOD\n$hardest%d << EOD\n# penetration force\nNaN NaN\n", run);
         v->rows[run] = write_loop(&d, &r->impact[v->impact[run]], to);
         fprintf(to, "EOD\n");
-        // Penetration and force of each impact shown, the largest over all computed steps.
+        // The largest penetration and force of each impact in the figure, over all computed steps.
         fprintf(to, "$largest%d << EOD\n# largest penetration, largest force\n", run);
         for (long i = 0; i < r->n_impact; i++) {
             if (r->impact[i].contact == contact && is_shown(r, i)) {

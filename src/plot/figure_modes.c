@@ -57,7 +57,7 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
     int status = modes_solve(n, b->mass, b->stiffness, NULL, omega, shape, e);
     if (status == STATUS_OK) {
         modes_scale_to_largest(n, shape);
-        // Are these the periods of the building? Not those of one with parts beside its storeys,
+        // known: these are the periods of the building. They are not if the building has parts,
         // whose stiffness is not in the file.
         bool known = true;
         for (int m = 0; m < b->n_floor; m++) {

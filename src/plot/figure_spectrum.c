@@ -68,8 +68,8 @@ static int choose(struct view *v, struct error *e) {
                          "buildings",
                          r->file);
     }
-    // The ground below each of the two buildings, one where they are the same; none that is at
-    // rest.
+    // Adds the ground below each of the two buildings: once if both grounds are the same, and only
+    // if it moves.
     bool moves[2] = {false, false}, differ = false;
     int status = STATUS_OK;
     for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {

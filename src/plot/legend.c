@@ -73,7 +73,8 @@ static void write_mark(const struct canvas *c, struct style mark, double x, doub
         return;
     }
     if (mark.kind != STYLE_POINTS) {
-        // A line. Dashes are lines of their own: gnuplot's svg terminal draws dashed arrows solid.
+        // A line. A dashed line is several short lines, because gnuplot's svg terminal draws dashed
+        // arrows solid.
         const bool dashed = mark.dash && mark.dash[0] == '(';  // not "solid"
         const double length = dashed ? 0.4 : 1.6;
         for (double at = 0; at + length < 1.65; at += 0.6) {

@@ -149,7 +149,7 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     }
     study_panel(c, bottom, &x, &y);
     if (texts) {
-        // Names below the axis in place of numbers; of many, some.
+        // Names below the axis replace the numbers. If there are too many, some are left out.
         const bool fit = texts_fit(s, width);
         const int every = 1 + (int)(1.4 * s->n_point / width);
         char cut[128];

@@ -75,7 +75,7 @@ static double share_of(const double *h, double v) {
 }
 
 static struct contact_response rubber_force(const double *c, const double *h, double d, double v) {
-    // f and its slope.
+    // The force f of loading, and its slope.
     struct contact_response r = power_spring(c[STIFFNESS], c[EXPONENT], fmin(d, c[ULTIMATE]));
     if (d > c[ULTIMATE]) {
         r.force += c[BEYOND] * (d - c[ULTIMATE]);
