@@ -11,7 +11,6 @@
 #include "core/number.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
-#include "solve/newmark/event.h"
 
 // Sets the bit of run k.
 static void lockstep_set(unsigned *runs, int k, bool value) {
