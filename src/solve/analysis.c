@@ -154,7 +154,7 @@ static bool analysis_alloc(struct run *r, struct arena *a) {
 // The state at t = 0, its accounts and its row.
 static int analysis_start(struct run *r) {
     const struct model *m = r->model;
-    equilibrium_start(r->now, m);
+    rest_start(r->now, m);
     peaks_update(r->results, m, r->now);
     if (energy_start(&r->energy, m, r->now, r->results->link, r->error) != STATUS_OK) {
         return r->error->status;

@@ -152,7 +152,7 @@ double forcing_load(const struct forcing *f, int k, double t) {
 
 // The motion of the grounds at any t. With one ground under all, nothing depends on its velocity
 // and displacement.
-static void excitation_grounds(struct state *s, const struct model *m, double t) {
+static void forcing_grounds_at(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_ground; k++) {
         s->ground_a[k] = s->ground_v[k] = s->ground_u[k] = 0.0;
         for (int i = 0; i < m->ground[k].n_signal; i++) {
@@ -166,8 +166,8 @@ static void excitation_grounds(struct state *s, const struct model *m, double t)
 
 // The ground's accelerations under the floors, and the external forces; `f` is NULL where loads do
 // not come from pieces.
-static void excitation_on_floors(struct state *s, const struct model *m, const struct forcing *f,
-                                 double t) {
+static void forcing_on_floors(struct state *s, const struct model *m, const struct forcing *f,
+                              double t) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         const double a = s->ground_a[g->ground];
@@ -182,38 +182,38 @@ static void excitation_on_floors(struct state *s, const struct model *m, const s
     }
 }
 
-void excitation_floors(struct state *s, const struct model *m, double t) {
-    excitation_on_floors(s, m, NULL, t);
+void forcing_floors(struct state *s, const struct model *m, double t) {
+    forcing_on_floors(s, m, NULL, t);
 }
 
-void excitation_at(struct state *s, const struct model *m, double t) {
-    excitation_grounds(s, m, t);
-    excitation_on_floors(s, m, NULL, t);
+void forcing_at(struct state *s, const struct model *m, double t) {
+    forcing_grounds_at(s, m, t);
+    forcing_on_floors(s, m, NULL, t);
 }
 
-void excitation_of_pieces(struct state *s, const struct forcing *f, double t) {
+void forcing_of_pieces(struct state *s, const struct forcing *f, double t) {
     struct forcing_values ground = {.a = s->ground_a, .v = s->ground_v, .u = s->ground_u};
     forcing_ground(f, t, &ground);
-    excitation_on_floors(s, f->model, f, t);
+    forcing_on_floors(s, f->model, f, t);
 }
 
-void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n) {
-    if (n < x->from || n >= x->from + EXCITATION_AHEAD) {
+void forcing_foresee(struct forcing_ahead *x, const struct model *m, long n) {
+    if (n < x->from || n >= x->from + FORCING_AHEAD) {
         x->from = n;
-        model_times(m, n, EXCITATION_AHEAD, x->time);
+        model_times(m, n, FORCING_AHEAD, x->time);
         memset(x->ground, 0, sizeof x->ground);
         for (int i = 0; state_is_uniform(m) && i < m->ground[0].n_signal; i++) {
-            signal_add_values(&m->ground[0].signal[i], EXCITATION_AHEAD, x->time, x->ground);
+            signal_add_values(&m->ground[0].signal[i], FORCING_AHEAD, x->time, x->ground);
         }
     }
     x->sought = n - x->from;
 }
 
-void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
-                              const struct model *m, double t) {
+void forcing_grounds_known(const struct forcing_ahead *x, struct state *s, const struct model *m,
+                           double t) {
     if (state_is_uniform(m) && x->time[x->sought] == t) {
         s->ground_a[0] = x->ground[x->sought];
     } else {
-        excitation_grounds(s, m, t);
+        forcing_grounds_at(s, m, t);
     }
 }

@@ -40,15 +40,15 @@ static const struct fields_row memory_list[] = {
     FIELD_ARRAY(struct memory, resolved, FIELD_LINKS),
     FIELD_VALUE(struct memory, unresolved),
 };
-const struct fields memory_fields = FIELDS(memory_list);
+const struct fields state_memory_fields = FIELDS(memory_list);
 
 bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
     return fields_alloc(&state_fields, m, s, a);
 }
 
-bool memory_alloc(struct memory *s, const struct model *m, struct arena *a) {
+bool state_memory_alloc(struct memory *s, const struct model *m, struct arena *a) {
     s->unresolved = -1;
-    if (!fields_alloc(&memory_fields, m, s, a)) {
+    if (!fields_alloc(&state_memory_fields, m, s, a)) {
         return false;
     }
     memcpy(s->tangent, m->chain.stiffness, (size_t)m->n_dof * sizeof *s->tangent);
@@ -151,7 +151,7 @@ void state_complete(struct state *s, const struct model *m) {
         return;
     }
     if (!m->adaptive) {
-        excitation_floors(s, m, s->time);
+        forcing_floors(s, m, s->time);
     }
     state_internal_forces(s, m, s->u, s->v);
     state_totals(s, m);

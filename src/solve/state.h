@@ -63,13 +63,13 @@ struct memory {
     struct resolved *resolved;  // (n_link)
     int unresolved;             // link that last needed a shorter step; -1: none did
 };
-extern const struct fields memory_fields;
+extern const struct fields state_memory_fields;
 
 // Room for a state of the model in `a`; false: no memory.
 bool state_alloc(struct state *s, const struct model *m, struct arena *a);
 
 // Room for the memory of a run that has taken no step; false: no memory.
-bool memory_alloc(struct memory *s, const struct model *m, struct arena *a);
+bool state_memory_alloc(struct memory *s, const struct model *m, struct arena *a);
 
 // Asserts the zeros around arrays of floors, which loops read as the ground and as walls.
 void state_assert(const struct state *s, const struct model *m);

@@ -62,7 +62,7 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
         .model = m,
         .totals = &r->totals,
         .memory = memory,
-        .ahead.from = -EXCITATION_AHEAD,
+        .ahead.from = -FORCING_AHEAD,
         .held = -1,
     };
     size_t n = (size_t)m->n_building;

@@ -48,7 +48,7 @@ struct work {
     const struct scales *scales;
 
     // Its floors.
-    struct excitation_ahead ahead;  // of steps of the model's size
+    struct forcing_ahead ahead;  // of steps of the model's size
     struct floors floors;
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
                                 // linear models, for buildings that gaps.touched lists

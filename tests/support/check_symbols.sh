@@ -19,7 +19,7 @@ words() {
     law) echo "contact storey" ;;
     motion) echo "record signal" ;;
     model) echo "model field statement" ;;
-    solve) echo "analysis results energy peak equilibrium excitation memory" ;;
+    solve) echo "analysis results energy peak" ;;
     result) echo "result report" ;;
     esac
 }

@@ -110,10 +110,10 @@ static void begin(struct bench *b) {
     struct state *s = &b->now;
     state_open_links(s);
     memset(s->link, 0, (size_t)m->n_link * sizeof *s->link);
-    equilibrium_start(s, m);
+    rest_start(s, m);
     displace(b);
     state_internal_forces(s, m, s->u, s->v);
-    equilibrium_find(s, m);
+    rest_equilibrium(s, m);
     close_pressed(b);
     b->next.time = 0.0;
     state_open_links(&b->next);
@@ -263,7 +263,7 @@ static void take_cluster(uint64_t seed, struct tally *tally) {
     assert_true(state_alloc(&b.now, b.model, b.arena) && state_alloc(&b.next, b.model, b.arena) &&
                 peaks_alloc(&b.results, b.model, b.arena) &&
                 fields_alloc(&energy_fields, b.model, &b.energy, b.arena) &&
-                memory_alloc(&b.memory, b.model, b.arena) &&
+                state_memory_alloc(&b.memory, b.model, b.arena) &&
                 work_alloc(&b.work, b.model, &b.results, &b.memory, b.arena));
     floors_account_to(&b.work, &b.energy, &b.results);
     b.work.strictness = STEP_ACCEPT;

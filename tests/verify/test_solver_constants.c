@@ -157,7 +157,7 @@ static void press(struct bench *b, double k, double deep, const double *guess) {
                 state_alloc(&b->next, b->model, b->arena) &&
                 peaks_alloc(&b->results, b->model, b->arena) &&
                 fields_alloc(&energy_fields, b->model, &b->energy, b->arena) &&
-                memory_alloc(&b->memory, b->model, b->arena) &&
+                state_memory_alloc(&b->memory, b->model, b->arena) &&
                 work_alloc(&b->work, b->model, &b->results, &b->memory, b->arena));
     floors_account_to(&b->work, &b->energy, &b->results);
     b->work.strictness = STEP_ACCEPT;

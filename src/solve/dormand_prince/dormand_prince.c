@@ -147,7 +147,7 @@ static int dp_meet(struct dp *p, int k, struct error *e) {
     const struct model *m = p->model;
     struct state *now = &p->now;
     const struct least_bounce least = {.velocity = m->control.tolerance * p->scales.most_v};
-    excitation_at(now, m, now->time);
+    forcing_at(now, m, now->time);
     impulse_meet(now, m, k, REBOUND_BY_LAW, &least, p->meeting);
     energy_meet(&p->energy, m, now, p->meeting);
     if (dp_part(p, e) != STATUS_OK) {

@@ -152,5 +152,5 @@ void impulse_meet(struct state *s, const struct model *m, int k, enum rebound re
             s->link[i].force = state_link_force(s, m, i);
         }
     }
-    equilibrium_find(s, m);
+    rest_equilibrium(s, m);
 }

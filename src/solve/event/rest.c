@@ -241,7 +241,7 @@ static bool rest_solve(struct state *s, const struct model *m) {
     return true;
 }
 
-void equilibrium_find(struct state *s, const struct model *m) {
+void rest_equilibrium(struct state *s, const struct model *m) {
     // M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.
     double *force = s->total;
     memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
@@ -269,11 +269,11 @@ static bool rest_is_idle(const struct state *s, const struct model *m, int k) {
     return m->link[k].law->rebound && s->link[k].force <= least;
 }
 
-void equilibrium_start(struct state *s, const struct model *m) {
+void rest_start(struct state *s, const struct model *m) {
     memcpy(s->u, m->displacement, (size_t)m->n_dof * sizeof *s->u);
     memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
     s->time = 0.0;
-    excitation_at(s, m, 0.0);
+    forcing_at(s, m, 0.0);
     state_reach(s, m, s->u, s->v, s->storey_history);
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
@@ -284,6 +284,6 @@ void equilibrium_start(struct state *s, const struct model *m) {
             state_close_link(s, m, k);
         }
     }
-    equilibrium_find(s, m);
+    rest_equilibrium(s, m);
     state_open_where(s, m, rest_is_idle);
 }

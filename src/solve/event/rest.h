@@ -9,12 +9,12 @@
 // to close (delta = 0, rate > 0), rigid contacts where forces press them together (delta >= 0, rate
 // = 0), accelerations from equilibrium. Storeys have come there from zero drift without turning;
 // the histories of links are left to state_commit_links.
-void equilibrium_start(struct state *s, const struct model *m);
+void rest_start(struct state *s, const struct model *m);
 
 // Accelerations that bring the forces of `s` into equilibrium, at the start of a run and where
 // forces jump. The forces f >= 0 of rigid contacts at rest keep their bodies from approaching each
 // other; contacts whose bodies part under f = 0 open.
-void equilibrium_find(struct state *s, const struct model *m);
+void rest_equilibrium(struct state *s, const struct model *m);
 
 // Motions `x` (n_dof), velocities or accelerations, of both bodies that differ by no more are the
 // same.

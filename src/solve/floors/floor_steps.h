@@ -321,15 +321,15 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
 
 // Sets the time of `s`, the end of step n, and what acts on the floors then.
 LANES_INLINE void floors_excite(const struct flight *f, struct state *s, long n, bool is_uniform) {
-    struct excitation_ahead *x = &f->work->ahead;
-    if (n < x->from || n >= x->from + EXCITATION_AHEAD) {
-        excitation_foresee(x, f->model, n);
+    struct forcing_ahead *x = &f->work->ahead;
+    if (n < x->from || n >= x->from + FORCING_AHEAD) {
+        forcing_foresee(x, f->model, n);
     }
     s->time = x->time[n - x->from];
     if (is_uniform) {
         s->ground_a[0] = x->ground[n - x->from];
     } else {
-        excitation_at(s, f->model, s->time);
+        forcing_at(s, f->model, s->time);
     }
 }
 

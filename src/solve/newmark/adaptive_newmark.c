@@ -159,9 +159,9 @@ static int adaptive_reject(struct run *r, double h) {
 // would begin with a first-order error. Rigid bodies at rest may part.
 static void adaptive_pass_jump(struct run *r) {
     r->length.last = 0.0;
-    excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
+    forcing_of_pieces(r->now, &r->length.forcing, r->now->time);
     state_complete(r->now, r->model);
-    equilibrium_find(r->now, r->model);
+    rest_equilibrium(r->now, r->model);
     impacts_part(&r->impacts, r->now);
     peaks_update(r->results, r->model, r->now);
 }

@@ -207,7 +207,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     struct work *w = f->work;
     const long first = n;
     if (f->uniform) {
-        excitation_foresee(&w->ahead, m, n + 1);
+        forcing_foresee(&w->ahead, m, n + 1);
     }
     if (!flight_may_start(f, *next, *now)) {
         return n;
@@ -230,7 +230,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     gaps_update(&w->gaps, s);
     gaps_peaks(&w->gaps, s);
     if (f->on_lines) {
-        excitation_floors(s, m, s->time);
+        forcing_floors(s, m, s->time);
         state_internal_forces(s, m, s->u, s->v);
         state_totals(s, m);
     }

@@ -32,13 +32,13 @@ static void newmark_begin(struct work *w, const struct state *now, struct state 
     contact_begin(w, now, next);
     next->time = end;
     if (w->forcing) {
-        excitation_of_pieces(next, w->forcing, end);
+        forcing_of_pieces(next, w->forcing, end);
     } else {
-        excitation_grounds_known(&w->ahead, next, m, end);
+        forcing_grounds_known(&w->ahead, next, m, end);
         if (state_is_linear(m) && state_is_uniform(m)) {
             return;
         }
-        excitation_floors(next, m, end);
+        forcing_floors(next, m, end);
     }
 }
 

@@ -39,7 +39,7 @@ static const double ABRUPT = 1e-4;
 // The factors outlive a step, and floors.c puts off the account of the last one.
 static const struct fields_row list[] = {
     FIELD_PARTS(struct run, next, FIELD_AT, state_fields),
-    FIELD_PART(struct run, memory, memory_fields),
+    FIELD_PART(struct run, memory, state_memory_fields),
     FIELD_ARRAY(struct run, events, FIELD_LINKS),
     FIELD_VALUE(struct run, has_met),
     FIELD_VALUE(struct run, work.h),
@@ -54,7 +54,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
-    if (!state_alloc(r->next, m, a) || !memory_alloc(&r->memory, m, a) ||
+    if (!state_alloc(r->next, m, a) || !state_memory_alloc(&r->memory, m, a) ||
         !work_alloc(&r->work, m, r->results, &r->memory, a)) {
         return false;
     }
@@ -251,7 +251,7 @@ static int event_jump(struct run *r, const struct event *event) {
         state_close_link(s, r->model, event->link);
     }
     state_complete(s, r->model);
-    equilibrium_find(s, r->model);
+    rest_equilibrium(s, r->model);
     peaks_update(r->results, r->model, s);
     impacts_part(&r->impacts, s);
     return impacts_toggle(&r->impacts, s, event->link, r->error);
