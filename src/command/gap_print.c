@@ -129,7 +129,7 @@ int gap_print_apart(const struct plan *p, const struct contact_free *a, double *
     PRINTER_ADD(&t[1], inputs);
     PRINTER_ADD(&t[2], closing);
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printer_add(&t[1], &(struct printer_column)COLUMN_G(separation_rules[k].name, 13, 4), 1);
+        printer_add(&t[1], &(struct printer_column)COLUMN_G(contact_free_rules[k].name, 13, 4), 1);
         PRINTER_ADD(&t[2], ratio);
     }
     print_head(p, a);
@@ -139,8 +139,8 @@ int gap_print_apart(const struct plan *p, const struct contact_free *a, double *
     printf("\nclosing by: largest x_A - x_B at the floors of the contact, A the left one\n"
            "uA, uB: largest displacements of these floors; the rules are applied run by run\n");
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printf("%-12s = %s\n    %s\n", separation_rules[k].name, separation_rules[k].formula,
-               separation_rules[k].source);
+        printf("%-12s = %s\n    %s\n", contact_free_rules[k].name, contact_free_rules[k].formula,
+               contact_free_rules[k].source);
     }
     return status[0] | status[1] | status[2] | status[3];
 }
@@ -154,7 +154,7 @@ int gap_print_runs(const struct plan *p, const struct contact_free *a, enum prin
     }
     PRINTER_ADD(&t, of_contact);
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        const char *key = separation_rules[k].key;
+        const char *key = contact_free_rules[k].key;
         printer_add(&t, &(struct printer_column)COLUMN_OF(key, dimension_length), 1);
     }
     printer_add(&t, &(struct printer_column)COLUMN_DATA("message"), 1);

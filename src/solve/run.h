@@ -147,8 +147,8 @@ struct event {
 // The first event in the step from `now` to `next` of size h; its time is exactly 0 or h if it is
 // at an end. `count` (n_contact): events of each contact in this step of the deck so far. Link
 // `except` is passed over; -1: none.
-struct event event_first(const struct work *w, const struct state *now, const struct state *next,
-                         double h, const int *count, int except);
+struct event run_step_first_event(const struct work *w, const struct state *now,
+                                  const struct state *next, double h, const int *count, int except);
 
 // In adaptive_newmark.c: does the step of size h from r->now to r->next meet the tolerance?
 // STATUS_RETRY: no.

@@ -44,7 +44,7 @@ static double double_difference(double left, double right, double rho) {
     return square < 0.0 ? 0.0 : sqrt(square);  // rounding may leave a trace below 0; NAN stays
 }
 
-const struct separation_rule separation_rules[SEPARATION_RULES] = {
+const struct separation_rule contact_free_rules[SEPARATION_RULES] = {
     {"absolute_sum", "abs. sum", "uA + uB",
      "both set back from a property line: ASCE/SEI 7-16, 12.12.3; EN 1998-1:2004, 4.4.2.7(2)a",
      absolute_sum},
@@ -56,7 +56,7 @@ const struct separation_rule separation_rules[SEPARATION_RULES] = {
      "Jeng, Kasai & Maison (1992); Penzien (1997); rho: Der Kiureghian (1980)", double_difference},
 };
 
-double separation_correlation(const double period[2], const double damping[2]) {
+double contact_free_correlation(const double period[2], const double damping[2]) {
     const double a = damping[0], b = damping[1];
     if (!isfinite(period[0]) || !isfinite(period[1])) {
         return NAN;
@@ -72,10 +72,11 @@ double separation_correlation(const double period[2], const double damping[2]) {
            (away * away + 4.0 * a * b * r * (1.0 + square) + 4.0 * (a * a + b * b) * square);
 }
 
-double separation_by(const struct separation_rule *rule, const struct separation_ends *ends) {
+double contact_free_separation(const struct separation_rule *rule,
+                               const struct separation_ends *ends) {
     const double left = ends->displacement[0], right = ends->displacement[1];
     const double rho =
-        left > 0.0 && right > 0.0 ? separation_correlation(ends->period, ends->damping) : 0.0;
+        left > 0.0 && right > 0.0 ? contact_free_correlation(ends->period, ends->damping) : 0.0;
     return rule->separation(left, right, rho);
 }
 
@@ -98,9 +99,9 @@ static void read_contact(const struct model *m, const struct model *deck, const 
     }
     value[FREE_GAP] = deck->link[i].gap;
     value[FREE_CLOSING] = r->link[i].penetration + l->gap;
-    value[FREE_RHO] = separation_correlation(ends.period, ends.damping);
+    value[FREE_RHO] = contact_free_correlation(ends.period, ends.damping);
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        value[FREE_RULE + k] = separation_by(&separation_rules[k], &ends);
+        value[FREE_RULE + k] = contact_free_separation(&contact_free_rules[k], &ends);
     }
 }
 

@@ -22,14 +22,15 @@ struct separation_rule {
 };
 
 enum { SEPARATION_RULES = 4 };
-extern const struct separation_rule separation_rules[SEPARATION_RULES];
+extern const struct separation_rule contact_free_rules[SEPARATION_RULES];
 
 // Correlation coefficient of the responses of two oscillators to the same white noise; NAN where a
 // period is infinite, or damping negative.
-double separation_correlation(const double period[2], const double damping[2]);
+double contact_free_correlation(const double period[2], const double damping[2]);
 
 // By one of the rules. NAN where it needs a correlation that does not exist.
-double separation_by(const struct separation_rule *rule, const struct separation_ends *ends);
+double contact_free_separation(const struct separation_rule *rule,
+                               const struct separation_ends *ends);
 
 // What a run gives for a contact.
 enum contact_free_value {

@@ -48,7 +48,7 @@ static int take_head(struct journal *j, size_t n, struct error *e) {
     if (!head) {
         return error_no_memory(e);
     }
-    memcpy(head, entry_content(j->buffer), n);
+    memcpy(head, journal_entry_content(j->buffer), n);
     free(j->head);
     j->head = head;
     j->accepted = head + strlen(head) + (strlen(head) < n);
@@ -78,7 +78,7 @@ static int load_head(struct journal *j, struct error *e) {
                          "%s is not the journal of a study; move it out of the way", j->path);
     }
     if (file_read(j->file, j->buffer, ENTRY_HEAD, sizeof magic) == ENTRY_HEAD &&
-        entry_is_foreign(j->buffer)) {
+        journal_entry_is_foreign(j->buffer)) {
         return take_foreign(j, e);
     }
     int status = journal_load_entry(j, sizeof magic, &kind, &n, e);
@@ -100,7 +100,7 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
     const size_t n = strlen(path) + 1;
     j->path = malloc(n);
     j->offset = calloc((size_t)n_run, sizeof *j->offset);
-    const bool room = journal_reserve(j, ENTRY_HEAD + entry_run_size(n_value) + ENTRY_TAIL);
+    const bool room = journal_reserve(j, ENTRY_HEAD + journal_entry_run_size(n_value) + ENTRY_TAIL);
     if (!j->path || !j->offset || !room) {
         journal_close(j);
         return error_no_memory(e);
@@ -164,9 +164,9 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
     struct study_outcome outcome;
     const char *path = NULL;
     struct checksum sum;
-    if (kind == ENTRY_RUN && entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) &&
-        run.number >= 0 && run.number < j->n_run && run.n_file <= j->n_file &&
-        has_blocks(j, &run, outcome.status)) {
+    if (kind == ENTRY_RUN &&
+        journal_entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) && run.number >= 0 &&
+        run.number < j->n_run && run.n_file <= j->n_file && has_blocks(j, &run, outcome.status)) {
         int64_t *offset = &j->offset[run.number];
         j->n_done += *offset == 0;
         j->n_failed += *offset == 0 && outcome.status == STUDY_FAILED;
@@ -176,11 +176,11 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
         }
         return 1;
     }
-    if (kind == ENTRY_BLOCK && entry_get_block(j->buffer, n, &block)) {
+    if (kind == ENTRY_BLOCK && journal_entry_get_block(j->buffer, n, &block)) {
         link_block(j, &block);
         return 1;
     }
-    if (kind == ENTRY_FILE && entry_get_file(j->buffer, n, &path, &sum)) {
+    if (kind == ENTRY_FILE && journal_entry_get_file(j->buffer, n, &path, &sum)) {
         int status = file(context, path, &sum, e);
         j->n_file++;
         return status == STATUS_OK ? 1 : status;
@@ -222,8 +222,8 @@ int journal_accept(struct journal *j, const char *head, const char *accepted, st
     if (!journal_reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
         return error_no_memory(e);
     }
-    memcpy(entry_content(j->buffer), head, n_head);
-    memcpy(entry_content(j->buffer) + n_head, accepted, n - n_head);
+    memcpy(journal_entry_content(j->buffer), head, n_head);
+    memcpy(journal_entry_content(j->buffer) + n_head, accepted, n - n_head);
     return journal_append(j, ENTRY_HEAD_TEXT, n, e);
 }
 
@@ -248,16 +248,17 @@ int journal_reset(struct journal *j, const char *head, struct error *e) {
     if (file_cut(j->file, 0) != 0 || file_write(j->file, magic, sizeof magic, 0) != 0) {
         return journal_cannot(j, "write", e);
     }
-    memcpy(entry_content(j->buffer), head, n);
+    memcpy(journal_entry_content(j->buffer), head, n);
     return journal_append(j, ENTRY_HEAD_TEXT, n, e);
 }
 
 int journal_add_file(struct journal *j, const char *path, const struct checksum *sum,
                      struct error *e) {
-    if (!journal_reserve(j, ENTRY_HEAD + entry_file_size(path) + ENTRY_TAIL)) {
+    if (!journal_reserve(j, ENTRY_HEAD + journal_entry_file_size(path) + ENTRY_TAIL)) {
         return error_no_memory(e);
     }
-    const int status = journal_append(j, ENTRY_FILE, entry_put_file(j->buffer, path, sum), e);
+    const int status =
+        journal_append(j, ENTRY_FILE, journal_entry_put_file(j->buffer, path, sum), e);
     j->n_file += status == STATUS_OK;
     return status;
 }
@@ -271,7 +272,7 @@ int journal_add_run(struct journal *j, long run, const struct study_outcome *out
         entry.n_block = j->chain[run].n;
         entry.last = j->chain[run].last;
     }
-    const size_t n = entry_put_run(j->buffer, entry, outcome, value, j->n_value);
+    const size_t n = journal_entry_put_run(j->buffer, entry, outcome, value, j->n_value);
     int status = journal_append(j, ENTRY_RUN, n, e);
     if (status == STATUS_OK) {
         j->offset[run] = at;
@@ -303,7 +304,8 @@ int journal_read(struct journal *j, long run, struct study_outcome *outcome, dou
         return sound;
     }
     if (sound == 0 || kind != ENTRY_RUN ||
-        !entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) || found.number != run) {
+        !journal_entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) ||
+        found.number != run) {
         return lost(j, run, e);
     }
     return STATUS_OK;
@@ -317,7 +319,7 @@ int journal_add_block(struct journal *j, long run, const void *bytes, size_t n, 
         return error_no_memory(e);
     }
     const int status =
-        journal_append(j, ENTRY_BLOCK, entry_put_block(j->buffer, block, bytes, n), e);
+        journal_append(j, ENTRY_BLOCK, journal_entry_put_block(j->buffer, block, bytes, n), e);
     if (status == STATUS_OK) {
         j->chain[run] = (struct journal_chain){block.index + 1, at};
     }
@@ -336,7 +338,7 @@ int journal_find_blocks(struct journal *j, long run, int64_t **offset, struct er
         struct entry_block block = {.index = -1};
         to[i] = at;
         if (file_read(j->file, start, sizeof start, (off_t)at) == (ssize_t)sizeof start) {
-            entry_get_block(start, sizeof block, &block);
+            journal_entry_get_block(start, sizeof block, &block);
         }
         at = block.previous;
         status = block.run == run && block.index == i ? STATUS_OK : lost(j, run, e);
@@ -357,7 +359,8 @@ int journal_read_block(struct journal *j, long run, int64_t offset, const unsign
     if (sound < 0) {
         return sound;
     }
-    *bytes = sound == 1 && kind == ENTRY_BLOCK ? entry_get_block(j->buffer, *n, &block) : NULL;
+    *bytes =
+        sound == 1 && kind == ENTRY_BLOCK ? journal_entry_get_block(j->buffer, *n, &block) : NULL;
     *n -= sizeof block;
     return *bytes && block.run == run ? STATUS_OK : lost(j, run, e);
 }

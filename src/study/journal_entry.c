@@ -23,11 +23,11 @@ struct run_head {
     int32_t n_message;
 };
 
-unsigned char *entry_content(unsigned char *entry) {
+unsigned char *journal_entry_content(unsigned char *entry) {
     return entry + ENTRY_HEAD;
 }
 
-size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) {
+size_t journal_entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) {
     const uint32_t head[2] = {(uint32_t)kind, (uint32_t)n};
     _Static_assert(sizeof head == ENTRY_HEAD, "as written");
     memcpy(entry, head, sizeof head);
@@ -36,7 +36,7 @@ size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) {
     return ENTRY_HEAD + n + ENTRY_TAIL;
 }
 
-bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
+bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
     uint32_t head[2];
     memcpy(head, entry, sizeof head);
     *kind = (enum entry_kind)head[0];
@@ -46,7 +46,7 @@ bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
            *n <= CONTENT_MAX;
 }
 
-bool entry_is_foreign(const unsigned char *entry) {
+bool journal_entry_is_foreign(const unsigned char *entry) {
     const uint32_t kind = ENTRY_HEAD_TEXT;
     unsigned char here[sizeof kind];
     memcpy(here, &kind, sizeof kind);
@@ -58,18 +58,19 @@ bool entry_is_foreign(const unsigned char *entry) {
     return true;
 }
 
-bool entry_is_sound(const unsigned char *entry, size_t n) {
+bool journal_entry_is_sound(const unsigned char *entry, size_t n) {
     uint64_t sum;
     memcpy(&sum, entry + ENTRY_HEAD + n, sizeof sum);
     return sum == checksum_short(entry, ENTRY_HEAD + n);
 }
 
-size_t entry_run_size(size_t n_value) {
+size_t journal_entry_run_size(size_t n_value) {
     return sizeof(struct run_head) + STUDY_MESSAGE_MAX + n_value * sizeof(double);
 }
 
-size_t entry_put_run(unsigned char *entry, struct entry_run run,
-                     const struct study_outcome *outcome, const double *value, size_t n_value) {
+size_t journal_entry_put_run(unsigned char *entry, struct entry_run run,
+                             const struct study_outcome *outcome, const double *value,
+                             size_t n_value) {
     const size_t n_message = strlen(outcome->message);
     const struct run_head head = {.run = run.number,
                                   .n_file = run.n_file,
@@ -78,7 +79,7 @@ size_t entry_put_run(unsigned char *entry, struct entry_run run,
                                   .last = run.last,
                                   .status = outcome->status,
                                   .n_message = (int32_t)n_message};
-    unsigned char *to = entry_content(entry);
+    unsigned char *to = journal_entry_content(entry);
     memcpy(to, &head, sizeof head);
     memcpy(to + sizeof head, outcome->message, n_message);
     size_t n = sizeof head + n_message;
@@ -89,8 +90,8 @@ size_t entry_put_run(unsigned char *entry, struct entry_run run,
     return n;
 }
 
-bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct entry_run *run,
-                   struct study_outcome *outcome, double *value) {
+bool journal_entry_get_run(const unsigned char *entry, size_t n, size_t n_value,
+                           struct entry_run *run, struct study_outcome *outcome, double *value) {
     struct run_head head;
     const unsigned char *from = entry + ENTRY_HEAD;
     if (n < sizeof head) {
@@ -120,16 +121,16 @@ bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct 
     return true;
 }
 
-size_t entry_put_block(unsigned char *entry, struct entry_block block, const void *bytes,
-                       size_t n) {
-    unsigned char *to = entry_content(entry);
+size_t journal_entry_put_block(unsigned char *entry, struct entry_block block, const void *bytes,
+                               size_t n) {
+    unsigned char *to = journal_entry_content(entry);
     memcpy(to, &block, sizeof block);
     memcpy(to + sizeof block, bytes, n);
     return sizeof block + n;
 }
 
-const unsigned char *entry_get_block(const unsigned char *entry, size_t n,
-                                     struct entry_block *block) {
+const unsigned char *journal_entry_get_block(const unsigned char *entry, size_t n,
+                                             struct entry_block *block) {
     if (n < sizeof *block) {
         return NULL;
     }
@@ -137,19 +138,20 @@ const unsigned char *entry_get_block(const unsigned char *entry, size_t n,
     return entry + ENTRY_HEAD + sizeof *block;
 }
 
-size_t entry_file_size(const char *path) {
+size_t journal_entry_file_size(const char *path) {
     return CHECKSUM_DIGITS + strlen(path) + 1;
 }
 
 // A file that cannot be read has zeros.
-size_t entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum) {
-    unsigned char *to = entry_content(entry);
+size_t journal_entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum) {
+    unsigned char *to = journal_entry_content(entry);
     memcpy(to, sum->digits, CHECKSUM_DIGITS);
     memcpy(to + CHECKSUM_DIGITS, path, strlen(path) + 1);
-    return entry_file_size(path);
+    return journal_entry_file_size(path);
 }
 
-bool entry_get_file(const unsigned char *entry, size_t n, const char **path, struct checksum *sum) {
+bool journal_entry_get_file(const unsigned char *entry, size_t n, const char **path,
+                            struct checksum *sum) {
     const unsigned char *from = entry + ENTRY_HEAD;
     if (n <= CHECKSUM_DIGITS || from[n - 1] != 0) {
         return false;
@@ -177,7 +179,7 @@ bool journal_reserve(struct journal *j, size_t n) {
 }
 
 int journal_append(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
-    const size_t size = entry_seal(j->buffer, kind, n);
+    const size_t size = journal_entry_seal(j->buffer, kind, n);
     if (file_write(j->file, j->buffer, size, j->end) != 0) {
         const int cause = errno;
         if (file_cut(j->file, j->end) != 0) {
@@ -196,7 +198,7 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
     if (got < 0) {
         return journal_cannot(j, "read", e);
     }
-    if (got < ENTRY_HEAD || !entry_size(j->buffer, kind, n)) {
+    if (got < ENTRY_HEAD || !journal_entry_size(j->buffer, kind, n)) {
         return 0;
     }
     const size_t size = ENTRY_HEAD + *n + ENTRY_TAIL;
@@ -210,19 +212,20 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
     if (got < 0) {
         return journal_cannot(j, "read", e);
     }
-    return (size_t)got == size && entry_is_sound(j->buffer, *n) ? 1 : 0;
+    return (size_t)got == size && journal_entry_is_sound(j->buffer, *n) ? 1 : 0;
 }
 
 // Reads the head of an entry after the first one: no more bytes than such a one can have are
 // looked at for it.
 static bool is_head(const struct journal *j, const unsigned char *entry, enum entry_kind *kind,
                     size_t *n) {
-    const size_t run = entry_run_size(j->n_value), file = entry_file_size("") + PATH_MAX;
+    const size_t run = journal_entry_run_size(j->n_value),
+                 file = journal_entry_file_size("") + PATH_MAX;
     const size_t block = sizeof(struct entry_block) + ENTRY_BLOCK_BYTES;
-    return entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
-                                                : *kind == ENTRY_HEAD_TEXT ? HEADER_TEXT_MAX
-                                                : run > file               ? run
-                                                                           : file);
+    return journal_entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
+                                                        : *kind == ENTRY_HEAD_TEXT ? HEADER_TEXT_MAX
+                                                        : run > file               ? run
+                                                                                   : file);
 }
 
 int journal_find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,

@@ -32,35 +32,38 @@ struct entry_block {
 enum { ENTRY_BLOCK_BYTES = 1 << 18 };  // most bytes of histories in a block
 
 // The content of the entry at `entry`.
-unsigned char *entry_content(unsigned char *entry);
+unsigned char *journal_entry_content(unsigned char *entry);
 
 // Completes an entry with `n` bytes of content; returns its size.
-size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n);
+size_t journal_entry_seal(unsigned char *entry, enum entry_kind kind, size_t n);
 
 // Reads the kind and the size of the content from the head; false if it cannot be one.
-bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
+bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
 // True if it is a head from a machine with the other byte order.
-bool entry_is_foreign(const unsigned char *entry);
+bool journal_entry_is_foreign(const unsigned char *entry);
 // True if the checksum after the `n` bytes of content is right.
-bool entry_is_sound(const unsigned char *entry, size_t n);
+bool journal_entry_is_sound(const unsigned char *entry, size_t n);
 
 // Largest content of a run of `n_value` values.
-size_t entry_run_size(size_t n_value);
+size_t journal_entry_run_size(size_t n_value);
 // Fill the content and return its size; values of a failed run are not written.
-size_t entry_put_run(unsigned char *entry, struct entry_run run,
-                     const struct study_outcome *outcome, const double *value, size_t n_value);
+size_t journal_entry_put_run(unsigned char *entry, struct entry_run run,
+                             const struct study_outcome *outcome, const double *value,
+                             size_t n_value);
 // Fills the content of a block with `n` <= ENTRY_BLOCK_BYTES bytes of histories; its size.
-size_t entry_put_block(unsigned char *entry, struct entry_block block, const void *bytes, size_t n);
-size_t entry_file_size(const char *path);
-size_t entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum);
+size_t journal_entry_put_block(unsigned char *entry, struct entry_block block, const void *bytes,
+                               size_t n);
+size_t journal_entry_file_size(const char *path);
+size_t journal_entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum);
 
 // Read the content, `n` bytes; false if it cannot be one. `value` NULL: the values are not wanted.
-bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct entry_run *run,
-                   struct study_outcome *outcome, double *value);
+bool journal_entry_get_run(const unsigned char *entry, size_t n, size_t n_value,
+                           struct entry_run *run, struct study_outcome *outcome, double *value);
 // Its bytes of histories, of which there are n - sizeof *block; NULL if it cannot be one.
-const unsigned char *entry_get_block(const unsigned char *entry, size_t n,
-                                     struct entry_block *block);
-bool entry_get_file(const unsigned char *entry, size_t n, const char **path, struct checksum *sum);
+const unsigned char *journal_entry_get_block(const unsigned char *entry, size_t n,
+                                             struct entry_block *block);
+bool journal_entry_get_file(const unsigned char *entry, size_t n, const char **path,
+                            struct checksum *sum);
 
 // The error of an operation on the file: STATUS_SYSTEM with the cause in errno.
 int journal_cannot(const struct journal *j, const char *what, struct error *e);
@@ -68,8 +71,8 @@ int journal_cannot(const struct journal *j, const char *what, struct error *e);
 // Room for an entry of `n` bytes in the buffer; false: there is no memory.
 bool journal_reserve(struct journal *j, size_t n);
 
-// Appends the entry whose `n` bytes of content are in the buffer, from entry_content on. Errors:
-// STATUS_SYSTEM; the journal stays as it was.
+// Appends the entry whose `n` bytes of content are in the buffer, from journal_entry_content on.
+// Errors: STATUS_SYSTEM; the journal stays as it was.
 int journal_append(struct journal *j, enum entry_kind kind, size_t n, struct error *e);
 
 // The entry at `at` into the buffer: 1 with *n, the bytes of its content; 0 if there is no sound

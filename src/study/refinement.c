@@ -26,8 +26,8 @@ static const double SAFETY_FAST = 1.25, SAFETY_IRREGULAR = 3.0;
 // steps.
 static const double ROUNDING = 1e-11;
 
-struct convergence convergence_of(const double *value, int n, double ratio, double order,
-                                  double safety) {
+struct convergence refinement_convergence(const double *value, int n, double ratio, double order,
+                                          double safety) {
     const double f1 = value[n - 3], f2 = value[n - 2], f3 = value[n - 1];
     const double d1 = f2 - f1, d2 = f3 - f2;
     const double range = fmax(fmax(f1, f2), f3) - fmin(fmin(f1, f2), f3);
@@ -49,7 +49,7 @@ struct convergence convergence_of(const double *value, int n, double ratio, doub
     return c;
 }
 
-struct convergence convergence_of_count(const double *value, int n) {
+struct convergence refinement_convergence_of_count(const double *value, int n) {
     double change = fabs(value[n - 1] - value[n - 2]);
     return (struct convergence){
         .kind = change == 0.0 ? CONVERGENCE_COUNT : CONVERGENCE_MISCOUNT,
@@ -59,7 +59,7 @@ struct convergence convergence_of_count(const double *value, int n) {
     };
 }
 
-bool convergence_is_within(const struct convergence *c, double value, double rtol) {
+bool refinement_is_within(const struct convergence *c, double value, double rtol) {
     return c->error <= rtol * fabs(value) && c->kind != CONVERGENCE_MISCOUNT;
 }
 
@@ -237,9 +237,10 @@ int refinement_run(const struct model *m, int n_level, double rtol, const struct
     const double order = model_order(m), safety = m->adaptive ? SAFETY_ADAPTIVE : SAFETY;
     for (int i = 0; i < r->n_result; i++) {
         struct refined *f = &r->result[i];
-        f->convergence = f->dimension ? convergence_of(f->value, n_level, 2.0, order, safety)
-                                      : convergence_of_count(f->value, n_level);
-        f->within = convergence_is_within(&f->convergence, f->value[n_level - 1], rtol);
+        f->convergence = f->dimension
+                             ? refinement_convergence(f->value, n_level, 2.0, order, safety)
+                             : refinement_convergence_of_count(f->value, n_level);
+        f->within = refinement_is_within(&f->convergence, f->value[n_level - 1], rtol);
         r->n_within += f->within;
     }
     blame_impacts(r, m);

@@ -25,15 +25,15 @@ struct convergence {
 
 // Of the last three of n >= 3 values at steps h, h / ratio, h / ratio^2 ..., ratio > 1, by a method
 // of the given order. `safety`: the error bar over the error estimated at an order.
-struct convergence convergence_of(const double *value, int n, double ratio, double order,
-                                  double safety);
+struct convergence refinement_convergence(const double *value, int n, double ratio, double order,
+                                          double safety);
 
 // Of a number of things, of which n >= 2 are given.
-struct convergence convergence_of_count(const double *value, int n);
+struct convergence refinement_convergence_of_count(const double *value, int n);
 
 // Whether the error bar is within `rtol` of the value at the shortest step; a miscount is not.
 // `value` is that one.
-bool convergence_is_within(const struct convergence *c, double value, double rtol);
+bool refinement_is_within(const struct convergence *c, double value, double rtol);
 
 enum refined_owner { OF_MODEL, OF_BUILDING, OF_LINK };
 

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "study/journal_entry.h"
 #include "study/journal.h"
+#include "study/journal_entry.h"
 #include "support/support.h"
 
 enum { RUNS = 5, VALUES = 3, FAILED = 1 };
@@ -176,7 +176,7 @@ static void histories_that_are_cut_cost_their_run(void **state) {
     const size_t first = 8 + 8 + strlen(head) + 8;
     for (size_t n = first; n <= size; n += n + 400 > size ? 1 : 9973) {
         write_bytes(path, text, n);
-        const size_t entry = 8 + entry_run_size(VALUES) - STUDY_MESSAGE_MAX + 8;
+        const size_t entry = 8 + journal_entry_run_size(VALUES) - STUDY_MESSAGE_MAX + 8;
         assert_int_equal(load_histories(path, SHAPE), n == size ? 2 : n + entry >= size ? 1 : 0);
     }
 }

@@ -9,7 +9,7 @@
 #include "support/support.h"
 
 static double rho(double ta, double tb, double za, double zb) {
-    return separation_correlation((const double[]){ta, tb}, (const double[]){za, zb});
+    return contact_free_correlation((const double[]){ta, tb}, (const double[]){za, zb});
 }
 
 static void buildings_that_are_alike_move_alike(void **state) {
@@ -83,17 +83,18 @@ static void the_rules_combine_displacements(void **state) {
     (void)state;
     struct separation_ends ends = {
         .displacement = {0.3, 0.4}, .period = {1.0, 0.5}, .damping = {0.05, 0.05}};
-    assert_close(separation_by(&separation_rules[0], &ends), 0.7, 1e-15);
-    assert_close(separation_by(&separation_rules[1], &ends), 0.5, 1e-15);
-    assert_close(separation_by(&separation_rules[2], &ends), 0.35, 1e-15);
-    assert_close(separation_by(&separation_rules[3], &ends),
+    assert_close(contact_free_separation(&contact_free_rules[0], &ends), 0.7, 1e-15);
+    assert_close(contact_free_separation(&contact_free_rules[1], &ends), 0.5, 1e-15);
+    assert_close(contact_free_separation(&contact_free_rules[2], &ends), 0.35, 1e-15);
+    assert_close(contact_free_separation(&contact_free_rules[3], &ends),
                  sqrt(0.25 - 0.24 * rho(1.0, 0.5, 0.05, 0.05)), 1e-14);
     ends.period[1] = 1.0;  // alike: the difference of the displacements
-    assert_close(separation_by(&separation_rules[3], &ends), 0.1, 1e-14);
+    assert_close(contact_free_separation(&contact_free_rules[3], &ends), 0.1, 1e-14);
     ends.displacement[1] = 0.0;  // a wall, which has no period
     ends.period[1] = ends.damping[1] = NAN;
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        assert_close(separation_by(&separation_rules[k], &ends), k == 2 ? 0.21 : 0.3, 1e-15);
+        assert_close(contact_free_separation(&contact_free_rules[k], &ends), k == 2 ? 0.21 : 0.3,
+                     1e-15);
     }
 }
 
@@ -101,13 +102,13 @@ static void a_rule_without_its_correlation_has_no_value(void **state) {
     (void)state;
     struct separation_ends ends = {
         .displacement = {0.3, 0.4}, .period = {1.0, INFINITY}, .damping = {0.05, NAN}};
-    assert_true(isnan(separation_by(&separation_rules[3], &ends)));
-    assert_close(separation_by(&separation_rules[1], &ends), 0.5, 1e-15);
+    assert_true(isnan(contact_free_separation(&contact_free_rules[3], &ends)));
+    assert_close(contact_free_separation(&contact_free_rules[1], &ends), 0.5, 1e-15);
     ends.period[1] = 0.5;
     ends.damping[1] = -0.01;  // it swings ever wider
-    assert_true(isnan(separation_by(&separation_rules[3], &ends)));
+    assert_true(isnan(contact_free_separation(&contact_free_rules[3], &ends)));
     ends.damping[0] = -0.02;
-    assert_true(isnan(separation_by(&separation_rules[3], &ends)));
+    assert_true(isnan(contact_free_separation(&contact_free_rules[3], &ends)));
 }
 
 int main(void) {

@@ -239,7 +239,7 @@ static void lockstep_finish(struct lockstep *l, long n) {
         struct run *r = &l->slot[k].run;
         lockstep_gather_live(&l->lanes, k, l->lanes.next, r->next);
         contact_finish(&r->work, r->next);
-        if (event_first(&r->work, r->now, r->next, r->work.h, r->events, -1).link >= 0) {
+        if (run_step_first_event(&r->work, r->now, r->next, r->work.h, r->events, -1).link >= 0) {
             lockstep_give_up(l, k, n);
         }
     }

@@ -166,8 +166,9 @@ static void event_take_earlier(struct event *first, int k, double time, double h
     }
 }
 
-struct event event_first(const struct work *w, const struct state *now, const struct state *next,
-                         double h, const int *count, int except) {
+struct event run_step_first_event(const struct work *w, const struct state *now,
+                                  const struct state *next, double h, const int *count,
+                                  int except) {
     const struct model *m = w->model;
     struct event first = {.link = -1, .time = INFINITY};
     struct event otherwise = first;
@@ -284,7 +285,7 @@ static int event_step_to_first(struct run *r, struct event *event, double end, d
             return status;
         }
         struct event other =
-            event_first(&r->work, r->now, r->next, event->time, r->events, event->link);
+            run_step_first_event(&r->work, r->now, r->next, event->time, r->events, event->link);
         if (other.link < 0 || other.time >= (1.0 - TOGETHER) * event->time) {
             return STATUS_OK;
         }
@@ -330,7 +331,7 @@ int run_step(struct run *r, double end, double h, int halvings, double *rest) {
     if (status != STATUS_OK) {
         return status;
     }
-    struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
+    struct event event = run_step_first_event(&r->work, r->now, r->next, h, r->events, -1);
     if (event.link < 0) {
         return run_step_commit(r);
     }
