@@ -19,7 +19,7 @@ fi
 # Instructions per step of case $1; the log of valgrind where it fails.
 count() {
     local steps total
-    if ! steps=$(valgrind --tool=callgrind --toggle-collect=analysis_run \
+    if ! steps=$(valgrind --tool=callgrind --toggle-collect=*analysis_run \
         --callgrind-out-file="$folder/out" "$bench" -c "$1" 2>"$folder/log"); then
         cat "$folder/log" >&2
         return 1

@@ -57,7 +57,7 @@ static double exact_residual_at_rest(const struct equation *e, double f, double 
 
 // The root of g in [low, high], g(low) <= 0 <= g(high). Where v = 0 the law may jump or have a
 // kink: the root is there, or on one side.
-static double exact_search(const struct equation *e, double low, double high, double f) {
+static double exact_search(const struct equation *e, double low, double high, double guess) {
     struct root within = {low, high, 1.0};
     const double rest = e->v_free / e->v_force;
     if (rest > low && rest < high) {
@@ -67,9 +67,8 @@ static double exact_search(const struct equation *e, double low, double high, do
         }
         *(above ? &within.low : &within.high) = rest;
     }
-    if (!(f > within.low && f < within.high)) {
-        f = root_middle(&within);
-    }
+    bool inside = guess > within.low && guess < within.high;
+    double f = inside ? guess : root_middle(&within);
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         struct contact_response r = exact_law(e, f);
         double g = f - r.force;

@@ -18,6 +18,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
 #include "solve/contact/sweep_step.h"
@@ -25,7 +26,6 @@
 bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct arena *a) {
     const struct link *l = &m->link[k];
     const bool plain = link_is_plain(l);
-    bool room = true;
     *p = (struct link_scratch){
         .end = {plain ? state_end(l, m, 0) : -1, plain ? state_end(l, m, 1) : -1},
         .link = l,
@@ -34,14 +34,14 @@ bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct are
         .constant = l->constant,
         .gap = l->gap,
         .bilateral = l->bilateral,
+        .moving_ground = l->moving_ground,
     };
     for (int side = 0; side < 2; side++) {
         if (l->row[side].n > 0) {
             p->combined[side] = lanes_array(a, m->building[l->building[side]].n_floor);
-            room = room && p->combined[side];
         }
     }
-    return room;
+    return !arena_failed(a);
 }
 
 // A^-1 b' of an end that is a row, into `column` (n_floor in whole lanes).
@@ -129,9 +129,12 @@ void sweep_prepare(struct work *w, const struct state *next, struct link_scratch
     p->trusted = p->branch == BRANCH_CLOSED && p->law->force && !p->clamped;
     p->open = false;
     p->stale = true;
-    p->d_trial = sweep_across(p, w->u_trial) - p->gap +
-                 state_ground_gap(p->link, w->model, next->ground_u);
-    p->v_trial = sweep_across(p, w->v_trial) + state_ground_gap(p->link, w->model, next->ground_v);
+    p->d_trial = sweep_across(p, w->u_trial) - p->gap;
+    p->v_trial = sweep_across(p, w->v_trial);
+    if (p->moving_ground) {
+        p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
+        p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
+    }
     if (p->factors != w->factors) {
         sweep_find_columns(w, p);
     }

@@ -66,6 +66,7 @@ struct link_scratch {
     double *combined[2];  // (lanes) column of an end that is a row; NULL: it is a floor
     int index;            // of the link
     bool bilateral;
+    bool moving_ground;
 };
 
 // What a sweep found.
