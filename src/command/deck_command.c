@@ -57,7 +57,7 @@ static int use(void *options, struct arena *a, const struct words *operand) {
     (void)a;
     struct load_request *load = options;
     const struct deck_command *c = load->command;
-    struct model *m;
+    struct model *m = NULL;
     load->path = operand->word[0];
     int status = c->settle ? c->settle(options) : EXIT_DONE;
     status = status == EXIT_DONE ? deck_command_load(load, &m) : status;

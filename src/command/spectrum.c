@@ -2,6 +2,7 @@
 // jostle spectrum: intensities and elastic response spectra of ground motions.
 #include "command/spectrum.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -30,6 +31,7 @@ const struct command command_spectrum = {
 static int name_records(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                         struct error *e) {
     const char **base = arena_alloc(a, (size_t)q->n_record, sizeof *base);
+    assert(set->name);
     if (!base) {
         return error_no_memory(e);
     }

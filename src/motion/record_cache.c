@@ -135,7 +135,7 @@ static int put(struct record_cache *s, const struct record_request *request, con
 }
 
 int record_cache_read(struct record_cache *s, struct arena *a, const struct record_request *request,
-               struct record *out, struct error *e) {
+                      struct record *out, struct error *e) {
     if (!s) {
         return record_read(a, request, out, e);
     }

@@ -45,6 +45,6 @@ struct match {
 // Compares the spectra of unscaled records, of the first damping ratio, with the target's values
 // `goal` (n_period) at their periods. Every PSA is > 0. Errors: STATUS_SYSTEM (no memory).
 int target_match(struct match *m, const struct spectra *s, const double *goal, struct arena *a,
-                  struct error *e);
+                 struct error *e);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An open result file: which run it is of, and its histories, one column of a dataset over all
 // rows.
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -176,6 +177,7 @@ int result_open(const char *path, struct result_file **out, struct error *e) {
     }
     int status = reader_init(f, path, READ_VALUES, e);
     if (status == STATUS_OK) {
+        assert(f->report);
         f->report->file = f->path;
         status = read_file(f, e);
     }

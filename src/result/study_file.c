@@ -134,7 +134,7 @@ static int make_file(struct study_writer *w, const struct result_options *o, str
     }
     if (status == STATUS_OK) {
         status = result_publish(w->h.lock, partial, o->path, o->existing, e);
-    } else if (w->h.lock >= 0) {
+    } else if (partial && w->h.lock >= 0) {
         unlink(partial);
     }
     h5_unlock(&w->h);

@@ -130,8 +130,8 @@ static int factor_tridiagonal(struct effective *e, double b, double g) {
             return STATUS_RETRY;
         }
         double pivot = 1.0 / d, factor = off * pivot;
-        e->pivot[i * EFFECTIVE_ABREAST] = pivot;
-        e->factor[i * EFFECTIVE_ABREAST] = factor;
+        e->pivot[(ptrdiff_t)i * EFFECTIVE_ABREAST] = pivot;
+        e->factor[(ptrdiff_t)i * EFFECTIVE_ABREAST] = factor;
         carried = off * factor;
     }
     memset(e->ready, 0, (size_t)building->n_floor * sizeof *e->ready);
