@@ -10,13 +10,6 @@ static const uint64_t hash_start = UINT64_C(14695981039346656037);
 
 // Continues `hash` with `n` more bytes: FNV-1a of 64 bits (Fowler, Noll, Vo). It is fast for names.
 // Seeds of random sweeps depend on it, too.
-static inline uint64_t hash_add(uint64_t hash, const void *data, size_t n) {
-    static const uint64_t prime = UINT64_C(1099511628211);
-    const unsigned char *byte = data;
-    for (size_t i = 0; i < n; i++) {
-        hash = (hash ^ byte[i]) * prime;
-    }
-    return hash;
-}
+uint64_t hash_add(uint64_t hash, const void *data, size_t n);
 
 #endif

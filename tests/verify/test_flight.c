@@ -272,9 +272,9 @@ static void linear_links_fly(void **state) {
         "link A:5 B:5 -dashpot 2MN*s/m\n",
         "link A:5 B:5 -stiffness 50MN/m\n",
         "link A:5 B:5 -stiffness 1e12\n",
-        "link A B -stiffness 20MN/m -dashpot 1MN*s/m\nlink A:8 A:7 -dashpot 3MN*s/m\n"
-        "link A:0 A:1 -stiffness 9MN/m\nlink A:6 B:4 -stiffness 0\nload B:2 sine -amplitude 90kN "
-        "-frequency 2\n",
+        ("link A B -stiffness 20MN/m -dashpot 1MN*s/m\nlink A:8 A:7 -dashpot 3MN*s/m\n"
+         "link A:0 A:1 -stiffness 9MN/m\nlink A:6 B:4 -stiffness 0\nload B:2 sine -amplitude 90kN "
+         "-frequency 2\n"),
         "link A:3 B:3 -dashpot 1MN*s/m\nground sine -amplitude 1 -frequency 2Hz -buildings B\n",
         "link A B -stiffness 5MN/m\nstorey A:1:3 bilinear -yield 3MN -hardening 0.05\n",
         "link A:3 B:3 -dashpot 1MN*s/m\ndamping A modal 2%\n",
