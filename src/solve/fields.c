@@ -48,9 +48,10 @@ bool fields_alloc(const struct fields *f, const struct model *m, void *s, struct
 
 // Where the elements of a field are.
 static char *fields_elements(const struct fields_row *f, const void *s) {
+    const void *member = (const char *)s + f->offset;
     char *elements = (char *)s + f->offset;
     if (f->count != FIELD_ONE) {
-        memcpy(&elements, elements, sizeof elements);
+        memcpy(&elements, member, sizeof elements);
     }
     return elements;
 }
