@@ -6,8 +6,6 @@
 #ifndef JOSTLE_FLOOR_STEPS_H
 #define JOSTLE_FLOOR_STEPS_H
 
-#include <stdalign.h>
-
 #include "solve/floors/floor_step.h"
 #include "solve/floors/floors_full.h"
 #include "solve/newmark/flight.h"
@@ -202,7 +200,7 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
     struct floors_approach near = {{0}, {0}};
     floor_bits ends = {0};
     if (w->model->chain.full_damping && w->floors.account.due) {
-        floors_full_work(w, &account.step.s0, &account.step.s1, account.step.damping_2x);
+        floors_full_work(w, next, now);
     }
     for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
@@ -213,7 +211,7 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
             floors_push(w, now, next, b);
         }
         if (w->model->chain.full_damping) {
-            floors_full_forces(w, b, &pass);
+            floors_full_forces(w, b, lines->given == NULL);
         }
         floors_solve_block(&pass, w, b, &s, f && few > 0, q);
         if (f && f->n_link > 0) {
@@ -353,7 +351,7 @@ FLOORS_CLONES static bool floor_steps_account(const struct work *w, const struct
         step.s1.external = s1->external;
     }
     if (m->chain.full_damping) {
-        floors_full_work(w, &step.s0, &step.s1, step.damping_2x);
+        floors_full_work(w, s0, s1);
     }
     return floors_account_part(&step, 0, step.chain.n);
 }

@@ -1,33 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What these loops leave out of buildings with full matrices, all parts of which are linear. What
-// is read and written beyond a building belongs to the next one, and is changed by 0.
+// is read and written beyond a building belongs to the next one, and is changed by 0. These
+// functions are not in line, as each step of floor_steps.h would have copies of them. They take no
+// pointers to its local variables, which would keep these in memory.
 #ifndef JOSTLE_FLOORS_FULL_H
 #define JOSTLE_FLOORS_FULL_H
+
+#include <stdalign.h>
 
 #include "solve/floors/floor_step.h"
 #include "solve/work.h"
 
-// Takes C v, and the shears of parts if they are not in the residual, off that of the buildings of
-// a block; u, v and the residual are from its first floor on.
-LANES_INLINE void floors_full_forces(const struct work *w, const struct floor_block *b,
-                                     const struct floors_pass *p) {
+// Takes C v, and `with_shears` those of parts, off the residual of the buildings of a block.
+FLOORS_CLONES static void floors_full_forces(const struct work *w, const struct floor_block *b,
+                                             bool with_shears) {
     alignas(LANES_LINE) double drift[FLOORS_MAX], force[FLOORS_MAX], shear[FLOORS_MAX];
     for (int k = b->building; k < b->building + b->n_building; k++) {
         const struct effective *e = &w->effective[k];
         const int n = e->building->n_floor;
         const ptrdiff_t at = e->building->first - b->first;
-        const bool with_parts = e->parts && !p->lines.given;
-        double *residual = p->residual + at;
+        const bool with_parts = e->parts && with_shears;
+        double *residual = w->floors.residual + at;
         floor_lanes under = none, over;
         if (!e->damping) {
             continue;
         }
         for (int i = 0; with_parts && i < e->stride; i += FLOORS_VECTOR) {
-            const floor_lanes own = FLOORS_AT(p->u_trial + at, i);
+            const floor_lanes own = FLOORS_AT(w->floors.u_trial + at, i);
             FLOORS_SET(drift, i) = own - BELOW(under, own);
             under = own;
         }
-        floors_multiply(e->damping, n, false, p->v_trial + at, force);
+        floors_multiply(e->damping, n, false, w->floors.v_trial + at, force);
         if (with_parts) {
             floors_multiply(e->parts, n, false, drift, shear);
         }
@@ -43,7 +46,7 @@ LANES_INLINE void floors_full_forces(const struct work *w, const struct floor_bl
 }
 
 // Adds the shears of parts at the drifts of `s` to those of the storeys alone.
-LANES_INLINE void floors_full_strain(const struct work *w, struct state *s) {
+FLOORS_CLONES static void floors_full_strain(const struct work *w, struct state *s) {
     for (int k = 0; w->model->chain.parts && k < w->model->n_building; k++) {
         const struct effective *e = &w->effective[k];
         if (e->parts) {
@@ -55,8 +58,9 @@ LANES_INLINE void floors_full_strain(const struct work *w, struct state *s) {
 }
 
 // Adds twice the work of C in the step from s0 to s1.
-LANES_INLINE void floors_full_work(const struct work *w, const struct floors_motion *s0,
-                                   const struct floors_motion *s1, double *damping_2x) {
+FLOORS_CLONES static void floors_full_work(const struct work *w, const struct state *s0,
+                                           const struct state *s1) {
+    double *damping_2x = w->floors.account.energy->damping_2x;
     alignas(LANES_LINE) double mean_2x[FLOORS_MAX], force_2x[FLOORS_MAX];
     for (int k = 0; k < w->model->n_building; k++) {
         const struct effective *e = &w->effective[k];
