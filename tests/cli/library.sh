@@ -2,22 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The program of docs/library.md, with the library as it is installed.
 . tests/support/cli.sh
-build=$(dirname "$jostle")
-flags=$(cat "$build/flags" 2>/dev/null)
-unset MAKEFLAGS MAKELEVEL MFLAGS
-
-case $build$here in
-*[[:space:]:%\']*) flags= ;;  # such names make has no rules for
-esac
-case $flags in
-'' | *fsanitize* | *coverage* | *profile*)
+. "$root/tests/support/make.sh"
+if ! is_ordinary; then
     skip "the program of the page on the library" "not an ordinary build"
     exit
-    ;;
-esac
+fi
 compiler=${flags%% -*}
-run make -C "$root" --no-print-directory CC="$compiler" BUILD="$build" -o "$build/libjostle.a" -o "$jostle" \
-    install prefix="$here/usr"
+make_here -o "$jostle" install prefix="$here/usr"
 expect "the library is installed" '[ $status -eq 0 ] && [ -s usr/lib/libjostle.a ] && [ ! -s "$err" ]'
 awk '/^<!-- file / { file = $3 } /^```/ { inside = !inside && file; if (!inside) file = ""; next }
      inside { print > file }' "$root/docs/library.md"

@@ -3,23 +3,13 @@
 # Where the archives of the libraries, or that of the C library, are missing, the program is linked
 # with what is shared. Links what has been compiled once more, with an archive that is nowhere.
 . tests/support/cli.sh
-build=$(dirname "$jostle")
-flags=$(cat "$build/flags" 2>/dev/null)
-unset MAKEFLAGS MAKELEVEL MFLAGS
+. "$root/tests/support/make.sh"
 
 link() {
-    run make -C "$root" --no-print-directory CC="${flags%% -*}" BUILD="$build" \
-        -o "$build/libjostle.a" -o "$build/object/src/main.o" PROGRAM="$here/jostle" "$here/jostle" "$@"
+    make_here -o "$build/object/src/main.o" PROGRAM="$here/jostle" "$here/jostle" "$@"
 }
 
-case $build$here in
-*[[:space:]:%\']*) flags= ;;  # such names make has no rules for
-esac
-case $flags in
-'' | *fsanitize* | *coverage* | *profile*)
-    skip "the program is linked without archives" "not an ordinary build"
-    ;;
-*)
+if is_ordinary; then
     link ARCHIVES=-lno_such_archive
     expect "without archives the program is linked with what is shared" '[ $status -eq 0 ] && [ ! -s "$err" ]'
     run ./jostle check "$root/input/wall.deck"
@@ -29,5 +19,6 @@ case $flags in
     rm jostle
     link ARCHIVES=-lno_such_archive LIBS=-lno_such_library
     expect "what is missing altogether is named" '[ $status -ne 0 ] && said no_such_library && ! said no_such_archive && [ ! -e jostle ]'
-    ;;
-esac
+else
+    skip "the program is linked without archives" "not an ordinary build"
+fi
