@@ -90,6 +90,20 @@ static inline void state_enliven(struct state *s, int k) {
     }
 }
 
+// What the next step begins with of a link that was `from`, closed, and stays so: its force is
+// still that of the last step, and it remembers `most` past forces at most.
+static inline struct link_state state_carry_on(const struct link_state *from, int most) {
+    return (struct link_state){
+        .force = from->force,
+        .past = {from->force, from->past[0], from->past[1]},
+        .t_close = from->t_close,
+        .v_close = from->v_close,
+        .n_past = from->n_past < most ? from->n_past + 1 : most,
+        .is_live = true,
+        .closed = true,
+    };
+}
+
 // Opens link k and takes it out of `live`.
 void state_open_link(struct state *s, int k);
 

@@ -174,13 +174,8 @@ LANES void flight_join(const struct flight *f, const struct state *now, struct s
         }
     }
     for (int i = 0; i < n; i++) {
-        struct link_state *to = &next->link[first + i];
-        *to = now->link[first + i];
-        to->past[2] = to->past[1];
-        to->past[1] = to->past[0];
-        to->past[0] = to->force;
-        to->n_past = to->n_past < PAST_STEPS ? to->n_past + 1 : PAST_STEPS;
-        to->force = force[i];
+        next->link[first + i] = state_carry_on(&now->link[first + i], PAST_STEPS);
+        next->link[first + i].force = force[i];
         sweep_push(w, &w->link[first + i], &force[i]);
     }
 }
