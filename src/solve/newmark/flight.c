@@ -11,7 +11,6 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "core/number.h"
 #include "law/bilateral.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"

@@ -25,6 +25,7 @@
 #include "core/lanes.h"
 #include "model/parts.h"
 #include "solve/contact/contact.h"
+#include "solve/floors/chain.h"
 #include "solve/forcing.h"
 
 static void newmark_begin(struct work *w, const struct state *now, struct state *next, double end) {
