@@ -77,13 +77,13 @@ void forcing_of_pieces(struct state *s, const struct forcing *f, double t);
 // steps at a time.
 enum { FORCING_AHEAD = 128 };
 struct forcing_ahead {
-    long from;                     // step of the first; before anything is known -FORCING_AHEAD
-    long sought;                   // that asked for last, from there
+    long from;                     // the first of these steps; -FORCING_AHEAD: none is known
+    long sought;                   // the step that was asked for last, counted from `from`
     double time[FORCING_AHEAD];    // [T]
     double ground[FORCING_AHEAD];  // [L/T^2]
 };
 
-// Computes ahead, unless that has been done, so that step n is among the steps known.
+// Computes ahead, unless that has been done, so that step n is among the steps that are known.
 void forcing_foresee(struct forcing_ahead *x, const struct model *m, long n);
 
 // The motion of the grounds only, at any t; looked up where t is the end of the step sought last.

@@ -2,7 +2,6 @@
 // Dormand & Prince's method with error control, for adaptive analyses: its time loop. A step is
 // made as long as the tolerance allows (dp_step.c) and ended at its first event (dp_events.c). It
 // is accounted for (dp_account.c, dp_peaks.c), and the event happens at the start of the next one.
-#include <float.h>
 #include <math.h>
 
 #include "core/arena.h"

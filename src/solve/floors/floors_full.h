@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What these loops leave out of buildings with full matrices, all parts of which are linear. What
-// is read and written beyond a building belongs to the next one, and is changed by 0.
+// What the loops of floor_step.h leave out of buildings with full matrices: C v, and the shears of
+// their parts where these are linear. What is read and written beyond a building belongs to the
+// next one, and is changed by 0.
 #ifndef JOSTLE_FLOORS_FULL_H
 #define JOSTLE_FLOORS_FULL_H
 

@@ -57,9 +57,9 @@ static bool flight_is_linear(const struct link *l) {
     return l->constant[BILATERAL_DASHPOT] == 0.0 || l->constant[BILATERAL_EXPONENT] == 1.0;
 }
 
-// Are all contacts those of floors with a law of force, all links linear and few, all storeys of
-// straight lines, and buildings with full matrices elastic? Floors of linked buildings are solved
-// for together.
+// Have all contacts a law of force, and floors at their ends? Are all links linear and few, all
+// storeys of straight lines, and buildings with full matrices elastic? Floors of linked buildings
+// must be in one block, as they are solved for together.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
     bool possible = (m->elastic || !m->chain.full_damping) && n_link <= LINKS_MAX &&
