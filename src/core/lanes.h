@@ -135,11 +135,10 @@ LANES_INLINE bool wide_any(const wide_bits *mask) {
 #define WIDE_ABSOLUTE(x) ((wide)((wide_bits)(x)&INT64_MAX))
 #define WIDE_CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
-// Masks of comparisons, and the larger and the smaller of two values, lane by lane.
+// Masks of comparisons, and the larger of two values, lane by lane.
 #define WIDE_LESS(a, b) ((wide_bits)((a) < (b)))
 #define WIDE_AT_MOST(a, b) ((wide_bits)((a) <= (b)))
 #define WIDE_LARGER(a, b) WIDE_CHOOSE(WIDE_LESS(b, a), a, b)
-#define WIDE_SMALLER(a, b) WIDE_CHOOSE(WIDE_LESS(a, b), a, b)
 
 // True if a register of this processor holds a wide, or half of it. With smaller registers gcc
 // passes a wide through memory, and computing eight runs one after the other is faster.

@@ -28,10 +28,4 @@ static inline int64_t number_bits(double x) {
     return b;
 }
 
-// Negative if |x| > limit >= 0, by the sign of bits(limit) - bits(|x|). Numbers >= 0 have the order
-// of their bits, and the bits of NaN are above those of all numbers.
-static inline int64_t number_beyond(double x, double limit) {
-    return number_bits(limit) - (number_bits(x) & INT64_MAX);
-}
-
 #endif

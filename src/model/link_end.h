@@ -22,18 +22,6 @@ static inline struct link_entry link_entry(const struct link *l, int side, int i
     return l->row[side].n > 0 ? l->row[side].entry[i] : (struct link_entry){l->dof[side], 1.0};
 }
 
-// The weight of degree of freedom i in the difference of both ends.
-static inline double link_weight(const struct link *l, int i) {
-    double weight = 0.0;
-    for (int side = 0; side < 2; side++) {
-        for (int j = 0, n = link_entries(l, side); j < n; j++) {
-            const struct link_entry e = link_entry(l, side, j);
-            weight += e.dof != i ? 0.0 : side == 0 ? e.weight : -e.weight;
-        }
-    }
-    return weight;
-}
-
 // b x of a row, and of an end, for x (n_dof). The sum over a row is not in line, so that loops over
 // links between floors stay small.
 double link_end_row(const struct link_row *row, const double *x);

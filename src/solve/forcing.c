@@ -19,9 +19,6 @@ static const double AT_SAMPLE = 1e-6, AT_TIME = 1e-12;
 // A smaller change of the value, relative to what it is made of, is rounding.
 static const double JUMP = 1e-12;
 
-// Times that differ by less than this share of them are the same.
-static const double SAME_TIME = 8.0 * DBL_EPSILON;
-
 static const struct fields_row list[] = {
     FIELD_ARRAY(struct forcing, ground, FIELD_SIGNALS),
     FIELD_ARRAY(struct forcing, load, FIELD_LOADS),
@@ -30,10 +27,6 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct forcing, corner),
 };
 const struct fields forcing_fields = FIELDS(list);
-
-void forcing_init(struct forcing *f, const struct model *m) {
-    f->model = m;
-}
 
 static double forcing_slack(const struct signal *s, double t) {
     return s->value ? AT_SAMPLE * s->dt : AT_TIME * (1.0 + fabs(t));
@@ -96,7 +89,7 @@ bool forcing_turn(struct forcing *f, double t) {
     bool jumps = false;
     double corner = INFINITY;
     struct piece *p = f->ground;
-    if (t >= m->duration * (1.0 - SAME_TIME)) {
+    if (t >= m->duration * (1.0 - FORCING_SAME_TIME)) {
         f->corner = INFINITY;
         return false;
     }

@@ -5,7 +5,13 @@
 #ifndef JOSTLE_FORCING_H
 #define JOSTLE_FORCING_H
 
+#include <float.h>
+
 #include "solve/state.h"
+
+// Instants that differ by less than this share of them are one: steps, corners and rows differ by
+// rounding.
+static const double FORCING_SAME_TIME = 8.0 * DBL_EPSILON;
 
 // A straight line: value + slope (t - start).
 struct sloping {
@@ -23,6 +29,8 @@ struct piece {
     struct sloping line;        // 0 of a sine
 };
 
+// In storage that fields_alloc makes, with the model set, all pieces end at t = 0, where
+// forcing_turn is due for the first time.
 struct forcing {
     const struct model *model;  // borrowed
     struct piece *ground;       // those of ground 0, then 1, ...
@@ -38,10 +46,6 @@ struct forcing_values {
     double *a;      // [L/T^2]
     double *v, *u;  // [L/T] [L] only where there is more than one ground
 };
-
-// Before all pieces, in storage that fields_alloc makes: they end at t = 0, where forcing_turn is
-// due for the first time.
-void forcing_init(struct forcing *f, const struct model *m);
 
 // Replaces the pieces that end at time t by those that begin there. True if a signal jumps. At the
 // end of the analysis the pieces stay: what is after it does not count.
@@ -73,13 +77,13 @@ void forcing_of_pieces(struct state *s, const struct forcing *f, double t);
 // steps at a time.
 enum { FORCING_AHEAD = 128 };
 struct forcing_ahead {
-    long from;                     // step of the first; before anything is known -FORCING_AHEAD
-    long sought;                   // that asked for last, from there
+    long from;                     // the first of these steps; -FORCING_AHEAD: none is known
+    long sought;                   // the step that was asked for last, counted from `from`
     double time[FORCING_AHEAD];    // [T]
     double ground[FORCING_AHEAD];  // [L/T^2]
 };
 
-// Computes ahead, unless that has been done, so that step n is among the steps known.
+// Computes ahead, unless that has been done, so that step n is among the steps that are known.
 void forcing_foresee(struct forcing_ahead *x, const struct model *m, long n);
 
 // The motion of the grounds only, at any t; looked up where t is the end of the step sought last.

@@ -118,26 +118,24 @@ void state_full_forces(struct state *s, const struct model *m, const double *v, 
     }
 }
 
-static void state_forces_from(struct state *s, const struct model *m, const double *u,
-                              const double *v, const double *from, double *after) {
-    chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
+static void state_forces_from(struct state *s, const struct model *m, const double *from,
+                              double *after) {
+    chain_forces(&m->chain, s->u, s->v, s->drift, s->shear, s->damping_force);
     for (int k = 0; !m->elastic && k < m->n_building; k++) {
         if (!m->building[k].elastic) {
             state_storeys(s, m, &m->building[k], from, after);
         }
     }
-    state_full_forces(s, m, v, from, after);
+    state_full_forces(s, m, s->v, from, after);
 }
 
-void state_internal_forces(struct state *s, const struct model *m, const double *u,
-                           const double *v) {
+void state_internal_forces(struct state *s, const struct model *m) {
     state_assert(s, m);
-    state_forces_from(s, m, u, v, s->storey_history, NULL);
+    state_forces_from(s, m, s->storey_history, NULL);
 }
 
-void state_reach(struct state *s, const struct model *m, const double *u, const double *v,
-                 const double *from) {
-    state_forces_from(s, m, u, v, from, s->storey_history);
+void state_reach(struct state *s, const struct model *m, const double *from) {
+    state_forces_from(s, m, from, s->storey_history);
 }
 
 void state_totals(struct state *s, const struct model *m) {
@@ -153,7 +151,7 @@ void state_complete(struct state *s, const struct model *m) {
     if (!m->adaptive) {
         forcing_floors(s, m, s->time);
     }
-    state_internal_forces(s, m, s->u, s->v);
+    state_internal_forces(s, m);
     state_totals(s, m);
 }
 

@@ -90,6 +90,20 @@ static inline void state_enliven(struct state *s, int k) {
     }
 }
 
+// What the next step begins with of a link that was `from`, closed, and stays so: its force is
+// still that of the last step, and it remembers `most` past forces at most.
+static inline struct link_state state_carry_on(const struct link_state *from, int most) {
+    return (struct link_state){
+        .force = from->force,
+        .past = {from->force, from->past[0], from->past[1]},
+        .t_close = from->t_close,
+        .v_close = from->v_close,
+        .n_past = from->n_past < most ? from->n_past + 1 : most,
+        .is_live = true,
+        .closed = true,
+    };
+}
+
 // Opens link k and takes it out of `live`.
 void state_open_link(struct state *s, int k);
 
@@ -125,15 +139,13 @@ static inline bool state_is_uniform(const struct model *m) {
     return m->n_ground == 1 && m->n_load == 0;
 }
 
-// Sets drifts, storey shears and C v to the displacements u and velocities v (n_dof), with the
-// storey history of `s`, which stays as it is.
-void state_internal_forces(struct state *s, const struct model *m, const double *u,
-                           const double *v);
+// Sets drifts, storey shears and C v to the displacements and velocities of `s`, with its storey
+// history, which stays as it is.
+void state_internal_forces(struct state *s, const struct model *m);
 
 // The same from the storey history `from` of the committed state; that of `s` becomes what a step
-// which ends at these drifts commits. It may be that of `s` itself.
-void state_reach(struct state *s, const struct model *m, const double *u, const double *v,
-                 const double *from);
+// which ends at these drifts commits. `from` may be that of `s` itself.
+void state_reach(struct state *s, const struct model *m, const double *from);
 
 // Parts of that, after the chain's: shears and tangents of the storeys of building g; then C v of
 // full matrices, and the shears of parts. `after` as in struct storey_law.

@@ -6,7 +6,6 @@
 
 #include "solve/contact/cluster.h"
 #include "solve/contact/gaps.h"
-#include "solve/floors/chain.h"
 #include "solve/floors/effective.h"
 #include "solve/floors/floors.h"
 #include "solve/forcing.h"

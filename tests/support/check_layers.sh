@@ -69,7 +69,7 @@ solve_group() {
     event/*) echo "3 event" ;;
     account/*) echo "4 account" ;;
     contact/gaps.* | contact/cluster.h) echo "5 scratch" ;;
-    floors/floors.h | floors/small_model.h | newmark/flight.h | work.h) echo "5 scratch" ;;
+    floors/floors.h | newmark/flight.h | work.h) echo "5 scratch" ;;
     floors/*) echo "6 floors" ;;
     contact/*) echo "7 contact" ;;
     newmark/run_step.c | newmark/*_newmark.c) echo "10 method" ;;

@@ -15,9 +15,8 @@ static int jumps_of(const char *ground) {
                                      "step fixed 1\nduration 60\n%s",
                                      ground);
     struct arena *a = arena_create();
-    struct forcing f = {0};
+    struct forcing f = {.model = m};
     int jumps = 0;
-    forcing_init(&f, m);
     assert_true(a && fields_alloc(&forcing_fields, m, &f, a));
     (void)forcing_turn(&f, 0.0);
     while (f.corner < INFINITY) {

@@ -9,15 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/arena.h"
-#include "solve/account/energy.h"
-#include "solve/account/peaks.h"
 #include "solve/contact/sweep.h"
 #include "solve/event/rest.h"
-#include "solve/newmark/newmark.h"
 #include "support/analysis.h"
 #include "support/random.h"
 #include "support/random_deck.h"
+#include "support/single_step.h"
 #include "support/support.h"
 
 enum { STEPS_EACH = 10, TEXT_SIZE = 8192 };
@@ -37,27 +34,16 @@ struct tally {
     long n, unsolved, wrong, undecided, links, worst, iterations;
 };
 
-struct bench {
-    struct model *model;
-    struct arena *arena;
-    struct state now, next;
-    struct work work;
-    struct results results;
-    struct energy_account energy;
-    struct memory memory;
-    struct random random;
-};
-
 static double signed_logarithmic(struct random *r, double from, double to) {
     double sign = random_below(r, 2) ? 1.0 : -1.0;
     return sign * random_logarithmic(r, from, to);
 }
 
 // Displaces the right end of each contact from its left end, from left to right.
-static void displace(struct bench *b) {
+static void displace(struct single_step *b, struct random *random) {
     for (int i = 0; i < b->model->n_dof; i++) {
-        b->now.u[i] = signed_logarithmic(&b->random, 1e-12, 0.3);
-        b->now.v[i] = signed_logarithmic(&b->random, 1e-6, 5.0);
+        b->now.u[i] = signed_logarithmic(random, 1e-12, 0.3);
+        b->now.v[i] = signed_logarithmic(random, 1e-6, 5.0);
     }
     for (int k = 0; k < b->model->n_contact; k++) {
         const struct link *l = &b->model->link[k];
@@ -65,56 +51,56 @@ static void displace(struct bench *b) {
             continue;
         }
         double most = l->law->rebound ? 1e-11 : 0.3;
-        b->now.u[l->dof[1]] = b->now.u[l->dof[0]] - signed_logarithmic(&b->random, 1e-12, most);
-        b->now.v[l->dof[1]] = b->now.v[l->dof[0]] - signed_logarithmic(&b->random, 1e-6, 5.0);
+        b->now.u[l->dof[1]] = b->now.u[l->dof[0]] - signed_logarithmic(random, 1e-12, most);
+        b->now.v[l->dof[1]] = b->now.v[l->dof[0]] - signed_logarithmic(random, 1e-6, 5.0);
     }
 }
 
 // Gives a pressed contact a past of its own.
-static void remember(struct bench *b, int k) {
+static void remember(struct single_step *b, struct random *random, int k) {
     struct state *s = &b->now;
     const struct link *l = &b->model->link[k];
     double *history = s->link_history + l->history;
     if (l->law->close) {
-        s->link[k].v_close = random_logarithmic(&b->random, 1e-6, 5.0);
+        s->link[k].v_close = random_logarithmic(random, 1e-6, 5.0);
         l->law->close(l->constant, s->link[k].v_close, history);
     }
-    if (l->law->commit && random_below(&b->random, 2)) {
-        double deepest = s->delta[k] * random_logarithmic(&b->random, 1.0, 10.0);
+    if (l->law->commit && random_below(random, 2)) {
+        double deepest = s->delta[k] * random_logarithmic(random, 1.0, 10.0);
         l->law->commit(l->constant, history, deepest, 1.0);
         l->law->commit(l->constant, history, s->delta[k], -1.0);
     }
-    s->link[k].force = random_below(&b->random, 2) ? state_link_force(s, b->model, k) : 0.0;
+    s->link[k].force = random_below(random, 2) ? state_link_force(s, b->model, k) : 0.0;
 }
 
-static void close_pressed(struct bench *b) {
+static void close_pressed(struct single_step *b, struct random *random) {
     struct state *s = &b->now;
     for (int k = 0; k < b->model->n_contact; k++) {
         const struct link *l = &b->model->link[k];
-        s->delta[k] = state_gap(l, b->model, s->u, s->ground_u) - l->gap;
-        if (l->law->rebound && random_below(&b->random, 2)) {
+        s->delta[k] = state_penetration(s, b->model, k);
+        if (l->law->rebound && random_below(random, 2)) {
             state_enliven(s, k);
             s->link[k].closed = true;
             s->link[k].t_close = k % 2 ? s->time : -1.0;  // just now, or earlier
         } else if (!l->law->rebound && s->delta[k] > 0.0) {
             state_close_link(s, b->model, k);
-            remember(b, k);
+            remember(b, random, k);
         }
     }
 }
 
 // A state before a step, under accelerations from the storeys alone: those of contacts that were
 // pressed at random could be beyond all bounds.
-static void begin(struct bench *b) {
+static void begin(struct single_step *b, struct random *random) {
     const struct model *m = b->model;
     struct state *s = &b->now;
     state_open_links(s);
     memset(s->link, 0, (size_t)m->n_link * sizeof *s->link);
     rest_start(s, m);
-    displace(b);
-    state_internal_forces(s, m, s->u, s->v);
+    displace(b, random);
+    state_internal_forces(s, m);
     rest_equilibrium(s, m);
-    close_pressed(b);
+    close_pressed(b, random);
     b->next.time = 0.0;
     state_open_links(&b->next);
 }
@@ -129,7 +115,7 @@ static void widen(struct span *s, double x) {
 }
 
 // Forces act on all floors, and round there what links feel.
-static double rounding(const struct bench *b, const double *trial, const double *x) {
+static double rounding(const struct single_step *b, const double *trial, const double *x) {
     double largest = 0.0;
     for (int i = 0; i < b->model->n_dof; i++) {
         largest = fmax(largest, fabs(trial[i]) + fabs(x[i]));
@@ -139,7 +125,7 @@ static double rounding(const struct bench *b, const double *trial, const double 
 
 // The forces of the law of contact k within rounding of its d and v, and within what the change
 // `moved` of its acceleration does to them.
-static struct span graph(const struct bench *b, int k, double moved) {
+static struct span graph(const struct single_step *b, int k, double moved) {
     const struct link *l = &b->model->link[k];
     double history[CONTACT_HISTORY_MAX];
     memcpy(history, b->now.link_history + l->history, (size_t)l->law->n_history * sizeof *history);
@@ -162,7 +148,7 @@ static struct span graph(const struct bench *b, int k, double moved) {
     return span;
 }
 
-static double largest_force(const struct bench *b) {
+static double largest_force(const struct single_step *b) {
     double largest = 0.0;
     for (int i = 0; i < b->next.n_live; i++) {
         largest = fmax(largest, fabs(b->next.link[b->next.live[i]].force));
@@ -172,7 +158,7 @@ static double largest_force(const struct bench *b) {
 
 // The force of a rigid contact at rest keeps a velocity, unless it would have to pull. Which one is
 // the business of tests/unit/test_rest.c.
-static bool rests(const struct bench *b, int k) {
+static bool rests(const struct single_step *b, int k) {
     double v = state_rate(&b->next, b->model, k) - rest_velocity(&b->now, b->model, b->work.h, k);
     double around = rounding(b, b->work.v_trial, b->next.v) +
                     b->work.g * b->work.link[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
@@ -180,7 +166,7 @@ static bool rests(const struct bench *b, int k) {
     return f > 0.0 ? fabs(v) <= around : f == 0.0 && v <= around;
 }
 
-static bool obeys(const struct bench *b, int k) {
+static bool obeys(const struct single_step *b, int k) {
     const struct link *l = &b->model->link[k];
     double f = b->next.link[k].force;
     if (!b->next.link[k].is_live) {
@@ -204,7 +190,7 @@ static enum kind kind_of(const struct model *m) {
     return MONOTONE;
 }
 
-static bool undecided(const struct bench *b) {
+static bool undecided(const struct single_step *b) {
     for (int i = 0; i < b->next.n_live; i++) {
         if (b->work.link[b->next.live[i]].branch == BRANCH_NONE) {
             return true;
@@ -213,7 +199,7 @@ static bool undecided(const struct bench *b) {
     return false;
 }
 
-static bool all_obey(const struct bench *b) {
+static bool all_obey(const struct single_step *b) {
     for (int k = 0; k < b->model->n_contact; k++) {
         if (!obeys(b, k)) {
             return false;
@@ -222,7 +208,7 @@ static bool all_obey(const struct bench *b) {
     return true;
 }
 
-static void report(const struct bench *b, uint64_t seed, int step, const char *what) {
+static void report(const struct single_step *b, uint64_t seed, int step, const char *what) {
     print_error("cluster %llu, step %d of %g s, %d live: %s\n", (unsigned long long)seed, step,
                 b->work.h, b->next.n_live, what);
     for (int k = 0; getenv("JOSTLE_VERBOSE") && k < b->model->n_contact; k++) {
@@ -234,12 +220,12 @@ static void report(const struct bench *b, uint64_t seed, int step, const char *w
     }
 }
 
-static void take(struct bench *b, struct tally *t, uint64_t seed, int step) {
-    struct error e = {0};
-    begin(b);
-    double h = random_logarithmic(&b->random, 1e-6, 0.05);
+static void take(struct single_step *b, struct random *random, struct tally *t, uint64_t seed,
+                 int step) {
+    begin(b, random);
+    double h = random_logarithmic(random, 1e-6, 0.05);
     b->results.totals = (struct totals){0};
-    assert_int_equal(newmark_step(&b->work, &b->now, &b->next, h, h, &e), STATUS_OK);
+    single_step_take(b, h);
     t->n++;
     t->links += b->next.n_live;
     t->iterations += b->results.totals.iterations;
@@ -257,21 +243,13 @@ static void take(struct bench *b, struct tally *t, uint64_t seed, int step) {
 static void take_cluster(uint64_t seed, struct tally *tally) {
     char text[TEXT_SIZE];
     random_deck_cluster(seed, text, sizeof text);
-    struct bench b = {.model = analysis_model("%s", text), .random = {~seed}};
-    b.arena = arena_create();
-    assert_non_null(b.arena);
-    assert_true(state_alloc(&b.now, b.model, b.arena) && state_alloc(&b.next, b.model, b.arena) &&
-                peaks_alloc(&b.results, b.model, b.arena) &&
-                fields_alloc(&energy_fields, b.model, &b.energy, b.arena) &&
-                state_memory_alloc(&b.memory, b.model, b.arena) &&
-                work_alloc(&b.work, b.model, &b.results, &b.memory, b.arena));
-    floors_account_to(&b.work, &b.energy, &b.results);
-    b.work.strictness = STEP_ACCEPT;
+    struct random random = {~seed};
+    struct single_step b;
+    single_step_init(&b, analysis_model("%s", text));
     for (int i = 0; i < STEPS_EACH; i++) {
-        take(&b, &tally[kind_of(b.model)], seed, i);
+        take(&b, &random, &tally[kind_of(b.model)], seed, i);
     }
-    arena_free(b.arena);
-    model_free(b.model);
+    single_step_free(&b);
 }
 
 // Clusters that have told on laws that were followed along their tangents past v = 0, or too far.

@@ -4,12 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/arena.h"
-#include "solve/account/energy.h"
-#include "solve/account/peaks.h"
 #include "solve/contact/exact.h"
-#include "solve/newmark/newmark.h"
 #include "support/analysis.h"
+#include "support/single_step.h"
 #include "support/support.h"
 
 // A body of 1 t hits a wall.
@@ -132,50 +129,25 @@ static void rounding_elsewhere_excuses_no_error_of_a_force(void **state) {
     analysis_free(&far);
 }
 
-// Two bodies of 1 kg, each pressed into a wall of its own by `deep`, in one step of 1 s.
-struct bench {
-    struct model *model;
-    struct arena *arena;
-    struct state now, next;
-    struct work work;
-    struct results results;
-    struct energy_account energy;
-    struct memory memory;
-};
-
-// Solves for the forces of Hertz's law from these first guesses.
-static void press(struct bench *b, double k, double deep, const double *guess) {
-    struct error e = {0};
-    *b = (struct bench){.arena = arena_create()};
-    b->model = analysis_model("building A -floors 1 -mass 1 -stiffness 0\n"
-                              "building B -floors 1 -mass 1 -stiffness 0\n"
-                              "contact A wall -gap 1 -law hertz -k %.17g\n"
-                              "contact B wall -gap 1 -law hertz -k %.17g\n"
-                              "newton -tolerance 1e-9\nstep fixed 1\nduration 1\n",
-                              k, k);
-    assert_true(state_alloc(&b->now, b->model, b->arena) &&
-                state_alloc(&b->next, b->model, b->arena) &&
-                peaks_alloc(&b->results, b->model, b->arena) &&
-                fields_alloc(&energy_fields, b->model, &b->energy, b->arena) &&
-                state_memory_alloc(&b->memory, b->model, b->arena) &&
-                work_alloc(&b->work, b->model, &b->results, &b->memory, b->arena));
-    floors_account_to(&b->work, &b->energy, &b->results);
-    b->work.strictness = STEP_ACCEPT;
+// Two bodies of 1 kg, each pressed into a wall of its own by `deep`, in one step of 1 s. Solves for
+// the forces of Hertz's law from these first guesses.
+static void press(struct single_step *s, double k, double deep, const double *guess) {
+    single_step_init(s, analysis_model("building A -floors 1 -mass 1 -stiffness 0\n"
+                                       "building B -floors 1 -mass 1 -stiffness 0\n"
+                                       "contact A wall -gap 1 -law hertz -k %.17g\n"
+                                       "contact B wall -gap 1 -law hertz -k %.17g\n"
+                                       "newton -tolerance 1e-9\nstep fixed 1\nduration 1\n",
+                                       k, k));
     for (int i = 0; i < 2; i++) {
-        b->now.u[i] = 1.0 + deep;
-        b->now.delta[i] = deep;
-        state_enliven(&b->now, i);
-        b->now.link[i].closed = true;
-        b->now.link[i].t_close = -1.0;
-        b->now.link[i].force = guess[i];
+        s->now.u[i] = 1.0 + deep;
+        s->now.delta[i] = deep;
+        state_enliven(&s->now, i);
+        s->now.link[i].closed = true;
+        s->now.link[i].t_close = -1.0;
+        s->now.link[i].force = guess[i];
     }
-    assert_int_equal(newmark_step(&b->work, &b->now, &b->next, 1.0, 1.0, &e), STATUS_OK);
-    assert_int_equal(b->results.totals.unsolved, 0);
-}
-
-static void leave(struct bench *b) {
-    arena_free(b->arena);
-    model_free(b->model);
+    single_step_take(s, 1.0);
+    assert_int_equal(s->results.totals.unsolved, 0);
 }
 
 // Newton steps follow the tangent of a law where S_ll t <= 0.1. Here t = 3/2 k sqrt(d) / 4, S = 1,
@@ -185,13 +157,13 @@ static void stiff_links_are_solved_for_exactly(void **state) {
     const double share[] = {0.098, 0.102};
     for (int i = 0; i < 2; i++) {
         const double k = share[i] * 4.0 / 1.5, guess[] = {k, k};
-        struct bench b;
-        press(&b, k, 1.0 + k / 4.0, guess);
+        struct single_step s;
+        press(&s, k, 1.0 + k / 4.0, guess);
         for (int j = 0; j < 2; j++) {
-            assert_close(b.next.delta[j], 1.0, 1e-9);
-            assert_true(b.work.link[j].stale == (i == 1));  // it has no tangent
+            assert_close(s.next.delta[j], 1.0, 1e-9);
+            assert_true(s.work.link[j].stale == (i == 1));  // it has no tangent
         }
-        leave(&b);
+        single_step_free(&s);
     }
 }
 
@@ -201,12 +173,12 @@ static void stiff_links_are_solved_for_exactly(void **state) {
 static void laws_are_evaluated_again_for_a_tighter_tolerance(void **state) {
     (void)state;
     const double k = 0.09 * 4.0 / 1.5, guess[] = {100.0 * k, k * (1.0 + 5e-4)};
-    struct bench b;
-    press(&b, k, 1.0 + k / 4.0, guess);
-    const double d = b.next.delta[1];
+    struct single_step s;
+    press(&s, k, 1.0 + k / 4.0, guess);
+    const double d = s.next.delta[1];
     assert_close(d, 1.0, 1e-3);
-    assert_close(b.next.link[1].force, k * d * sqrt(d), 1e-10);
-    leave(&b);
+    assert_close(s.next.link[1].force, k * d * sqrt(d), 1e-10);
+    single_step_free(&s);
 }
 
 // The force of one link with d = d_free - f / 4 and v = v_free - f / 2 (m = 1, h = 1).

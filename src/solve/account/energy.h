@@ -11,7 +11,7 @@ struct energy_account {
     // Twice the work of external and damping forces: floor i of the chain adds to element i %
     // LANES_WIDTH, and in a step the lower floor first.
     double input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
-    double input, damping;  // other work: of links on the grounds, of adaptive steps
+    double input, damping;  // other work: of links on the grounds, and of Dormand & Prince's steps
     double contact;
     double *storey_2x;    // (n_dof) twice the work on storeys, where some are not elastic
     double storey;        // work on storeys that are not elastic, beyond that

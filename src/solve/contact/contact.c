@@ -28,7 +28,6 @@
 #include "solve/contact/cluster.h"
 #include "solve/contact/exact.h"
 #include "solve/contact/sweep_step.h"
-#include "solve/event/crossing.h"
 
 // Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought
 // the change of the forces down by less than the factor SLOW.

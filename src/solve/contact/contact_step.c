@@ -20,15 +20,10 @@ static inline void contact_carry_on(struct work *w, const struct state *now, str
     const struct link_state *from = &now->link[k];
     const double guess = SWEEP_GUESS(from->force, from->past, from->n_past);
     const int most = p->law->rebound ? 1 : PAST_STEPS;
-    next->link[k] = (struct link_state){
-        .force = from->force > 0.0 ? number_max(guess, 0.0) : from->force,
-        .past = {from->force, from->past[0], from->past[1]},
-        .t_close = from->t_close,
-        .v_close = from->v_close,
-        .n_past = from->n_past < most ? from->n_past + 1 : most,
-        .is_live = true,
-        .closed = true,
-    };
+    next->link[k] = state_carry_on(from, most);
+    if (from->force > 0.0) {
+        next->link[k].force = number_max(guess, 0.0);
+    }
     if (p->law->n_history > 0) {
         double *history = next->link_history + p->link->history;
         memcpy(history, now->link_history + p->link->history,

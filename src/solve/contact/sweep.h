@@ -31,8 +31,9 @@ struct tangent {
     double damped;      // 1 / (1 + S_ll t)
 };
 
-// One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
-// too, which is from tangent.range on, what evaluating the law needs, and the rest.
+// One link, in four lines of the cache. The first has what every visit of a sweep looks at. The
+// second, from tangent.range on, has what a visit needs besides where it changes the force. The
+// third has what evaluating the law needs, and the last one the rest.
 struct link_scratch {
     alignas(LANES_LINE) int end[2];  // among the arrays of struct chain; -1: an end is a row
     enum branch branch;              // that its force is on
@@ -74,9 +75,8 @@ struct progress {
     double tolerance;      // [F] changes below this do not matter
     double law_tolerance;  // [F] the largest tolerance at which a law was evaluated
     double largest;        // [F] largest force
-    double moved[2];  // [F] largest change that matters of a force that obeys its law but for what
-                      // others do to it, and of one whose law must be evaluated again: enum
-                      // knowledge of sweep_step.h
+    double moved[2];  // [F] by enum knowledge of sweep_step.h, the largest changes that matter: of
+                      // forces on their tangents, and of those whose law must be evaluated again
     double feedback;  // the largest change of a force on its tangent that the changes of others
                       // may cause, at most, as a share of the largest of those; of all sweeps
     double margin;    // [F] changes of others up to this leave open links open, and the others

@@ -20,7 +20,6 @@
 #include <math.h>
 
 #include "core/masks.h"
-#include "core/number.h"
 #include "solve/floors/floor_terms.h"
 
 // Whether the law of a link must be evaluated again.

@@ -2,16 +2,12 @@
 // Dormand & Prince's method with error control, for adaptive analyses: its time loop. A step is
 // made as long as the tolerance allows (dp_step.c) and ended at its first event (dp_events.c). It
 // is accounted for (dp_account.c, dp_peaks.c), and the event happens at the start of the next one.
-#include <float.h>
 #include <math.h>
 
 #include "core/arena.h"
 #include "solve/dormand_prince/dp.h"
 #include "solve/forcing.h"
 #include "solve/run.h"
-
-// Times that differ by less than this share of them are the same: of steps, corners and rows.
-static const double SAME_TIME = 8.0 * DBL_EPSILON;
 
 // Step over the one before it where a force begins with an infinite slope.
 static const double WHERE_STEEP = 1e-3;
@@ -74,8 +70,8 @@ static bool dp_alloc(struct run *r, struct arena *a) {
                      .results = r->results,
                      .impacts = &r->impacts,
                      .floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow),
+                     .system.forcing.model = m,
                      .last_link = -1};
-    forcing_init(&p->system.forcing, m);
     for (int s = 0; s < DP_STAGES; s++) {
         fields_alloc(&dp_rates_fields, m, &p->rates[s], a);
         p->stage[s] = &p->rates[s];
@@ -282,7 +278,7 @@ static void dp_swap_ends(struct dp *p) {
 // Does the last step end at a corner of the forcing?
 static bool dp_is_at_corner(const struct dp *p) {
     double corner = dp_step_limit(p);
-    return p->h > 0.0 && corner - p->next.time <= SAME_TIME * corner;
+    return p->h > 0.0 && corner - p->next.time <= FORCING_SAME_TIME * corner;
 }
 
 // Arrives at the end of the last step, and lets happen there what has to happen.
@@ -361,7 +357,7 @@ static int dp_advance(struct run *r, long *n, long end) {
         }
     }
     *n = end;
-    if (dp_is_at_corner(r->dp) && r->dp->next.time - time <= SAME_TIME * time &&
+    if (dp_is_at_corner(r->dp) && r->dp->next.time - time <= FORCING_SAME_TIME * time &&
         dp_arrive(r->dp, r->error) != STATUS_OK) {
         return r->error->status;
     }

@@ -128,7 +128,7 @@ static void dp_row_floors(const struct dp *p, const struct dp_rates *rates, stru
         int ground = m->building[p->system.building[i]].ground;
         row->total[i] = row->a[i] + row->ground_a[ground];
     }
-    state_reach(row, m, row->u, row->v, p->now.storey_history);
+    state_reach(row, m, p->now.storey_history);
 }
 
 void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {

@@ -4,7 +4,6 @@
 
 #include <assert.h>
 #include <limits.h>
-#include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -70,7 +69,8 @@ static bool ensemble_same_ground(const struct ground *a, const struct ground *b)
 }
 
 // The ground accelerations of the steps from n on. Runs whose grounds move in the same way share
-// them.
+// them, but may end at different times. So steps have their full length even beyond the end of a
+// run, unlike those of model_times.
 static void ensemble_compute_grounds(struct lockstep *l, long n) {
     for (int k = 0; k < l->n; k++) {
         const struct model *m = l->slot[k].run.model;

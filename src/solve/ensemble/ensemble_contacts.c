@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts on their way into lanes and back.
 #include <math.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "solve/contact/sweep.h"

@@ -316,8 +316,8 @@ void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r);
 // Guesses the forces of the step under way, with which the floors move.
 void ensemble_contacts_begin(struct ensemble_lanes *e);
 
-// Finds them in active runs, as contact_solve does for a run alone, and changes e->correction. It
-// has not for those that are not `solved` then.
+// Finds them in active runs, as contact_solve does for a run alone, and changes e->correction. Runs
+// in which it has found them are `solved` then; the others must be solved for alone.
 void ensemble_contacts_solve(struct ensemble_lanes *e);
 
 // Takes the step to `time`, of length h, into impacts and peaks, and commits it.

@@ -7,6 +7,8 @@
 // few sweeps, and for which steps are short enough (contact.c). A lane in which anything else
 // happens gives up, and its run is solved alone from the start of the step.
 #define LANES_OF_RUNS
+#include <string.h>
+
 #include "core/masks.h"
 #include "solve/ensemble/ensemble_lockstep.h"
 

@@ -144,9 +144,12 @@ void impulse_meet(struct state *s, const struct model *m, int k, enum rebound re
             s->link[i].force = 0.0;
         }
     }
-    // Forces and accelerations follow from the velocities.
+    // Forces and accelerations follow from the velocities. Those of storeys are found by
+    // state_complete where models are linear.
     state_complete(s, m);
-    state_internal_forces(s, m, s->u, s->v);
+    if (!state_is_linear(m)) {
+        state_internal_forces(s, m);
+    }
     for (int i = 0; i < m->n_link; i++) {
         if (s->link[i].closed && m->link[i].law->force) {
             s->link[i].force = state_link_force(s, m, i);

@@ -13,10 +13,11 @@
 // How long a factorisation will serve.
 enum effective_use {
     EFFECTIVE_BRIEFLY,  // a step or so: solves go through the factors
-    EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse, but of many alike
+    EFFECTIVE_LONG,  // solves of low buildings multiply by the inverse, unless many have one height
 };
 
-// EFFECTIVE_ABREAST is the distance of the factors of one floor from those of the next.
+// Low buildings have up to INVERSE_FLOORS_MAX floors. EFFECTIVE_ABREAST is the distance of the
+// factors of one floor from those of the next.
 enum { INVERSE_FLOORS_MAX = 16, EFFECTIVE_ABREAST = LANES_WIDTH };
 
 struct effective {

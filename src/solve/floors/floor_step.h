@@ -13,7 +13,6 @@
 #include <float.h>
 #include <stddef.h>
 
-#include "core/number.h"
 #include "solve/floors/floor_terms.h"
 #include "solve/floors/floor_vectors.h"
 #include "solve/state.h"

@@ -92,7 +92,8 @@ typedef double floor_number;
 #define EACH_OF_LANES(j)                                                                           \
     _Pragma("GCC unroll 2") for (ptrdiff_t j = 0; j < FLOORS_WHOLE / FLOORS_NEXT; j++)
 
-// Negative where |x| > limit >= 0, as number_beyond.
+// Negative where |x| > limit >= 0, by the sign of bits(limit) - bits(|x|). Numbers >= 0 have the
+// order of their bits, and the bits of NaN are above those of all numbers.
 #define BEYOND(x, limit) ((floor_bits)(limit) - ((floor_bits)(x)&INT64_MAX))
 
 // Is one of them negative?

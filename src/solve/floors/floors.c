@@ -5,7 +5,6 @@
 #include "solve/floors/floors.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "core/arena.h"
 #include "core/number.h"

@@ -34,8 +34,8 @@ struct floors {
     int n_block;
     struct floor_block *block;  // (n_block)
     double *residual;           // [F] of a block
-    double *u_trial, *v_trial;  // of a block: its end of the step if the accelerations stay; of the
-                                // only one: those of struct work
+    double *u_trial, *v_trial;  // of a block: its end of the step if the accelerations stay; where
+                                // there is only one block, the arrays of struct work
     double *correction;         // [L/T^2] of a block in free flight, where nothing else needs it
     struct floors_account account;
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What these loops leave out of buildings with full matrices, all parts of which are linear. What
-// is read and written beyond a building belongs to the next one, and is changed by 0. These
-// functions are not in line, as each step of floor_steps.h would have copies of them. They take no
-// pointers to its local variables, which would keep these in memory.
+// What the loops of floor_step.h leave out of buildings with full matrices: C v, and the shears of
+// their parts where these are linear. What is read and written beyond a building belongs to the
+// next one, and is changed by 0. These functions are not in line, as each step of floor_steps.h
+// would have a copy of them. They take no pointers to local variables of a step, which would keep
+// these in memory.
 #ifndef JOSTLE_FLOORS_FULL_H
 #define JOSTLE_FLOORS_FULL_H
 

@@ -14,7 +14,6 @@
 // The largest of the errors, over the sizes of scale.h, stays below the tolerance. It grows like
 // h^3, so steps go with its cube root. They end at corners, in equal parts from one to the next;
 // small changes are not worth a new factorisation.
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -31,9 +30,6 @@ static const double FIRST = 1e-4, AFTER_EVENT = 1e-2;
 
 // A step this close to the last one, relative to it, is the last one: its factors are there.
 static const double SAME = 1e-9;
-
-// Instants this close, relative to them, are one: a row and a corner differ by rounding.
-static const double SAME_TIME = 8.0 * DBL_EPSILON;
 
 static const struct fields_row length_rows[] = {
     FIELD_PART(struct run, length.forcing, forcing_fields),
@@ -55,7 +51,7 @@ static const struct fields_row rows[] = {
 static const struct fields adaptive_fields = FIELDS(rows);
 
 static bool adaptive_alloc(struct run *r, struct arena *a) {
-    forcing_init(&r->length.forcing, r->model);
+    r->length.forcing.model = r->model;
     return run_step_alloc(r, a) && fields_alloc(&length_fields, r->model, r, a);
 }
 
@@ -88,7 +84,7 @@ static int adaptive_next(struct run *r, double limit, double *h, double *end) {
                                       "integrator newmark -gamma above 0.5 or step fixed DT"};
         return pace_too_slow(r->model, time, step, &of, r->error);
     }
-    const double goal = limit - corner <= SAME_TIME * limit ? limit : corner;
+    const double goal = limit - corner <= FORCING_SAME_TIME * limit ? limit : corner;
     pace_next(time, goal, s->trial, r->model->control.longest, h, end);
     if (fabs(*h - s->last) <= SAME * *h) {
         *h = s->last;
@@ -183,7 +179,7 @@ static void adaptive_arrive(struct run *r, double h) {
     }
     s->last = h;
     scale_update(&s->scales, r->model, r->results);
-    s->turned = time >= corner - SAME_TIME * corner;
+    s->turned = time >= corner - FORCING_SAME_TIME * corner;
     if (s->turned && forcing_turn(&s->forcing, time)) {
         adaptive_pass_jump(r);
     }

@@ -11,7 +11,6 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "core/number.h"
 #include "law/bilateral.h"
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
@@ -58,9 +57,9 @@ static bool flight_is_linear(const struct link *l) {
     return l->constant[BILATERAL_DASHPOT] == 0.0 || l->constant[BILATERAL_EXPONENT] == 1.0;
 }
 
-// Are all contacts those of floors with a law of force, all links linear and few, all storeys of
-// straight lines, and buildings with full matrices elastic? Floors of linked buildings are solved
-// for together.
+// Have all contacts a law of force, and floors at their ends? Are all links linear and few, all
+// storeys of straight lines, and buildings with full matrices elastic? Floors of linked buildings
+// must be in one block, as they are solved for together.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
     bool possible = (m->elastic || !m->chain.full_damping) && n_link <= LINKS_MAX &&
@@ -174,13 +173,8 @@ LANES void flight_join(const struct flight *f, const struct state *now, struct s
         }
     }
     for (int i = 0; i < n; i++) {
-        struct link_state *to = &next->link[first + i];
-        *to = now->link[first + i];
-        to->past[2] = to->past[1];
-        to->past[1] = to->past[0];
-        to->past[0] = to->force;
-        to->n_past = to->n_past < PAST_STEPS ? to->n_past + 1 : PAST_STEPS;
-        to->force = force[i];
+        next->link[first + i] = state_carry_on(&now->link[first + i], PAST_STEPS);
+        next->link[first + i].force = force[i];
         sweep_push(w, &w->link[first + i], &force[i]);
     }
 }
@@ -231,7 +225,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     gaps_peaks(&w->gaps, s);
     if (f->on_lines) {
         forcing_floors(s, m, s->time);
-        state_internal_forces(s, m, s->u, s->v);
+        state_internal_forces(s, m);
         state_totals(s, m);
     }
     peaks_speed(f->account->results, m->n_dof);

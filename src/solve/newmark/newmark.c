@@ -25,6 +25,7 @@
 #include "core/lanes.h"
 #include "model/parts.h"
 #include "solve/contact/contact.h"
+#include "solve/floors/chain.h"
 #include "solve/forcing.h"
 
 static void newmark_begin(struct work *w, const struct state *now, struct state *next, double end) {
@@ -240,7 +241,7 @@ static int newmark_solve(struct work *w, const struct state *now, struct state *
             return status;
         }
         bool agree;
-        state_reach(next, m, next->u, next->v, now->storey_history);
+        state_reach(next, m, now->storey_history);
         status = newmark_relinearise(w, now, next, &agree);
         if (status != STATUS_OK || agree) {
             return status;
@@ -256,7 +257,7 @@ static void newmark_finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
         if (m->elastic) {
-            state_internal_forces(next, m, next->u, next->v);
+            state_internal_forces(next, m);
         }
         state_totals(next, m);
     }

@@ -28,12 +28,16 @@ static const double AT_END = 1e-9;
 enum { LOCATIONS_MAX = 40 };
 static const double LOCATED_JUMP = 1e-3;
 static const double LOCATED_RIGID = 1e-8;
+
 // Bounces shorter than this share of the step are not followed.
 static const double SHORTEST_BOUNCE = 0.01;
+
 // Events nearer to each other than this share of their time are at the same instant.
 static const double TOGETHER = 1e-6;
-// Energy that the opening of a contact may bring, over the kinetic energy at the largest velocity
-// so far, or that it would have reached after a step of the deck at this rate.
+
+// Energy that the opening of a contact may bring, as a share of m v^2. m is the effective mass of
+// the contact, and v the largest velocity of any floor so far, or that at which its bodies would
+// part after a whole step of the deck.
 static const double ABRUPT = 1e-4;
 
 // The factors outlive a step, and floors.c puts off the account of the last one.
