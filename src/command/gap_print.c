@@ -122,7 +122,7 @@ static void print_head(const struct plan *p, const struct contact_free *a) {
     printf("\n");
 }
 
-int gap_print_apart(const struct plan *p, const struct contact_free *a, double *scratch) {
+int gap_print_contact_free(const struct plan *p, const struct contact_free *a, double *scratch) {
     const struct view v = {p, a, scratch};
     struct printer t[3] = {{.to = stdout}, {.to = stdout}, {.to = stdout}};
     PRINTER_ADD(&t[0], closings);
