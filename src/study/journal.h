@@ -5,11 +5,11 @@
 // A file starts with a magic word. An entry is {kind, bytes of content}, the content, and the
 // checksum of both; numbers and the checksum are in the machine's order of bytes, and a journal
 // from a machine with another one is not read. The first entry is the head: lines of text that say
-// which study this is. What is no sound entry is passed over; after an entry of a file that is
-// lost, so are the runs that may have read that file, which may have changed.
+// which study this is. Bytes that are no sound entry are passed over. If the entry of a file is
+// lost, so are the runs that may have read that file, as it may have changed.
 //
 // The histories of a run precede its entry in blocks, each of which says where the one before it
-// is; blocks of several runs may be mixed. A run one of whose blocks is lost is lost, too.
+// is; blocks of several runs may be mixed. A run is lost if one of its blocks is.
 #ifndef JOSTLE_JOURNAL_H
 #define JOSTLE_JOURNAL_H
 
