@@ -6,8 +6,8 @@
 #include "jostle/analysis.h"
 #include "study/plan.h"
 
-// What a trial asks of the study it belongs to. A result other
-// than 0 ends the trial with that status.
+// What a trial asks of the study it belongs to. A result other than 0 ends the trial with that
+// status.
 struct trial_watch {
     // The deck of the run has been read; `files` are those it read. NULL: that is of no interest.
     int (*files)(void *context, const struct deck_path *files, struct error *e);
