@@ -53,7 +53,7 @@ struct contact_free {
     struct study_outcome *outcome;  // (n_run)
     double *value;                  // (n_run, n_contact, FREE_VALUES)
     bool idle[STUDY_SWEEPS_MAX];    // sweeps that change nothing but the gaps: a swept gap, say
-    bool *counts;                   // (n_run) false: the same as another run, but for these
+    bool *counts;                   // (n_run) false: the same as an earlier run, but for gaps
 };
 
 // Runs all runs of the plan with its contacts open; bilateral links act. *out must be given to

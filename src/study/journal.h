@@ -56,8 +56,8 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
 // Errors: STATUS_SYSTEM (no memory).
 int journal_want_histories(struct journal *j, uint64_t shape, struct error *e);
 
-// Does the file end before its head, if that is `head`, as one that was torn when it was made? What
-// is longer and has no sound head is damaged, and may hold runs.
+// Is the file shorter than a journal with the head `head` and no runs, as one that was torn when it
+// was made? A longer file without a sound head is damaged, and may hold runs.
 bool journal_is_new(const struct journal *j, const char *head);
 
 // Reads the entries after the head, and changes nothing; `file` is called for each file, and its

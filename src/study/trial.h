@@ -14,7 +14,7 @@ struct trial_watch {
     // Called now and then. NULL: never.
     int (*poll)(void *context, double time, struct error *e);
     // The run of `m` starts, shows a row of its histories, has ended without an error. All three
-    // are NULL or none; then runs are taken one at a time.
+    // or none are NULL. Runs that have them are taken one at a time.
     void (*begin)(void *context, const struct model *m);
     int (*row)(void *context, const struct row_view *row, struct error *e);
     int (*end)(void *context, const struct results *r, struct error *e);
