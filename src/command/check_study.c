@@ -88,8 +88,8 @@ static int report(struct survey *s, struct error *e) {
                           &(struct soft_text){.survey = s});
     print_from(d, known);
     print_damped(s);
-    const bool adaptive = s->plan->first->adaptive;
-    return adaptive || isinf(s->bound) ? STATUS_OK : survey_strongest(s, print_strongest, s, e);
+    return first->adaptive || isinf(s->bound) ? STATUS_OK
+                                              : survey_strongest(s, print_strongest, s, e);
 }
 
 int check_study(const struct load_request *load, const struct model *first) {

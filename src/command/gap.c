@@ -48,7 +48,7 @@ struct options {
 #define AT(member) offsetof(struct options, member)
 
 // EXIT_DONE, or the status of what ended the runs.
-static int run_apart(const struct plan *p, const struct options *o, struct contact_free *a) {
+static int run_contact_free(const struct plan *p, const struct options *o, struct contact_free *a) {
     struct progress progress;
     struct error e;
     const struct gap_runs how = {
@@ -71,15 +71,15 @@ static int fail_runs(const struct plan *p, const struct contact_free *a) {
     return command_fail(&e);
 }
 
-static int print_apart(const struct plan *p, const struct options *o) {
+static int print_contact_free(const struct plan *p, const struct options *o) {
     struct contact_free a = {.n_run = 0};
-    int status = run_apart(p, o, &a);
+    int status = run_contact_free(p, o, &a);
     double *scratch = status == EXIT_DONE ? calloc((size_t)a.n_run, sizeof *scratch) : NULL;
     if (status == EXIT_DONE && !scratch) {
         status = command_no_memory();
     } else if (status == EXIT_DONE) {
-        status =
-            o->form == FORM_TEXT ? gap_print_apart(p, &a, scratch) : gap_print_runs(p, &a, o->form);
+        status = o->form == FORM_TEXT ? gap_print_contact_free(p, &a, scratch)
+                                      : gap_print_runs(p, &a, o->form);
     }
     if (status == EXIT_DONE && a.n_failed > 0) {
         status = fail_runs(p, &a);
@@ -93,7 +93,7 @@ static int print_apart(const struct plan *p, const struct options *o) {
 static int default_range(const struct plan *p, const struct options *o,
                          struct gap_search_request *q) {
     struct contact_free a = {.n_run = 0};
-    int status = run_apart(p, o, &a);
+    int status = run_contact_free(p, o, &a);
     q->from = q->to = 0.0;
     q->n = POINTS_DEFAULT;
     for (long run = 0; status == EXIT_DONE && run < a.n_run; run++) {
@@ -224,7 +224,7 @@ static int run_deck(void *options, const struct model *m) {
         return command_fail(&e);
     }
     interrupt_catch();
-    const int status = o->limit ? run_search(&plan, o) : print_apart(&plan, o);
+    const int status = o->limit ? run_search(&plan, o) : print_contact_free(&plan, o);
     plan_close(&plan);
     return status;
 }

@@ -122,7 +122,7 @@ static void print_head(const struct plan *p, const struct contact_free *a) {
     printf("\n");
 }
 
-int gap_print_apart(const struct plan *p, const struct contact_free *a, double *scratch) {
+int gap_print_contact_free(const struct plan *p, const struct contact_free *a, double *scratch) {
     const struct view v = {p, a, scratch};
     struct printer t[3] = {{.to = stdout}, {.to = stdout}, {.to = stdout}};
     PRINTER_ADD(&t[0], closings);
@@ -160,12 +160,12 @@ int gap_print_runs(const struct plan *p, const struct contact_free *a, enum prin
     printer_add(&t, &(struct printer_column)COLUMN_DATA("message"), 1);
     printer_head(&t);
     for (long i = 0; i < a->n_run * a->n_contact; i++) {
-        long run = i / a->n_contact;
-        int contact = (int)(i % a->n_contact);
+        const long run = i / a->n_contact;
+        const int contact = (int)(i % a->n_contact);
         int choice[STUDY_SWEEPS_MAX], k = 0;
         plan_choose(p, run, choice);
         printer_whole(&t, run + 1);
-        for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+        for (const struct sweep *s = d->sweeps; s; s = s->next) {
             printer_sweep(&t, s, choice[k++]);
         }
         printer_text(&t, study_print_status(&a->outcome[run]));
@@ -175,10 +175,6 @@ int gap_print_runs(const struct plan *p, const struct contact_free *a, enum prin
         printer_line(&t);
     }
     return printer_close(&t);
-}
-
-static double spacing(const struct gap_search_request *q) {
-    return (q->to - q->from) / (q->n - 1);
 }
 
 // "largest drift at most 0.02 m, percentile 84 of 40 runs"
@@ -247,6 +243,25 @@ static void print_points(struct printer *t, const struct gap_search_request *q,
     }
 }
 
+static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {
+    const char *length = q->plan->first->deck->units.length_name;
+    if (!s->found) {
+        printf("\nno gap: the limit is exceeded at the widest one, %.6g %s\n", q->to, length);
+    } else if (isnan(s->below)) {
+        printf("\ngap %.6g %s: every gap scanned meets the limit\n", s->gap, length);
+    } else {
+        printf("\ngap %.6g %s: from here on every gap scanned meets the limit; %.6g %s does not\n",
+               s->gap, length, s->below, length);
+    }
+    if (s->opened && s->open.n_failed == 0) {
+        printf("Without any contact the limit is %s.\n",
+               s->open.kept ? "met" : "exceeded: a gap that avoids contact does not meet it");
+    }
+    printf("The response is not a smooth function of the gap: between gaps that are %.3g %s apart\n"
+           "the limit may be exceeded unseen.\n",
+           (q->to - q->from) / (q->n - 1), length);
+}
+
 int gap_print_search(const struct gap_search_request *q, const struct gap_search *s,
                      enum printer_form form) {
     const struct unit_system *u = &q->plan->first->deck->units;
@@ -273,24 +288,7 @@ int gap_print_search(const struct gap_search_request *q, const struct gap_search
     }
     print_points(&t, q, s);
     if (form == FORM_TEXT) {
-        const char *length = q->plan->first->deck->units.length_name;
-        if (!s->found) {
-            printf("\nno gap: the limit is exceeded at the widest one, %.6g %s\n", q->to, length);
-        } else if (isnan(s->below)) {
-            printf("\ngap %.6g %s: every gap scanned meets the limit\n", s->gap, length);
-        } else {
-            printf(
-                "\ngap %.6g %s: from here on every gap scanned meets the limit; %.6g %s does not\n",
-                s->gap, length, s->below, length);
-        }
-        if (s->opened && s->open.n_failed == 0) {
-            printf("Without any contact the limit is %s.\n",
-                   s->open.kept ? "met" : "exceeded: a gap that avoids contact does not meet it");
-        }
-        printf("The response is not a smooth function of the gap: between gaps that are %.3g %s "
-               "apart\n"
-               "the limit may be exceeded unseen.\n",
-               spacing(q), length);
+        print_answer(q, s);
     }
     return printer_close(&t);
 }

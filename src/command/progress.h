@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line on a terminal that says how far a run is.
+// Lines on stderr that say how far an analysis or a study is.
 #ifndef JOSTLE_PROGRESS_H
 #define JOSTLE_PROGRESS_H
 
@@ -27,9 +27,6 @@ void progress_tell(void *context, long n_done, long n);
 int progress_poll(void *context, long n_done, struct error *e);
 // Takes the line away.
 void progress_end(struct progress *p);
-
-// How far a study is: on a terminal one line that is written over, elsewhere a line every ten
-// seconds.
 
 enum display { DISPLAY_NOTHING, DISPLAY_PROGRESS };
 

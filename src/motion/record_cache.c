@@ -25,28 +25,28 @@ struct record_cache {
 
 struct record_cache *record_cache_create(size_t bytes_max) {
     assert(bytes_max > 0);
-    struct record_cache *s = calloc(1, sizeof *s);
-    if (s && pthread_mutex_init(&s->lock, NULL) != 0) {
-        free(s);
-        s = NULL;
+    struct record_cache *c = calloc(1, sizeof *c);
+    if (c && pthread_mutex_init(&c->lock, NULL) != 0) {
+        free(c);
+        c = NULL;
     }
-    if (s) {
-        s->bytes_max = bytes_max;
+    if (c) {
+        c->bytes_max = bytes_max;
     }
-    return s;
+    return c;
 }
 
-void record_cache_free(struct record_cache *s) {
-    if (!s) {
+void record_cache_free(struct record_cache *c) {
+    if (!c) {
         return;
     }
-    for (struct entry *i = s->first; i;) {
+    for (struct entry *i = c->first; i;) {
         struct entry *next = i->next;
         arena_free(i->arena);
         i = next;
     }
-    pthread_mutex_destroy(&s->lock);
-    free(s);
+    pthread_mutex_destroy(&c->lock);
+    free(c);
 }
 
 static bool same_text(const char *a, const char *b) {
@@ -64,13 +64,13 @@ static size_t bytes_of(const struct record *r) {
 }
 
 // Finds the entry and moves it to the front; NULL: there is none.
-static struct entry *find(struct record_cache *s, const struct record_request *request) {
-    for (struct entry **at = &s->first; *at; at = &(*at)->next) {
+static struct entry *find(struct record_cache *c, const struct record_request *request) {
+    for (struct entry **at = &c->first; *at; at = &(*at)->next) {
         struct entry *found = *at;
         if (same(&found->request, request)) {
             *at = found->next;
-            found->next = s->first;
-            s->first = found;
+            found->next = c->first;
+            c->first = found;
             return found;
         }
     }
@@ -104,7 +104,7 @@ static bool copy_request(struct arena *a, const struct record_request *request,
 }
 
 // Puts a copy in front.
-static int put(struct record_cache *s, const struct record_request *request, const struct record *r,
+static int put(struct record_cache *c, const struct record_request *request, const struct record *r,
                struct error *e) {
     struct arena *a = arena_create();
     struct entry *new = a ? arena_alloc(a, 1, sizeof *new) : NULL;
@@ -113,15 +113,15 @@ static int put(struct record_cache *s, const struct record_request *request, con
         return error_no_memory(e);
     }
     new->arena = a;
-    new->next = s->first;
-    s->first = new;
-    s->bytes += bytes_of(r);
-    if (s->bytes > s->bytes_max) {
+    new->next = c->first;
+    c->first = new;
+    c->bytes += bytes_of(r);
+    if (c->bytes > c->bytes_max) {
         // Removes the entries after those that fit into the cache.
         size_t bytes = 0;
-        for (struct entry **at = &s->first; *at;) {
+        for (struct entry **at = &c->first; *at;) {
             struct entry *i = *at;
-            if (bytes + bytes_of(&i->record) > s->bytes_max) {
+            if (bytes + bytes_of(&i->record) > c->bytes_max) {
                 *at = i->next;
                 arena_free(i->arena);
             } else {
@@ -129,28 +129,28 @@ static int put(struct record_cache *s, const struct record_request *request, con
                 at = &i->next;
             }
         }
-        s->bytes = bytes;
+        c->bytes = bytes;
     }
     return STATUS_OK;
 }
 
-int record_cache_read(struct record_cache *s, struct arena *a, const struct record_request *request,
+int record_cache_read(struct record_cache *c, struct arena *a, const struct record_request *request,
                       struct record *out, struct error *e) {
-    if (!s) {
+    if (!c) {
         return record_read(a, request, out, e);
     }
     int status = STATUS_OK;
     *out = (struct record){.wrong = RECORD_PATH};
-    pthread_mutex_lock(&s->lock);
-    struct entry *found = find(s, request);
+    pthread_mutex_lock(&c->lock);
+    struct entry *found = find(c, request);
     if (!found) {
         status = record_read(a, request, out, e);
         if (status == STATUS_OK) {
-            status = put(s, request, out, e);
+            status = put(c, request, out, e);
         }
     } else if (!copy(a, &found->record, out)) {
         status = error_no_memory(e);
     }
-    pthread_mutex_unlock(&s->lock);
+    pthread_mutex_unlock(&c->lock);
     return status;
 }

@@ -12,12 +12,12 @@ enum { RECORD_CACHE_BYTES = 64 << 20 };
 
 // A cache for records of up to `bytes_max` bytes together. All threads may use it. NULL: no memory.
 struct record_cache *record_cache_create(size_t bytes_max);
-void record_cache_free(struct record_cache *s);  // NULL is allowed
+void record_cache_free(struct record_cache *c);  // NULL is allowed
 
 // Reads a record as record_read does, or takes it from the cache if the same request was read
 // before. `out` has its own copy of the values from `a`. The function does not check whether the
-// file has changed. s NULL: always reads the file.
-int record_cache_read(struct record_cache *s, struct arena *a, const struct record_request *request,
+// file has changed. c NULL: always reads the file.
+int record_cache_read(struct record_cache *c, struct arena *a, const struct record_request *request,
                       struct record *out, struct error *e);
 
 #endif

@@ -3,17 +3,17 @@
 
 #include <stdlib.h>
 
+static int by_index(const void *left, const void *right) {
+    const struct choice *a = left, *b = right;
+    return (a->index > b->index) - (a->index < b->index);
+}
+
 static int by_rank(const void *left, const void *right) {
     const struct choice *a = left, *b = right;
     if (a->rank != b->rank) {
         return a->rank < b->rank ? 1 : -1;
     }
-    return (a->index > b->index) - (a->index < b->index);
-}
-
-static int by_index(const void *left, const void *right) {
-    const struct choice *a = left, *b = right;
-    return (a->index > b->index) - (a->index < b->index);
+    return by_index(left, right);
 }
 
 int choice_add(struct choice *shown, int n, int most, struct choice c) {

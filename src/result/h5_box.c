@@ -58,7 +58,8 @@ void h5_get_box(struct h5 *h, hid_t dataset, const struct h5_box *box, hid_t typ
     move(h, dataset, box, type, NULL, value);
 }
 
-// The box of `width` values for each of its runs, with room for them side by side; NULL: no memory.
+// Widens the box from values to rows of `width` values. Gives room for the rows side by side; NULL:
+// no memory.
 static double *widen(struct h5 *h, struct h5_box *box, int n_front, size_t width) {
     double *row = h->failed ? NULL : malloc((box->n * width + 1) * sizeof *row);
     if (!row) {

@@ -127,52 +127,52 @@ int partial_file_clear(const char *path, const char *partial, struct error *e) {
 }
 
 static int make_file(void *context, struct error *e) {
-    struct partial_file *d = context;
+    struct partial_file *f = context;
     int file;
-    int status = partial_file_clear(d->path, d->name, e);
+    int status = partial_file_clear(f->path, f->name, e);
     if (status == STATUS_OK) {
-        status = file_claim(d->path, d->name, O_CREAT | O_EXCL, &file, e);
+        status = file_claim(f->path, f->name, O_CREAT | O_EXCL, &file, e);
     }
     if (status != STATUS_OK) {
         return status;
     }
-    d->to = fdopen(file, "w");
-    if (!d->to) {
-        status = cannot_write(e, d->path, errno);
-        unlink(d->name);
+    f->to = fdopen(file, "w");
+    if (!f->to) {
+        status = cannot_write(e, f->path, errno);
+        unlink(f->name);
         close(file);
     }
     return status;
 }
 
-int partial_file_open(struct partial_file *d, const char *path, enum result_existing existing,
+int partial_file_open(struct partial_file *f, const char *path, enum result_existing existing,
                       struct error *e) {
-    *d = (struct partial_file){.existing = existing};
-    const int n = snprintf(d->name, sizeof d->name, "%s.part", path);
-    if (n < 0 || (size_t)n >= sizeof d->name) {
+    *f = (struct partial_file){.existing = existing};
+    const int n = snprintf(f->name, sizeof f->name, "%s.part", path);
+    if (n < 0 || (size_t)n >= sizeof f->name) {
         return error_set(e, STATUS_INPUT, "the name %.40s... is too long", path);
     }
-    snprintf(d->path, sizeof d->path, "%s", path);
+    snprintf(f->path, sizeof f->path, "%s", path);
     const int status = result_check_path(path, existing, e);
-    return status == STATUS_OK ? file_retry(path, d->name, make_file, d, e) : status;
+    return status == STATUS_OK ? file_retry(path, f->name, make_file, f, e) : status;
 }
 
-int partial_file_publish(struct partial_file *d, struct error *e) {
-    if (fflush(d->to) != 0 || ferror(d->to)) {
-        const int status = cannot_write(e, d->path, errno);
-        partial_file_drop(d);
+int partial_file_publish(struct partial_file *f, struct error *e) {
+    if (fflush(f->to) != 0 || ferror(f->to)) {
+        const int status = cannot_write(e, f->path, errno);
+        partial_file_drop(f);
         return status;
     }
-    const int status = result_publish(fileno(d->to), d->name, d->path, d->existing, e);
-    fclose(d->to);  // all is on disk
-    d->to = NULL;
+    const int status = result_publish(fileno(f->to), f->name, f->path, f->existing, e);
+    fclose(f->to);  // all is on disk
+    f->to = NULL;
     return status;
 }
 
-void partial_file_drop(struct partial_file *d) {
-    if (d->to) {
-        unlink(d->name);
-        fclose(d->to);
-        d->to = NULL;
+void partial_file_drop(struct partial_file *f) {
+    if (f->to) {
+        unlink(f->name);
+        fclose(f->to);
+        f->to = NULL;
     }
 }

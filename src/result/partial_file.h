@@ -17,15 +17,15 @@ struct partial_file {
 
 // Opens PATH.part for writing. Errors: those of result_check_path, STATUS_INPUT (the name is too
 // long), STATUS_SYSTEM (another run is writing it).
-int partial_file_open(struct partial_file *d, const char *path, enum result_existing existing,
+int partial_file_open(struct partial_file *f, const char *path, enum result_existing existing,
                       struct error *e);
 
 // Gives the file its name and closes it, or removes it. Errors: those of result_publish, and
 // STATUS_SYSTEM (something could not be written).
-int partial_file_publish(struct partial_file *d, struct error *e);
+int partial_file_publish(struct partial_file *f, struct error *e);
 
 // Removes it, unless it is not open.
-void partial_file_drop(struct partial_file *d);
+void partial_file_drop(struct partial_file *f);
 
 // For files that are opened in other ways: removes a `partial` of `path` that no run is writing.
 // Errors: those of file_claim.

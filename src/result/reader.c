@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads everything but the histories of a result file into a report.
 //
-// The values of one analysis are in a file of its own all in one tree. Of a run of a study,
-// histories and impacts are in /runs, and what runs have in common, or with the dimensions of the
-// sweeps in front, is in the tree of the study.
+// The file of one analysis has all its values in one tree. A run of a study has its histories and
+// impacts in /runs. The tree of the study has what all runs have in common and, with the dimensions
+// of the sweeps in front, the other values of each run.
 #include "result/reader.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@ bool reader_is_run(const struct result_file *r) {
     return r->root != r->h.file;
 }
 
-// A group of one analysis; of a run of a study that of the run and that of the study. Negative:
-// there is none.
+// Where a value may be: in the group of the analysis or run itself, or, of a run of a study, in the
+// group of the same name in the tree of the study. Negative: there is no such group.
 struct spot {
     hid_t own, study;
 };
@@ -31,13 +31,13 @@ static hid_t holder(struct result_file *r, const struct spot *p, const char *nam
     return is_own ? p->own : p->study;
 }
 
-static struct spot open_place(struct result_file *r, const struct spot *in, const char *name) {
+static struct spot open_spot(struct result_file *r, const struct spot *in, const char *name) {
     const bool is_own = holder(r, in, name) == in->own;
     return (struct spot){is_own ? h5_get_group(&r->h, in->own, name) : -1,
                          in->study >= 0 ? h5_get_group(&r->h, in->study, name) : -1};
 }
 
-static void close_place(struct result_file *r, const struct spot *p) {
+static void close_spot(struct result_file *r, const struct spot *p) {
     h5_close(&r->h, p->own);
     h5_close(&r->h, p->study);
 }
@@ -88,8 +88,8 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     (void)info, (void)parent;
     struct result_file *f = context;
     struct report *r = f->report;
-    const struct spot root = root_of(f), all = open_place(f, &root, "buildings");
-    const struct spot building = open_place(f, &all, name);
+    const struct spot root = root_of(f), all = open_spot(f, &root, "buildings");
+    const struct spot building = open_spot(f, &all, name);
     const long position = h5_get_long(&f->h, building.own, "position");
     char *copy = h5_copy(&f->h, r->arena, name);
     if (!f->h.failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
@@ -106,21 +106,21 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
             get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
             // Residual drifts are not there where no storey can yield; of a run of a study, an
             // attribute says so.
-            const struct spot envelope = open_place(f, &building, "envelope");
+            const struct spot envelope = open_spot(f, &building, "envelope");
             const bool yields = envelope.own >= 0
                                     ? h5_has(&f->h, envelope.own, layout_residual_drift_name)
                                     : h5_get_long(&f->h, building.own, "yields") != 0;
             for (int c = 0; c < layout_peak.n_column - !yields; c++) {
                 get_column(f, &envelope, &layout_peak, c, b, (size_t)b->n_floor);
             }
-            close_place(f, &envelope);
+            close_spot(f, &envelope);
         }
     }
     for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
         r->fields |= h5_has(&f->h, building.own, field_names[i]) ? 1U << i : 0;
     }
-    close_place(f, &building);
-    close_place(f, &all);
+    close_spot(f, &building);
+    close_spot(f, &all);
     return f->h.failed ? -1 : 0;
 }
 
@@ -143,7 +143,7 @@ static void get_buildings(struct result_file *f) {
 
 static struct report_link *get_links(struct result_file *r, const struct link_group *g,
                                      int *n_link) {
-    const struct spot root = root_of(r), links = open_place(r, &root, g->name);
+    const struct spot root = root_of(r), links = open_spot(r, &root, g->name);
     const size_t n = h5_get_length(&r->h, links.own, g->scale, LIST_LIMIT);
     struct report_link *link = h5_alloc(&r->h, r->report->arena, n, sizeof *link);
     get_columns(r, &links, &layout_link, link, n);
@@ -168,11 +168,11 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
             const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
             r->report->fields |= h5_has(&r->h, links.own, g->field[i]) ? bit : 0;
         }
-        const struct spot envelope = open_place(r, &links, "envelope");
+        const struct spot envelope = open_spot(r, &links, "envelope");
         get_columns(r, &envelope, g->peaks, link, n);
-        close_place(r, &envelope);
+        close_spot(r, &envelope);
     }
-    close_place(r, &links);
+    close_spot(r, &links);
     *n_link = (int)n;
     return link;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reading the files of runs and of studies has in common: reader.c (values),
-// result_file.c and study_reader.c.
+// What reading the files of runs and of studies has in common: reader.c (values), result_file.c
+// (the file of a run) and study_reader.c (that of a study).
 #ifndef JOSTLE_READER_H
 #define JOSTLE_READER_H
 

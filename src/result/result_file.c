@@ -237,6 +237,7 @@ int result_check_memory(const struct result_file *f, int n_column, struct error 
                            n_column, f->path, bytes / 1e6, limit / 1e6,
                            (double)f->h.heap.end / 1e6);
 }
+
 int result_time(const struct result_file *f, double *out, struct error *e) {
     return read_column(f, "time", -1, out, e);
 }

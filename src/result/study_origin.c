@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The groups /origin of a study file: what its runs come from, and /part of the file of one part:
-// which part it is, and the sweeps of the study.
+// Two groups of a study file: /origin says what its runs come from; /part, in the file of one part,
+// says which part it is and which sweeps the study has.
 #include <stdio.h>
 #include <stdlib.h>
 

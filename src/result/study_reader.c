@@ -75,7 +75,7 @@ static int group_rank(const struct study_item *item) {
     return rank;
 }
 
-// The order of the names in each group, that of the owner before that of its envelope.
+// The order of the items: by group and name, what an owner has before what its envelope has.
 static int by_name(const void *left, const void *right) {
     const struct study_item *a = left, *b = right;
     const int owner = a->owner && b->owner ? strcmp(a->owner, b->owner) : 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How near the buildings of a deck come to each other when they never touch, run by run, next to
 // the separations that building codes and the literature make of their largest displacements.
-#ifndef JOSTLE_FREE_H
-#define JOSTLE_FREE_H
+#ifndef JOSTLE_CONTACT_FREE_H
+#define JOSTLE_CONTACT_FREE_H
 
 #include "study/gap_runs.h"
 
@@ -53,11 +53,11 @@ struct contact_free {
     struct study_outcome *outcome;  // (n_run)
     double *value;                  // (n_run, n_contact, FREE_VALUES)
     bool idle[STUDY_SWEEPS_MAX];    // sweeps that change nothing but the gaps: a swept gap, say
-    bool *counts;                   // (n_run) false: the same as another run, but for these
+    bool *counts;                   // (n_run) false: the same as an earlier run, but for gaps
 };
 
 // Runs all runs of the plan with its contacts open; bilateral links act. *out must be given to
-// apart_close, whatever happens. Errors as of gap_runs_run.
+// contact_free_close, whatever happens. Errors as of gap_runs_run.
 int contact_free_run(const struct plan *plan, const struct gap_runs *how, struct contact_free *out,
                      struct error *e);
 void contact_free_close(struct contact_free *a);

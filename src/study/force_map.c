@@ -124,9 +124,10 @@ static int poll_owner(void *context, struct workers *w, long n_done, struct erro
 }
 
 int force_map_run(const struct force_map_request *q, double *force, struct error *e) {
-    struct map map = {
-        .request = q, .records = record_cache_create(RECORD_CACHE_BYTES), .failed = LONG_MAX};
-    map.force = force;
+    struct map map = {.request = q,
+                      .force = force,
+                      .records = record_cache_create(RECORD_CACHE_BYTES),
+                      .failed = LONG_MAX};
     if (!map.records) {
         return error_no_memory(e);
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/journal.h"
 
-#include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
@@ -282,7 +281,7 @@ int journal_add_run(struct journal *j, long run, const struct study_outcome *out
     return status;
 }
 
-// Failed ones have no histories, and are not forgotten for them.
+// Only runs with histories are forgotten. None of them has failed, so n_failed stays.
 void journal_forget(struct journal *j, long run) {
     j->offset[run] = 0;
     j->n_done--;

@@ -5,11 +5,11 @@
 // A file starts with a magic word. An entry is {kind, bytes of content}, the content, and the
 // checksum of both; numbers and the checksum are in the machine's order of bytes, and a journal
 // from a machine with another one is not read. The first entry is the head: lines of text that say
-// which study this is. What is no sound entry is passed over; after an entry of a file that is
-// lost, so are the runs that may have read that file, which may have changed.
+// which study this is. Bytes that are no sound entry are passed over. If the entry of a file is
+// lost, so are the runs that may have read that file, as it may have changed.
 //
 // The histories of a run precede its entry in blocks, each of which says where the one before it
-// is; blocks of several runs may be mixed. A run one of whose blocks is lost is lost, too.
+// is; blocks of several runs may be mixed. A run is lost if one of its blocks is.
 #ifndef JOSTLE_JOURNAL_H
 #define JOSTLE_JOURNAL_H
 
@@ -56,8 +56,8 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
 // Errors: STATUS_SYSTEM (no memory).
 int journal_want_histories(struct journal *j, uint64_t shape, struct error *e);
 
-// Does the file end before its head, if that is `head`, as one that was torn when it was made? What
-// is longer and has no sound head is damaged, and may hold runs.
+// Is the file shorter than a journal with the head `head` and no runs, as one that was torn when it
+// was made? A longer file without a sound head is damaged, and may hold runs.
 bool journal_is_new(const struct journal *j, const char *head);
 
 // Reads the entries after the head, and changes nothing; `file` is called for each file, and its

@@ -27,7 +27,8 @@ unsigned char *journal_entry_content(unsigned char *entry) {
     return entry + ENTRY_HEAD;
 }
 
-size_t journal_entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) {
+// Completes an entry with `n` bytes of content; returns its size.
+static size_t seal(unsigned char *entry, enum entry_kind kind, size_t n) {
     const uint32_t head[2] = {(uint32_t)kind, (uint32_t)n};
     _Static_assert(sizeof head == ENTRY_HEAD, "as written");
     memcpy(entry, head, sizeof head);
@@ -36,7 +37,8 @@ size_t journal_entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) 
     return ENTRY_HEAD + n + ENTRY_TAIL;
 }
 
-bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
+// Reads the kind and the size of the content from the head; false if it cannot be one.
+static bool get_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
     uint32_t head[2];
     memcpy(head, entry, sizeof head);
     *kind = (enum entry_kind)head[0];
@@ -58,7 +60,8 @@ bool journal_entry_is_foreign(const unsigned char *entry) {
     return true;
 }
 
-bool journal_entry_is_sound(const unsigned char *entry, size_t n) {
+// True if the checksum after the `n` bytes of content is right.
+static bool is_sound(const unsigned char *entry, size_t n) {
     uint64_t sum;
     memcpy(&sum, entry + ENTRY_HEAD + n, sizeof sum);
     return sum == checksum_short(entry, ENTRY_HEAD + n);
@@ -179,12 +182,10 @@ bool journal_reserve(struct journal *j, size_t n) {
 }
 
 int journal_append(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
-    const size_t size = journal_entry_seal(j->buffer, kind, n);
+    const size_t size = seal(j->buffer, kind, n);
     if (file_write(j->file, j->buffer, size, j->end) != 0) {
         const int cause = errno;
-        if (file_cut(j->file, j->end) != 0) {
-            errno = cause;  // the torn entry is dropped by whoever reads it
-        }
+        (void)file_cut(j->file, j->end);  // else whoever reads the torn entry drops it
         errno = cause;
         return journal_cannot(j, "write", e);
     }
@@ -198,7 +199,7 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
     if (got < 0) {
         return journal_cannot(j, "read", e);
     }
-    if (got < ENTRY_HEAD || !journal_entry_size(j->buffer, kind, n)) {
+    if (got < ENTRY_HEAD || !get_size(j->buffer, kind, n)) {
         return 0;
     }
     const size_t size = ENTRY_HEAD + *n + ENTRY_TAIL;
@@ -212,7 +213,7 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
     if (got < 0) {
         return journal_cannot(j, "read", e);
     }
-    return (size_t)got == size && journal_entry_is_sound(j->buffer, *n) ? 1 : 0;
+    return (size_t)got == size && is_sound(j->buffer, *n) ? 1 : 0;
 }
 
 // Reads the head of an entry after the first one: no more bytes than such a one can have are
@@ -222,10 +223,10 @@ static bool is_head(const struct journal *j, const unsigned char *entry, enum en
     const size_t run = journal_entry_run_size(j->n_value),
                  file = journal_entry_file_size("") + PATH_MAX;
     const size_t block = sizeof(struct entry_block) + ENTRY_BLOCK_BYTES;
-    return journal_entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
-                                                        : *kind == ENTRY_HEAD_TEXT ? HEADER_TEXT_MAX
-                                                        : run > file               ? run
-                                                                                   : file);
+    return get_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
+                                              : *kind == ENTRY_HEAD_TEXT ? HEADER_TEXT_MAX
+                                              : run > file               ? run
+                                                                         : file);
 }
 
 int journal_find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,

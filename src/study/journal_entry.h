@@ -34,15 +34,8 @@ enum { ENTRY_BLOCK_BYTES = 1 << 18 };  // most bytes of histories in a block
 // The content of the entry at `entry`.
 unsigned char *journal_entry_content(unsigned char *entry);
 
-// Completes an entry with `n` bytes of content; returns its size.
-size_t journal_entry_seal(unsigned char *entry, enum entry_kind kind, size_t n);
-
-// Reads the kind and the size of the content from the head; false if it cannot be one.
-bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
-// True if it is a head from a machine with the other byte order.
+// True if the entry is a head from a machine with the other byte order.
 bool journal_entry_is_foreign(const unsigned char *entry);
-// True if the checksum after the `n` bytes of content is right.
-bool journal_entry_is_sound(const unsigned char *entry, size_t n);
 
 // Largest content of a run of `n_value` values.
 size_t journal_entry_run_size(size_t n_value);

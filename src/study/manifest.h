@@ -27,8 +27,8 @@ struct manifest {
 int manifest_init(struct manifest *m, struct error *e);
 void manifest_close(struct manifest *m);
 
-// Enters a file that is new as it is now; *added is its entry. One that has been entered is
-// compared with its entry; *added is NULL. Errors: STATUS_INPUT (it has changed), STATUS_SYSTEM (no
+// Enters a file that has no entry, as it is now; *added is its entry. A file that has one is
+// compared with it; *added is NULL. Errors: STATUS_INPUT (it has changed), STATUS_SYSTEM (no
 // memory).
 int manifest_check(struct manifest *m, const struct deck_path *file,
                    const struct manifest_file **added, struct error *e);

@@ -12,12 +12,12 @@
 #include "study/manifest.h"
 #include "study/plan.h"
 
-// The same wherever the deck lies, for parts. `n_value` of a run. Errors: STATUS_SYSTEM (no
-// memory).
+// The text that says which study it is. It is the same wherever the deck lies, as parts may come
+// from several machines. A run has `n_value` results. Errors: STATUS_SYSTEM (no memory).
 int origin_study(struct arena *a, const struct study_request *q, size_t n_value, const char **out,
                  struct error *e);
 
-// The same for the journal: of one part, and of a deck in one place.
+// The text of a journal: `study`, the path of the deck and the part. NULL: no memory.
 const char *origin_journal(struct arena *a, const struct study_request *q, const char *study);
 
 // Appends to the text *accepted a line for each difference that a user may accept: "NAME: OLD".
@@ -26,7 +26,7 @@ const char *origin_journal(struct arena *a, const struct study_request *q, const
 int origin_accept(struct arena *a, const char *old, const char *new, const char **accepted,
                   struct error *e);
 
-// What differs between two of them, to end after *length.
+// What a message calls the first difference between two such texts: *length bytes.
 const char *origin_difference(const char *old, const char *new, int *length);
 
 // What the runs come from, once they are done, without the members `study` and `accepted`. Texts
@@ -39,8 +39,8 @@ int origin_describe(const struct study_request *q, const struct plan *p, const s
 int origin_part(const struct plan *p, const struct manifest *m, struct study_part *out,
                 struct error *e);
 
-// Compares what runs come from with the study `study` of the request. Errors: STATUS_INPUT with the
-// name of the first difference, STATUS_SYSTEM (no memory).
+// Compares `o`, what the runs of a file come from, with the request, the study of which is the text
+// `study`. Errors: STATUS_INPUT with the name of the first difference, STATUS_SYSTEM (no memory).
 int origin_compare(const struct study_request *q, struct manifest *m, const char *study,
                    const struct study_origin *o, struct error *e);
 

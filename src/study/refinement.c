@@ -20,6 +20,11 @@
 #include "core/arena.h"
 
 static const double ORDER_SLACK = 0.05;
+
+// Factors of safety (see above). Adaptive levels are halvings of the step in the mean only, and
+// errors that are 32 times smaller at order 5 may be 5 or 1000 times smaller: their order is not
+// taken for observed.
+static const double SAFETY = 1.25, SAFETY_ADAPTIVE = 3.0;
 static const double SAFETY_FAST = 1.25, SAFETY_IRREGULAR = 3.0;
 
 // Differences below this share of the value come from rounding, which grows with the number of
@@ -62,11 +67,6 @@ struct convergence refinement_convergence_of_count(const double *value, int n) {
 bool refinement_is_within(const struct convergence *c, double value, double rtol) {
     return c->error <= rtol * fabs(value) && c->kind != CONVERGENCE_MISCOUNT;
 }
-
-// Factors of safety (see above). Adaptive levels are halvings of the step in the mean only, and
-// errors that are 32 times smaller at order 5 may be 5 or 1000 times smaller: their order is not
-// taken for observed.
-static const double SAFETY = 1.25, SAFETY_ADAPTIVE = 3.0;
 
 static double largest(const double *value, int n) {
     double most = value[0];

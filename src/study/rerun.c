@@ -80,14 +80,14 @@ static int check_origin(struct rerun *r, struct error *e) {
                                         .define = q->define,
                                         .n_define = q->n_define,
                                         .numerics = NUMERICS_VERSION};
-    const char *identity;
-    int status = origin_study(r->manifest.arena, &study, r->plan.table->n_value, &identity, e);
+    const char *current;
+    int status = origin_study(r->manifest.arena, &study, r->plan.table->n_value, &current, e);
     if (status == STATUS_OK && !r->view->origin.study) {
         return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from",
                          r->view->path);
     }
     if (status == STATUS_OK) {
-        status = origin_compare(&study, &r->manifest, identity, &r->view->origin, e);
+        status = origin_compare(&study, &r->manifest, current, &r->view->origin, e);
     }
     const struct error cause = *e;
     return status == STATUS_INPUT

@@ -6,10 +6,10 @@
 // A contact is softest where its stiffness over that of the stiffest storey beside it is smallest.
 //
 // All runs would be too many. The survey varies one sweep at a time, those of numbers first, and
-// keeps the strongest value while it varies the next one; then it takes all
-// combinations of the sweeps of texts, which name files and laws. Of more than SURVEY_VALUES
-// numbers it takes so many, evenly spread, with the smallest and the largest. Combinations of texts
-// beyond SURVEY_COMBINATIONS are varied one sweep at a time, too.
+// keeps the strongest value while it varies the next one. Then it takes all combinations of the
+// sweeps of texts, which name files and laws. Of more than SURVEY_VALUES numbers it takes so many,
+// evenly spread, with the smallest and the largest. Combinations of texts beyond
+// SURVEY_COMBINATIONS are varied one sweep at a time, too.
 #ifndef JOSTLE_SURVEY_H
 #define JOSTLE_SURVEY_H
 

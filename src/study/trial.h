@@ -6,15 +6,15 @@
 #include "jostle/analysis.h"
 #include "study/plan.h"
 
-// What a trial asks of the study it belongs to. A result other
-// than 0 ends the trial with that status.
+// What a trial asks of the study it belongs to. A result other than 0 ends the trial with that
+// status.
 struct trial_watch {
     // The deck of the run has been read; `files` are those it read. NULL: that is of no interest.
     int (*files)(void *context, const struct deck_path *files, struct error *e);
     // Called now and then. NULL: never.
     int (*poll)(void *context, double time, struct error *e);
     // The run of `m` starts, shows a row of its histories, has ended without an error. All three
-    // are NULL or none; then runs are taken one at a time.
+    // or none are NULL. Runs that have them are taken one at a time.
     void (*begin)(void *context, const struct model *m);
     int (*row)(void *context, const struct row_view *row, struct error *e);
     int (*end)(void *context, const struct results *r, struct error *e);

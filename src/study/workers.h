@@ -14,9 +14,9 @@ struct workers;  // while they work
 struct workers_request {
     int n_thread;    // at least 1
     size_t scratch;  // bytes that each thread has for itself
-    long n_job;      // where they are numbers from 0 on, taken in turn
-    // Else the next job; -1: there is none. Called under the lock; what it leaves in `scratch` is
-    // passed to the other two. NULL: they are numbers.
+    long n_job;      // without `take`: the jobs are the numbers from 0 to n_job - 1
+    // Gives the next job; -1: there is none. Called under the lock; what it leaves in `scratch` is
+    // passed to the other two. NULL: the next number.
     long (*take)(void *context, void *scratch);
     // Does the job. Called without the lock.
     int (*work)(void *context, struct workers *w, long job, void *scratch, struct error *e);

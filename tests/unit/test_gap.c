@@ -25,7 +25,7 @@ static struct plan plan_of(const struct model *m) {
     return (struct plan){.first = m, .n_run = m->deck->n_run};
 }
 
-static void run_apart(const struct model *m, int n_thread, struct contact_free *a) {
+static void run_contact_free(const struct model *m, int n_thread, struct contact_free *a) {
     struct error e;
     const struct plan p = plan_of(m);
     const struct gap_runs how = {.n_thread = n_thread};
@@ -37,7 +37,7 @@ static void closing_displacements_are_those_of_the_closed_form(void **state) {
     struct model *m = analysis_model(TWO "contact A B -gap 0.06 -law linear -k 1e4\n"
                                          "contact A wall -gap 0.2 -law linear -k 1e4\n" STEPS);
     struct contact_free a;
-    run_apart(m, 1, &a);
+    run_contact_free(m, 1, &a);
     assert_int_equal(a.n_failed, 0);
     const double *pair = contact_free_values(&a, 0, 0), *wall = contact_free_values(&a, 0, 1);
     // f = a cos x - b cos 2x is largest where cos x = a / (4 b): a^2 / (8 b) + b
@@ -70,7 +70,7 @@ static void links_act_although_contacts_do_not(void **state) {
                                      "contact A B -gap 0.01 -law linear -k 1e4\n"
                                      "step adaptive\nduration 3\n");
     struct contact_free a;
-    run_apart(m, 1, &a);
+    run_contact_free(m, 1, &a);
     assert_true(contact_free_values(&a, 0, 0)[FREE_CLOSING] < 1e-5);
     assert_true(contact_free_values(&a, 0, 0)[FREE_LEFT] > 0.05);
     contact_free_close(&a);
@@ -88,7 +88,7 @@ static void percentiles_are_over_the_runs(void **state) {
     struct model *m = analysis_model("%s", five);
     struct contact_free a, other;
     double scratch[5];
-    run_apart(m, 1, &a);
+    run_contact_free(m, 1, &a);
     const struct contact_free_summary s =
         contact_free_summarise(&a, 0, FREE_CLOSING, FREE_VALUES, scratch);
     assert_close(s.mean, 0.3, RTOL);
@@ -102,7 +102,7 @@ static void percentiles_are_over_the_runs(void **state) {
     const struct contact_free_summary ratio =
         contact_free_summarise(&a, 0, FREE_RULE, FREE_CLOSING, scratch);
     assert_close(ratio.mean, 1.0, RTOL);
-    run_apart(m, 3, &other);
+    run_contact_free(m, 3, &other);
     assert_memory_equal(a.value, other.value, (size_t)5 * FREE_VALUES * sizeof *a.value);
     contact_free_close(&other);
     contact_free_close(&a);
@@ -119,7 +119,7 @@ static void sweeps_that_change_nothing_count_once(void **state) {
                                      "contact A wall -gap $gap -law linear -k 1e4\n" STEPS);
     struct contact_free a;
     double scratch[12];
-    run_apart(m, 1, &a);
+    run_contact_free(m, 1, &a);
     assert_int_equal(a.n_run, 12);
     assert_true(a.counts[4] && !a.counts[5]);
     assert_false(a.idle[0]);

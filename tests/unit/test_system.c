@@ -208,7 +208,7 @@ static void the_old_file_or_the_new_one_can_be_read_at_any_time(void **state) {
     expect_old_or_new(f, NAME);
 }
 
-// Puts another file in the place of the draft before its name is given.
+// Puts another file in the place of the partial file before its name is given.
 static void exchange(void *context, enum call call) {
     const struct made_up *f = context;
     if (call == SYNC) {
