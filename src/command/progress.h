@@ -5,7 +5,6 @@
 
 #include <stdbool.h>
 
-#include "command/command.h"
 #include "jostle/error.h"
 #include "jostle/study.h"
 
@@ -27,9 +26,6 @@ void progress_tell(void *context, long n_done, long n);
 int progress_poll(void *context, long n_done, struct error *e);
 // Takes the line away.
 void progress_end(struct progress *p);
-
-// How far a study is: on a terminal one line that is written over, elsewhere a line every ten
-// seconds.
 
 enum display { DISPLAY_NOTHING, DISPLAY_PROGRESS };
 
