@@ -68,15 +68,17 @@ double unit_in_g(const struct unit_system *u);
 // Reads the longest unit at the start of `text`: names joined by * and /, each with an optional
 // power (`m/s2`, `m/s^2`, `N/m^1.5`, `kN*s/m`, `g`, `gal`, `%`). Gives its dimension and the size
 // of one such unit in SI. `*end` is the first character not used. False: no unit stands there, and
-// *end = text; an operator that no unit name follows is left unread. A power is below 10. The
-// angles rad and deg stand alone: rad/s would pass for Hz, which is 2 pi times as large.
+// *end = text; an operator that no unit name follows is left unread. A power is below 10. *si
+// is 0 or infinite for the longest products. The angles rad and deg stand alone: rad/s would pass
+// for Hz, which is 2 pi times as large.
 bool unit_parse(const char *text, double gravity, const char **end, struct dimension *dimension,
                 double *si);
 
 // What one unit of `dimension` in the system `s` is in SI.
 double unit_size(const struct unit_system *s, struct dimension dimension);
 
-// `value` units of the size `from` as units of the size `to`, rounded as little as possible.
+// `value` units of the size `from` as units of the size `to`, rounded as little as possible. The
+// result has no meaning if a size is 0, infinite or NAN, which the caller checks.
 double unit_convert(double value, double from, double to);
 
 // The unit of `dimension` in the system `s` as text, "m/s^2", "kN/m", "kg"; "1" for a pure number.

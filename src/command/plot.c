@@ -46,19 +46,11 @@ static const char *name_output(const char *result, const char *kind, char *name)
     return name;
 }
 
-struct plot_study_request {
-    const struct command *command;
-    const char *path;  // the study
-    const char *kind;  // NULL: what shows it best
-    struct suite_options *options;
-    struct picture_options picture;
-};
-
+// The picture of a study.
 struct job {
-    const struct plot_study_request *request;
+    struct request *request;
     const struct study_figure *figure;  // NULL: what shows the suite best
     struct study_picture picture;
-    char output[PLOT_PATH_SIZE];
 };
 
 static void print_study_kinds(void) {
@@ -72,15 +64,15 @@ static void print_study_kinds(void) {
 
 // EXIT_DONE with the figure asked for, or EXIT_INPUT.
 static int find_figure(struct job *j) {
-    const struct plot_study_request *q = j->request;
+    const struct request *q = j->request;
     if (!q->kind || (j->figure = study_figure_find(q->kind)) != NULL) {
         return EXIT_DONE;
     }
     if (figure_find(q->kind)) {
-        return command_usage(q->command,
+        return command_usage(&command_plot,
                              "%s is for single runs; %s is a study; name a run of it, such as "
                              "%s#1",
-                             q->kind, q->path, q->path);
+                             q->kind, q->result, q->result);
     }
     const char *known[8];
     int n = 0;
@@ -88,7 +80,7 @@ static int find_figure(struct job *j) {
         assert(study_figures[n]);
         known[n] = study_figures[n]->name;
     }
-    return command_unknown(q->command, "figure of studies", q->kind, known, n);
+    return command_unknown(&command_plot, "figure of studies", q->kind, known, n);
 }
 
 static int write_study_figure(void *context, const struct figure_files *to, struct error *e) {
@@ -97,11 +89,11 @@ static int write_study_figure(void *context, const struct figure_files *to, stru
 }
 
 static int draw(struct job *j, const struct suite *s, struct error *e) {
-    const struct plot_study_request *q = j->request;
+    struct request *q = j->request;
     double *limit = NULL;
     j->picture.suite = s;
     j->figure = j->figure ? j->figure : study_figure_default(s);
-    int status = suite_options_limits(q->options, s, &limit, &j->picture.n_limit, e);
+    int status = suite_options_limits(&q->study, s, &limit, &j->picture.n_limit, e);
     j->picture.limit = limit;
     if (status != STATUS_OK) {
         return status;
@@ -110,7 +102,7 @@ static int draw(struct job *j, const struct suite *s, struct error *e) {
     struct picture_request picture = {
         .options = q->picture, .name = j->figure->name, .write = write_study_figure, .context = j};
     if (!picture_is_wanted(&q->picture)) {
-        picture.options.output = name_output(q->path, j->figure->name, j->output);
+        picture.options.output = name_output(q->result, j->figure->name, q->default_output);
     }
     status = picture_make(&picture, e);
     if (status == STATUS_OK && picture.options.output) {
@@ -220,12 +212,7 @@ static int plot_suite(struct request *q) {
         return command_usage(&command_plot, "--compare is for single runs; %s is a study",
                              q->result);
     }
-    const struct plot_study_request study = {.command = &command_plot,
-                                             .path = q->result,
-                                             .kind = q->kind,
-                                             .options = &q->study,
-                                             .picture = q->picture};
-    struct job j = {.request = (&study)};
+    struct job j = {.request = q};
     struct study_file *f;
     struct suite *s;
     struct error e;
@@ -233,10 +220,10 @@ static int plot_suite(struct request *q) {
     if (status != EXIT_DONE) {
         return status;
     }
-    if (study_file_open(study.path, &f, &e) != STATUS_OK) {
+    if (study_file_open(q->result, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    struct suite_request request = *suite_options_request(study.options);
+    struct suite_request request = *suite_options_request(&q->study);
     request.guess = j.figure ? j.figure->guess : SUITE_ANY;
     status = suite_create(f, &request, &s, &e);
     if (status == STATUS_OK) {

@@ -5,7 +5,6 @@
 
 #include <stdbool.h>
 
-#include "command/command.h"
 #include "jostle/error.h"
 #include "jostle/study.h"
 

@@ -221,14 +221,12 @@ static int run_study(const struct model *first, const struct run_options *o,
     study_display_start(&display, o->load.quiet ? DISPLAY_NOTHING : DISPLAY_PROGRESS);
     int status = study_run(&request, &p, &e);
     study_display_end(&display);
-    if (!o->load.quiet) {
-        if (p.n_damaged > 0) {
-            safe_line(stderr,
-                      "jostle: warning: %s.runs is damaged in %ld %s; of %ld runs %ld were found "
-                      "in it, the others are run again",
-                      result->path, p.n_damaged, p.n_damaged == 1 ? "place" : "places", p.n_run,
-                      p.n_kept);
-        }
+    if (!o->load.quiet && p.n_damaged > 0) {
+        safe_line(stderr,
+                  "jostle: warning: %s.runs is damaged in %ld %s; of %ld runs %ld were found in "
+                  "it, the others are run again",
+                  result->path, p.n_damaged, p.n_damaged == 1 ? "place" : "places", p.n_run,
+                  p.n_kept);
     }
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "command/command.h"
 #include "core/text.h"
 #include "core/wall.h"
 

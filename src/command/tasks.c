@@ -85,8 +85,8 @@ static int print_tasks(void *options, const struct model *m) {
     }
     const long n_run = m->deck->n_run;
     const long n = o->n_part ? o->n_part : n_run < PARTS ? n_run : PARTS;
-    fputs(o->lines == TASKS_MERGE ? "jostle merge -o" : "", stdout);
     if (o->lines == TASKS_MERGE) {
+        fputs("jostle merge -o", stdout);
         print_word(path);
         fputs(path[0] == '-' ? " --" : "", stdout);
     }

@@ -184,9 +184,8 @@ static bool check_one_of(struct deck *d, const struct statement *s, const struct
 }
 
 bool deck_options(struct deck *d, const struct statement *s, struct row_set *set, int n_set) {
-    assert(n_set >= 0 && (set || n_set == 0));
+    assert(n_set >= 0 && n_set <= SETS_MAX && (set || n_set == 0));
     double power[SETS_MAX];
-    assert(n_set <= SETS_MAX);
     bool ok = true;
     for (int i = 0; i < n_set; i++) {
         power[i] = read_power(d, s, &set[i]);

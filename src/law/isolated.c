@@ -312,7 +312,7 @@ static int follow(struct flight *f, struct isolated_impact *out, struct error *e
 int isolated_run(const struct contact_law *law, const double *constant, double mass,
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e) {
-    assert(law && constant && mass > 0.0 && velocity > 0.0);
+    assert(law && constant && mass >= 0.0 && velocity > 0.0);
     if (law->rebound) {
         rigid(law, constant, mass, velocity, observer, out);
         return STATUS_OK;
@@ -328,7 +328,7 @@ int isolated_run(const struct contact_law *law, const double *constant, double m
 
 int isolated_duration(const struct contact_law *law, const double *constant, double mass,
                       double velocity, double *out, struct error *e) {
-    assert(law && constant && mass > 0.0 && velocity > 0.0);
+    assert(law && constant && mass >= 0.0 && velocity > 0.0);
     struct isolated_impact impact = {.duration = 0.0};
     struct flight f = {
         .law = law, .constant = constant, .mass = mass, .velocity = velocity, .accuracy = &rough};

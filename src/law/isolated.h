@@ -33,10 +33,10 @@ struct isolated_observer {
     int n_time;
 };
 
-// Integrates m d'' = -F(d, d') from d = 0, d' = velocity > 0 until d = 0 again, with m the
-// effective mass. The law's history changes as in an analysis (close, commit). `observer` may be
-// NULL. Errors: STATUS_FAILED (the bodies do not separate, or a value is not finite), STATUS_SYSTEM
-// (no memory).
+// Integrates m d'' = -F(d, d') from d = 0, d' = velocity > 0 until d = 0 again, with m >= 0 the
+// effective mass, which is 0 for the smallest masses of bodies. The law's history changes as in an
+// analysis (close, commit). `observer` may be NULL. Errors: STATUS_FAILED (the bodies do not
+// separate, or a value is not finite), STATUS_SYSTEM (no memory).
 int isolated_run(const struct contact_law *law, const double *constant, double mass,
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e);

@@ -9,9 +9,9 @@
 // Statements add up. The coefficients, the dashpots of each storey and the ratios of each mode are
 // summed first, in the order of the deck. Then C is computed once from the sums. So C is the same
 // as from one statement with these sums.
-#include <assert.h>
-
 #include "model/finish.h"
+
+#include <assert.h>
 
 #include "model/parts.h"
 

@@ -118,12 +118,11 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     }
     // The tangent predicts the shear if each storey is elastic or has a law of straight lines that
     // does not identify its line (`branch`).
-    bool is = !g->elastic && g->n_part == 0;
+    g->predictable = !g->elastic && g->n_part == 0;
     for (int i = 0; i < g->n_floor; i++) {
         const struct storey_law *law = storey[g->first + i].law;
-        is = is && (law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch));
+        g->predictable &= law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch);
     }
-    g->predictable = is;
     m->elastic &= g->elastic;
 }
 

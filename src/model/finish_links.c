@@ -119,13 +119,12 @@ static void check_names(struct builder *b) {
         }
         rename_twin(b, sorted[first], sorted[i], (int)(i - first) + 1);
     }
-    const struct repeated *r = &repeated;
-    if (r->n > 0) {
+    if (repeated.n > 0) {
         struct text_more more;
-        deck_warning(b->deck, &r->draft->word,
+        deck_warning(b->deck, &repeated.draft->word,
                      "contact %s%s repeats one of the same floors, gap and law, and adds to its "
                      "force; give it a -name if that is meant",
-                     r->draft->link.name, text_more(&more, r->n));
+                     repeated.draft->link.name, text_more(&more, repeated.n));
     }
 }
 

@@ -4,8 +4,6 @@
 #ifndef JOSTLE_GUIDANCE_H
 #define JOSTLE_GUIDANCE_H
 
-#include <stddef.h>
-
 #include "jostle/model.h"
 
 // Largest number of contacts that are estimated, in the order of the deck. Each takes about 0.1 ms.

@@ -206,7 +206,7 @@ bool law_choice_read(struct deck *d, const struct statement *s, const struct con
 
 bool law_choice_prepare(struct deck *d, const struct law_choice *c, double mass,
                         const double **value, const double **constant) {
-    assert(c->law && mass > 0.0 && value && constant);
+    assert(c->law && mass >= 0.0 && value && constant);
     const struct contact_law *law = c->law;
     // The values of the rows followed by the curve.
     int n_row = c->law->n_row;

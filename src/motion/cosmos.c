@@ -54,7 +54,7 @@ static void note_text(struct channel *c, const struct lines *l) {
         c->reals = *l;
     } else if ((rest = lines_behind(l->line, "STA CHAN")).n > 0 ||
                (rest = lines_behind(l->line, "STA CHA")).n > 0) {
-        // `90 deg` of `   1: 90 deg (Rcrdr Chan  1) Location: ...`.
+        // The name is `90 deg` in `   1: 90 deg (Rcrdr Chan  1) Location: ...`.
         const char *bracket = memchr(rest.text, '(', rest.n);
         rest.n = bracket ? (size_t)(bracket - rest.text) : rest.n;
         for (const char *colon; (colon = memchr(rest.text, ':', rest.n));) {

@@ -66,7 +66,7 @@ static bool next_channel(struct lines *l, struct channel *c) {
             c->title = *l;
             return true;
         }
-        // Takes the name and the peak from a line of text.
+        // A line of text may have the name or the peak of the channel.
         const char *name = lines_word(l->line, "CHAN");
         if (name && memchr(name, ':', (size_t)(l->line.text + l->line.n - name))) {
             c->name = (struct piece){name, (size_t)(l->line.text + l->line.n - name)};

@@ -113,19 +113,17 @@ static bool is_control(char c) {
 }
 
 int record_clean(const struct record_text *t, struct record_text *out, struct error *e) {
-    struct record_text s = *t;
-    if (s.size >= 3 && memcmp(s.text, "\xef\xbb\xbf", 3) == 0) {
-        s.text += 3;
-        s.size -= 3;
+    *out = *t;
+    if (out->size >= 3 && memcmp(out->text, "\xef\xbb\xbf", 3) == 0) {
+        out->text += 3;
+        out->size -= 3;
     }
-    size_t end = s.size;
-    while (end > 0 && strchr(" \t\r\n\x1a", s.text[end - 1]) && s.text[end - 1] != '\0') {
+    size_t end = out->size;
+    while (end > 0 && strchr(" \t\r\n\x1a", out->text[end - 1]) && out->text[end - 1] != '\0') {
         end--;
-        s.size = s.text[end] == '\x1a' ? end : s.size;
+        out->size = out->text[end] == '\x1a' ? end : out->size;
     }
-    *out = s;
-    // STATUS_INPUT if the file is not text. Headers may be other than UTF-8, but must not have
-    // control characters.
+    // The file must be text. Headers may have bytes that are not UTF-8, but no control characters.
     if (out->size == 0) {
         return lines_error(e, out->path, 0, "the file is empty");
     }

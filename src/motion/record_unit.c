@@ -22,7 +22,7 @@ bool record_unit(struct piece text, double gravity, struct dimension *dimension,
     if (parse_whole(copy, gravity, dimension, si)) {
         return true;
     }
-    // Writes `text` with small letters, s for sec, ^ for **, and without blanks.
+    // `copy` becomes `text` with small letters, s for sec, ^ for **, and without blanks.
     size_t n = 0;
     for (size_t i = 0; i < text.n; i++) {
         char c = text.text[i];

@@ -29,8 +29,6 @@ double target_at(const struct target *t, double period);
 
 // Scale factors that fit ground motions to a target spectrum.
 
-struct arena;
-
 // A period, and the mean of the scaled spectra divided by the target there.
 struct match_ratio {
     double period, value;

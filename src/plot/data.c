@@ -8,7 +8,6 @@
 #include "plot/script.h"
 
 int data_create(struct data *d, long n_row, int n_column, struct error *e) {
-    assert(n_row >= 0 && n_column > 0 && n_column <= DATA_COLUMNS_MAX);
     assert(n_row > 0 && n_column > 0 && n_column <= DATA_COLUMNS_MAX);
     const size_t n = (size_t)n_row;
     *d = (struct data){.n_row = n, .n_column = n_column};

@@ -301,13 +301,10 @@ static void draw_panels(const struct view *v, struct canvas *c) {
         }
     }
     if (v->s->n == 1) {
-        // Checks whether the ground below these floors moves.
         struct span span = {0, 0};
-        for (int k = 0; k < v->s->n; k++) {
-            data_span(&v->data[k], GROUND_LEFT, &span);
-            data_span(&v->data[k], GROUND_RIGHT, &span);
-        }
-        const bool ground = span.low < span.high;
+        data_span(&v->data[0], GROUND_LEFT, &span);
+        data_span(&v->data[0], GROUND_RIGHT, &span);
+        const bool ground = span.low < span.high;  // the ground below these floors moves
         draw_facing(v, c,
                     canvas_inset(canvas_part(c, 0, 1, ground ? 0.38 : 0, 1), 7, 0.5,
                                  ground ? 0.5 : 3.2, 0.7),

@@ -17,8 +17,7 @@ static const double BETWEEN = 1.6;  // entries
 static const double NAME = 4;       // that is left of a long name
 
 void legend_add(struct legend *l, struct style mark, const char *name, const char *tail) {
-    assert(name && tail);
-    assert(l->n < LEGEND_MAX);
+    assert(name && tail && l->n < LEGEND_MAX);
     struct legend_entry *entry = &l->entry[l->n++];
     entry->mark = mark;
     snprintf(entry->name, sizeof entry->name, "%s", name);

@@ -81,6 +81,10 @@ expect "words are not taken apart" '[ $status -eq 2 ] && said "is not expected"'
 law jankowski "-k
 title x" -e 0.5
 expect "a line end in a word is refused" '[ $status -eq 2 ] && said "a word of the command line has a line end"'
+law stereomechanical -e 0.5 -m1 5e-324 -m2 5e-324 -v 1
+expect "the effective mass of the smallest masses is 0" '[ $status -eq 0 ] && grep -q "effective mass 0 kg" "$out"'
+law linear -k 1 -m1 5e-324 -m2 5e-324 -v 1
+expect "under which a spring has no impact" '[ $status -eq 1 ] && said "under linear cannot be followed"'
 law kelvin-voigt -k 1 -zeta 2 -m1 1 -v 1
 expect "bodies that do not part are a failure" '[ $status -eq 1 ] && said "under kelvin-voigt the bodies have not separated"'
 law $jankowski --tvs

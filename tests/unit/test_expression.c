@@ -3,6 +3,8 @@
 #include "deck_cases.h"
 #include "support/support.h"
 
+// The size of a unit with three of these factors is 0 in double precision.
+#define MM_54 "mm^9*mm^9*mm^9*mm^9*mm^9*mm^9"
 #define DEFINITIONS "units kN m s\nparam a 20mm\nparam m 3t\nparam two 2\nparam f x.txt\n"
 
 static void expressions_have_their_values(void **state) {
@@ -84,6 +86,7 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("5m/x", "11: unknown unit 'x'"),
         CASE("1e999", "8: the number is too large; at most 1.8e308 is possible"),
         CASE("1e308km", "13: the value is too large in this unit"),
+        CASE("1" MM_54 "*" MM_54 "*" MM_54, "9: the value is too large in this unit"),
         CASE("2,5", "9: unexpected ',5' after the number; write decimals with a point, and "
                     "separate the values of a list by spaces"),
         CASE("2m.s", "10: unexpected '.s' after the number; units are written as in kN*s/m or "

@@ -64,7 +64,8 @@ static bool read_unit(struct builder *b, const struct argument *a, struct matrix
     }
     q->unit = a->text[0];
     const bool whole = unit_parse(q->unit, b->deck->units.gravity, &end, &dimension, &q->from);
-    if (!whole || *end || !dimension_equal(dimension, dimension_stiffness)) {
+    const bool measures = q->from > 0.0 && isfinite(q->from);  // not so after many factors
+    if (!whole || *end || !measures || !dimension_equal(dimension, dimension_stiffness)) {
         deck_error(b->deck, &a->word[0], "%s is not a unit of stiffness, such as N/m or kip/in",
                    deck_quote(&quote, &a->word[0], q->unit));
         return false;
