@@ -97,6 +97,7 @@ struct link {
     bool within;             // both ends are in building[0]
     int dof[2];              // left, right; WALL; of a row, its first entry
     struct link_row row[2];  // left, right
+    int column[2];           // index into model.column of the column that the end strikes; -1: none
     double gap;              // [L]; 0 for bilateral links
     double mass;             // [M] effective mass m*
     bool bilateral;          // acts whatever the sign of delta
@@ -108,6 +109,27 @@ struct link {
     int history;              // offset of its values in the state's link history
     bool moving_ground;       // the grounds of its ends move differently
     const struct word *word;  // that names it in its statement, for messages
+};
+
+// A column that is struck between the floors of its storey. The struck point has a mass and one
+// degree of freedom, which is a body of the model. A spring, one of the links, joins the body to the
+// floors below and above: the column is clamped in both, and the rotation of its point has no
+// inertia. The storey keeps the stiffness of all its columns.
+struct struck_column {
+    const char *name;
+    int building;      // index into model.building
+    int floor;         // above the point, from 1
+    double level;      // [L] of the point above the ground of its building
+    double height;     // [L] of the storey
+    double below;      // [L] from the floor below to the point
+    double weight;     // of the floor above in the displacement of a point without force; the floor
+                       // below has the rest
+    double mass;       // [M] of the point
+    double bending;    // [F L^2] E I of all columns that are struck together
+    double stiffness;  // [F/L] of the point, the floors at rest
+    double dashpot;    // [F T/L]
+    double n;          // columns that are struck together
+    double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
 };
 
 // The ground acceleration under some buildings: the sum of the signals.
@@ -157,8 +179,11 @@ struct step_control {
 
 struct model {
     struct deck *deck;  // owned: texts and units live there
-    int n_building, n_dof, n_contact, n_link, n_ground, n_load;
-    const struct building *building;  // (n_building) from left to right
+    int n_building, n_dof, n_contact, n_link, n_ground, n_load, n_column;
+    int n_body;                       // the buildings, then the struck points of the columns
+    const struct building *building;  // (n_body) from left to right; a struck point is a free body
+                                      // of one floor
+    const struct struck_column *column;      // (n_column); its spring is link n_link - n_column + i
     const double *mass;               // [M] (n_dof)
     struct chain chain;               // the same floors
     const struct storey *storey;      // (n_dof) the storey below each floor

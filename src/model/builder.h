@@ -81,11 +81,16 @@ struct link_draft {
     bool overlap;  // an initial penetration is allowed
 };
 
+struct struck_draft {
+    struct struck_column column;
+    struct word word;  // for messages
+};
+
 struct builder {
     struct deck *deck;
     struct arena *arena;  // of the deck
     struct record_cache *records;
-    struct list buildings, grounds, links, loads;
+    struct list buildings, grounds, links, loads, columns;
     struct name_index building_index;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given

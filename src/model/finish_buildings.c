@@ -6,6 +6,7 @@
 
 #include "core/lanes.h"
 #include "law/lists.h"
+#include "model/struck_column.h"
 #include "model/finish.h"
 #include "model/modes.h"
 #include "model/parts.h"
@@ -137,9 +138,11 @@ static int count_floors(struct builder *b) {
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     assert(b->buildings.n > 0);
     size_t n = (size_t)(m->n_dof = count_floors(b));
-    m->n_building = b->buildings.n;
+    m->n_body = b->buildings.n;
+    m->n_column = b->columns.n;
+    m->n_building = m->n_body - m->n_column;
     m->elastic = true;
-    struct building *building = arena_alloc(b->arena, (size_t)m->n_building, sizeof *building);
+    struct building *building = arena_alloc(b->arena, (size_t)m->n_body, sizeof *building);
     struct storey *storey = arena_alloc(b->arena, n, sizeof *storey);
     double *mass = arena_alloc(b->arena, n, sizeof *mass);
     double *displacement = arena_alloc(b->arena, n, sizeof *displacement);
@@ -147,7 +150,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     if (arena_failed(b->arena)) {
         return error_no_memory(e);
     }
-    for (int i = 0, first = 0; i < m->n_building; i++) {
+    for (int i = 0, first = 0; i < m->n_body; i++) {
         const struct building_draft *d = builder_draft(b, i);
         building[i] = (struct building){.name = d->name,
                                         .n_floor = d->n_floor,
@@ -169,8 +172,14 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         memcpy(velocity + g->first, d->velocity, bytes);
         first += d->n_floor;
     }
-    assert(building[m->n_building - 1].first + building[m->n_building - 1].n_floor == m->n_dof);
+    assert(building[m->n_body - 1].first + building[m->n_body - 1].n_floor == m->n_dof);
     finish_grounds(b, m, building);
+    struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
+    for (int i = 0; column && i < m->n_column; i++) {
+        column[i] = struck_column_draft(b, i)->column;
+        building[m->n_building + i].ground = building[column[i].building].ground;
+    }
+    m->column = column;
     m->building = building;
     m->storey = storey;
     m->mass = mass;
@@ -198,7 +207,7 @@ void finish_chain(struct builder *b, struct model *m) {
         .damping = x[OWN],
         .damping_above = x[ABOVE],
     };
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         for (int i = 0; i < g->n_floor; i++) {
             int j = g->first + i;

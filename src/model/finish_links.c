@@ -132,14 +132,14 @@ static void finish_ends(const struct model *m, struct link *l) {
     int ground[2] = {WALL, WALL};
     for (int i = 0; i < 2; i++) {
         if (l->building[i] != WALL) {
+            l->building[i] = l->column[i] < 0 ? l->building[i] : m->n_building + l->column[i];
             const struct building *g = &m->building[l->building[i]];
-            l->dof[i] = l->row[i].n > 0 ? l->dof[i] : g->first + l->floor[i] - 1;
+            const int floor = l->column[i] < 0 ? l->floor[i] : 1;
+            l->dof[i] = l->row[i].n > 0 ? l->dof[i] : g->first + floor - 1;
             ground[i] = g->ground;
         }
     }
     assert(l->dof[0] < m->n_dof && l->dof[1] < m->n_dof);
-    assert(l->within || l->building[0] == WALL || l->building[1] == WALL ||
-           l->building[0] < l->building[1]);
     l->moving_ground = ground[0] != WALL && ground[1] != WALL && ground[0] != ground[1];
 }
 

@@ -145,7 +145,7 @@ int guidance_find(const struct model *m, struct guidance *out, struct error *e) 
     if (status != STATUS_OK) {
         return status;
     }
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; i < m->n_body; i++) {
         out->period = fmin(out->period, 2.0 * M_PI / model_fastest(m, i));
     }
     for (int i = 0; i < m->n_ground; i++) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "model/struck_column.h"
 
 static bool check_order(struct builder *b, struct pairs *p, enum wall_use walls) {
     int left = p->building[0];
@@ -156,8 +157,18 @@ struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k,
         link.building[i] = p->building[i];
         link.floor[i] = p->floor[i][k];
         link.level[i] = p->level[i];
+        link.column[i] = struck_column_at(b, p->building[i], p->level[i]);
         link.dof[i] = WALL;
     }
+    if (p->within && (link.column[0] >= 0 || link.column[1] >= 0)) {
+        const int end = link.column[0] < 0;
+        deck_error(b->deck, &p->word[end],
+                   "column %s is at this level; a link within a building cannot end there",
+                   struck_column_draft(b, link.column[end])->column.name);
+        return NULL;
+    }
+    link.weight[0] = level_weight(b, &link, 0);
+    link.weight[1] = level_weight(b, &link, 1);
     link.name = link_name(b, p, &link, name);
     if (!link.name || !level_rows(b, &link, &p->word[1])) {
         return NULL;

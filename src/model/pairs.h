@@ -45,8 +45,12 @@ enum end_kind level_kind(struct builder *b, struct word *w);
 // floor is at this level to rounding, `out` is that floor and *level is NAN. False after a report.
 bool level_read(struct builder *b, const struct word *w, struct selection *out, double *level);
 
-// Sets the rows of the ends of a link from its buildings, floors and levels. False after a report
-// at `w` that both ends are the same.
+// The weight of the floor above in the displacement of an end at a level: the position in the storey
+// as a share of its height; of a column, that of a point without force. NAN: the end is at a floor.
+double level_weight(struct builder *b, const struct link *l, int side);
+
+// Sets the rows of the ends of a link from its buildings, floors, levels and weights. The end at a
+// column has none. False after a report at `w` that both ends are the same.
 bool level_rows(struct builder *b, struct link *l, const struct word *w);
 
 // The effective mass of a link, from the masses of its buildings in the builder.

@@ -51,12 +51,18 @@ static const char *constants_text(struct arena *a, const struct link *l) {
     return text;
 }
 
-static void link_fill(struct report_link *to, const struct report *r, const struct link *l) {
-    const int right = l->building[l->within ? 0 : 1];
+// The name of the building at an end, which may be a column of that building; or "wall".
+static const char *end_name(const struct model *m, const struct report *r, int building) {
+    const int own = building < m->n_building ? building : m->column[building - m->n_building].building;
+    return own == WALL ? wall : r->building[own].name;
+}
+
+static void link_fill(struct report_link *to, const struct report *r, const struct model *m,
+                      const struct link *l) {
     *to = (struct report_link){
         .name = arena_text(r->arena, l->name, strlen(l->name)),
-        .left = l->building[0] == WALL ? wall : r->building[l->building[0]].name,
-        .right = right == WALL ? wall : r->building[right].name,
+        .left = end_name(m, r, l->building[0]),
+        .right = end_name(m, r, l->building[l->within ? 0 : 1]),
         .law = l->law->name,
         .constants = constants_text(r->arena, l),
         .left_floor = l->floor[0],
@@ -138,7 +144,7 @@ static void model_fill(struct report *to, const struct model *m, const struct re
     }
     for (int i = 0; i < m->n_link; i++) {
         struct report_link *l = i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
-        link_fill(l, to, &m->link[i]);
+        link_fill(l, to, m, &m->link[i]);
     }
     if (r) {
         results_fill(to, r);

@@ -130,7 +130,7 @@ static void residual_drift_settle(const struct model *m, const struct state *s,
 }
 
 void residual_drifts(const struct model *m, const struct state *s, double *out) {
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *b = &m->building[k];
         if (b->n_part > 0 && !b->elastic) {
             residual_drift_settle(m, s, b, out + b->first);
