@@ -112,8 +112,8 @@ struct link {
 };
 
 // A column that is struck between the floors of its storey. The struck point has a mass and one
-// degree of freedom, which is a body of the model. A spring, one of the links, joins the body to the
-// floors below and above: the column is clamped in both, and the rotation of its point has no
+// degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
+// the floors below and above: the column is clamped in both, and the rotation of its point has no
 // inertia. The storey keeps the stiffness of all its columns.
 struct struck_column {
     const char *name;
@@ -183,16 +183,16 @@ struct model {
     int n_body;                       // the buildings, then the struck points of the columns
     const struct building *building;  // (n_body) from left to right; a struck point is a free body
                                       // of one floor
-    const struct struck_column *column;      // (n_column); its spring is link n_link - n_column + i
-    const double *mass;               // [M] (n_dof)
-    struct chain chain;               // the same floors
-    const struct storey *storey;      // (n_dof) the storey below each floor
-    bool elastic;                     // every building is
-    const struct link *link;          // (n_link) contacts first (n_contact), then bilateral links
-    const struct ground *ground;      // (n_ground)
-    const struct load *load;          // (n_load)
-    const double *displacement;       // [L] (n_dof) initial, relative to the ground
-    const double *velocity;           // [L/T] (n_dof)
+    const struct struck_column *column;  // (n_column); its spring is link n_link - n_column + i
+    const double *mass;                  // [M] (n_dof)
+    struct chain chain;                  // the same floors
+    const struct storey *storey;         // (n_dof) the storey below each floor
+    bool elastic;                        // every building is
+    const struct link *link;      // (n_link) contacts first (n_contact), then bilateral links
+    const struct ground *ground;  // (n_ground)
+    const struct load *load;      // (n_load)
+    const double *displacement;   // [L] (n_dof) initial, relative to the ground
+    const double *velocity;       // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
 
     double beta, gamma;  // Newmark

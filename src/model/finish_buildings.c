@@ -6,10 +6,10 @@
 
 #include "core/lanes.h"
 #include "law/lists.h"
-#include "model/struck_column.h"
 #include "model/finish.h"
 #include "model/modes.h"
 #include "model/parts.h"
+#include "model/struck_column.h"
 
 // An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
 static const struct building *twin(const struct building *first, int n, const struct building *of) {

@@ -13,8 +13,8 @@
 
 #include "core/arena.h"
 #include "core/text.h"
-#include "model/struck_column.h"
 #include "model/link_end.h"
+#include "model/struck_column.h"
 
 // A level nearer to a floor than this share of the height of the roof is that floor.
 static const double SAME_LEVEL = 1e-9;

@@ -51,7 +51,7 @@ static const struct link *link_at_level(const struct builder *b, const struct st
 }
 
 void struck_column_add(struct builder *b, const struct struck_column *given, double damping,
-                const struct word *w) {
+                       const struct word *w) {
     struct struck_column c = *given;
     const double *height = builder_draft(b, c.building)->height;
     double floor_below = 0.0;

@@ -6,6 +6,7 @@
 
 #include "core/arena.h"
 #include "jostle/result.h"
+#include "model/struck_column.h"
 
 static const char *const wall = "wall";
 
@@ -53,7 +54,7 @@ static const char *constants_text(struct arena *a, const struct link *l) {
 
 // The name of the building at an end, which may be a column of that building; or "wall".
 static const char *end_name(const struct model *m, const struct report *r, int building) {
-    const int own = building < m->n_building ? building : m->column[building - m->n_building].building;
+    const int own = struck_column_host(m, building);
     return own == WALL ? wall : r->building[own].name;
 }
 

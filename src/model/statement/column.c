@@ -63,8 +63,9 @@ static bool read_place(struct builder *b, const struct statement *s, struct sele
         return false;
     }
     if (isnan(*level)) {
-        deck_error(b->deck, &w, "floor %d of building %s is at this level; a column is struck "
-                                "between two floors",
+        deck_error(b->deck, &w,
+                   "floor %d of building %s is at this level; a column is struck "
+                   "between two floors",
                    place->floor[0], builder_draft(b, place->building)->name);
         return false;
     }
@@ -90,18 +91,18 @@ static void build(struct builder *b, const struct statement *s) {
     }
     const double n = a[NUMBER].number[0];
     struck_column_add(b,
-               &(struct struck_column){
-                   .name = name,
-                   .building = place.building,
-                   .floor = place.floor[0],
-                   .level = level,
-                   .mass = n * a[MASS].number[0],
-                   .bending = n * bending,
-                   .n = n,
-                   .shear_strength = a[SHEAR].number[0],
-                   .moment_strength = a[MOMENT].number[0],
-               },
-               a[DAMPING].number[0], &s->word[1]);
+                      &(struct struck_column){
+                          .name = name,
+                          .building = place.building,
+                          .floor = place.floor[0],
+                          .level = level,
+                          .mass = n * a[MASS].number[0],
+                          .bending = n * bending,
+                          .n = n,
+                          .shear_strength = a[SHEAR].number[0],
+                          .moment_strength = a[MOMENT].number[0],
+                      },
+                      a[DAMPING].number[0], &s->word[1]);
 }
 
 const struct statement_kind statement_column = {
