@@ -19,13 +19,23 @@ JOSTLE_C_BEGIN
 enum { FLOORS_MAX = 1000 };  // of one building
 enum { WALL = -1 };          // in place of a building or degree of freedom
 
+// A rigid slab below a building, on springs and dashpots against the ground.
+struct foundation {
+    double mass, inertia;                  // [M] [M L^2] of the slab
+    double sway, rocking;                  // [F/L] [F L] stiffness
+    double sway_dashpot, rocking_dashpot;  // [F T/L] [F L T]
+};
+
 // A building: shear storeys, and parts that couple them. Floors are numbered from 1; array index 0
 // is floor 1, storey i is below floor i.
 struct building {
     const char *name;
-    int n_floor;
-    int first;           // index of floor 1 among all degrees of freedom
-    const double *mass;  // [M] (n_floor)
+    int n_floor;  // degrees of freedom: the floors, then sway and rocking of a foundation
+    int n_level;  // floors
+    int first;    // index of floor 1 among all degrees of freedom
+    const struct building *fixed;         // the same without its foundation; NULL: it has none
+    const struct foundation *foundation;  // NULL: none
+    const double *mass;                   // [M] (n_floor)
     const double
         *stiffness;        // [F/L] (n_floor) initial, of the storey below each floor, all its parts
                            // together: its shear over its drift where no other storey drifts
@@ -188,6 +198,7 @@ struct model {
     struct chain chain;                  // the same floors
     const struct storey *storey;         // (n_dof) the storey below each floor
     bool elastic;                        // every building is
+    bool founded;                        // some building has a foundation
     const struct link *link;      // (n_link) contacts first (n_contact), then bilateral links
     const struct ground *ground;  // (n_ground)
     const struct load *load;      // (n_load)

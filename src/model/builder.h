@@ -45,6 +45,7 @@ struct building_draft {
     struct word *storey_word;           // (n_floor) the word that gives the law; text NULL: elastic
     double *displacement, *velocity;    // (n_floor)
     struct word *initial;               // (n_floor) the word that gives them; text NULL: at rest
+    const struct foundation *foundation;  // NULL: none
 };
 
 // The scaling of a record to a pseudo-spectral acceleration, which needs the periods of the

@@ -7,6 +7,7 @@
 #include "core/lanes.h"
 #include "law/lists.h"
 #include "model/finish.h"
+#include "model/foundation.h"
 #include "model/modes.h"
 #include "model/parts.h"
 #include "model/struck_column.h"
@@ -97,7 +98,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     g->elastic = true;
     for (int i = 0; i < g->n_floor; i++) {
         struct storey *s = &storey[g->first + i];
-        *s = d->storey[i];
+        *s = g->fixed ? (struct storey){0} : d->storey[i];  // else they are in its part
         if (!s->law) {
             double *constant =
                 arena_alloc(b->arena, (size_t)storey_elastic.n_constant, sizeof *constant);
@@ -130,7 +131,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
 static int count_floors(struct builder *b) {
     int n = 0;
     for (int i = 0; i < b->buildings.n; i++) {
-        n += builder_draft(b, i)->n_floor;
+        n += builder_draft(b, i)->n_floor + (builder_draft(b, i)->foundation ? 2 : 0);
     }
     return n;
 }
@@ -154,6 +155,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         const struct building_draft *d = builder_draft(b, i);
         building[i] = (struct building){.name = d->name,
                                         .n_floor = d->n_floor,
+                                        .n_level = d->n_floor,
                                         .first = first,
                                         .mass = d->mass,
                                         .stiffness = d->stiffness,
@@ -161,16 +163,21 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
                                         .height = d->height};
         finish_parts(b, m, &building[i], d);
         int status = arena_failed(b->arena) ? error_no_memory(e) : finish_modes(b, building, i, e);
+        if (status == STATUS_OK && d->foundation) {
+            const struct building fixed = building[i];
+            m->founded = true;
+            status = foundation_put(b, d, &fixed, &m->n_storey_history, &building[i], e);
+        }
         if (status != STATUS_OK) {
             return status;
         }
         finish_storeys(b, m, &building[i], d, storey);
         const struct building *g = &building[i];
-        size_t bytes = (size_t)g->n_floor * sizeof *mass;
-        memcpy(mass + g->first, d->mass, bytes);
+        size_t bytes = (size_t)d->n_floor * sizeof *mass;
+        memcpy(mass + g->first, g->mass, (size_t)g->n_floor * sizeof *mass);
         memcpy(displacement + g->first, d->displacement, bytes);
         memcpy(velocity + g->first, d->velocity, bytes);
-        first += d->n_floor;
+        first += g->n_floor;
     }
     assert(building[m->n_body - 1].first + building[m->n_body - 1].n_floor == m->n_dof);
     finish_grounds(b, m, building);

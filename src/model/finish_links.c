@@ -7,6 +7,7 @@
 #include "core/arena.h"
 #include "core/text.h"
 #include "model/finish.h"
+#include "model/foundation.h"
 #include "model/link_end.h"
 
 // True if the law uses -vmin as v0 for a contact that is closed at rest, and the force at the
@@ -168,12 +169,13 @@ void finish_links(struct builder *b, struct model *m) {
 
 void finish_loads(struct builder *b, struct model *m) {
     const struct load_draft *draft = b->loads.item;
-    struct load *load = arena_alloc(b->arena, (size_t)b->loads.n, sizeof *load);
+    const size_t n = (size_t)(b->loads.n + foundation_n_load(m));
+    struct load *load = arena_alloc(b->arena, n, sizeof *load);
     for (int i = 0; load && i < b->loads.n; i++) {
         load[i].dof = m->building[draft[i].building].first + draft[i].floor - 1;
         assert(load[i].dof >= 0 && load[i].dof < m->n_dof);
         load[i].signal = draft[i].signal;
     }
-    m->n_load = load ? b->loads.n : 0;
+    m->n_load = load ? b->loads.n + foundation_loads(b, m, load + b->loads.n) : 0;
     m->load = load;
 }

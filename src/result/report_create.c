@@ -20,12 +20,13 @@ static const double *copy(struct arena *a, const double *from, size_t n) {
 
 static void building_fill(struct report_building *to, struct arena *a, const struct building *b,
                           const struct results *r) {
-    const size_t n = (size_t)b->n_floor;
+    const size_t n = (size_t)b->n_level;
+    const struct building *own = b->fixed ? b->fixed : b;  // storeys without the foundation
     double *period = arena_alloc(a, n, sizeof *period);
     to->name = arena_text(a, b->name, strlen(b->name));
-    to->n_floor = b->n_floor;
-    to->mass = copy(a, b->mass, n);
-    to->stiffness = copy(a, b->stiffness, n);
+    to->n_floor = b->n_level;
+    to->mass = copy(a, own->mass, n);
+    to->stiffness = copy(a, own->stiffness, n);
     to->height = copy(a, b->height, n);
     to->period = period;
     for (size_t i = 0; period && i < n; i++) {
