@@ -128,8 +128,8 @@ static void build(struct builder *b, const struct statement *s) {
         *f = (struct foundation){
             .mass = a[MASS].number[0],
             .inertia = a[INERTIA].number[0],
-            .sway = a[SWAY].number[0],
-            .rocking = a[ROCKING].number[0],
+            .sway = a[SWAY].given ? a[SWAY].number[0] : 0.0,
+            .rocking = a[ROCKING].given ? a[ROCKING].number[0] : 0.0,
             .sway_dashpot = a[SWAY_DASHPOT].number[0],
             .rocking_dashpot = a[ROCKING_DASHPOT].number[0],
         };
