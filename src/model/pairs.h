@@ -10,9 +10,10 @@ struct pairs {
     int building[2];          // left, right; WALL
     int n;                    // pairs of ends
     const int *floor[2];      // (n) left, right; 0 on a wall; of a level, the floor above
-    double level[2];          // [L] left, right: between two floors; NAN: at floors or a wall
+    const double *level[2];   // [L] (n) left, right: between two floors; NAN: at a floor or a wall
     bool within;              // both sides are one building
-    bool named;               // both sides name their floors by numbers
+    bool named;               // both sides name their floors by numbers, or their levels meet
+    bool by_level;            // from pairs_by_level
     const struct word *word;  // (2) LEFT and RIGHT
 };
 
@@ -20,6 +21,11 @@ struct pairs {
 // do not pair up. With GROUND_ALLOWED only, both sides may be in the same building.
 bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
                 struct pairs *out);
+
+// Pairs all floors of the buildings LEFT and RIGHT by their levels: floors whose levels differ by
+// less than `depth` [L] face each other. A floor that faces none faces the level of the other
+// building at its height, if that is not above the roof. False after a report.
+bool pairs_by_level(struct builder *b, const struct statement *s, double depth, struct pairs *out);
 
 // Appends link k of the pairs to the builder, with its ends, effective mass and name. The name is
 // made from `name`, or from the ends if it is NULL. NULL after a report.
