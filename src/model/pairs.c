@@ -165,7 +165,12 @@ bool pairs_by_level(struct builder *b, const struct statement *s, double depth, 
     *out = (struct pairs){.word = &s->word[1], .named = true, .by_level = true};
     int n[2];
     for (int i = 0; i < 2; i++) {
-        out->building[i] = builder_building(b, &s->word[1 + i]);
+        const struct word *w = &s->word[1 + i];
+        if (strpbrk(w->text, ":@") || strcmp(w->text, "wall") == 0) {
+            deck_error(b->deck, w, "-by-level needs two buildings, without floors");
+            return false;
+        }
+        out->building[i] = builder_building(b, w);
         if (out->building[i] < 0) {
             return false;
         }
