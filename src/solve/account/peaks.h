@@ -27,6 +27,9 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
 // Takes storey deformations and shears of buildings with a foundation from state `s`.
 void peaks_founded(struct results *r, const struct model *m, const struct state *s);
 
+// Takes the forces in struck columns of state `s`.
+void peaks_columns(struct results *r, const struct model *m, const struct state *s);
+
 // Takes the drift rates of state `s`.
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s);
 

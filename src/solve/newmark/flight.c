@@ -184,6 +184,7 @@ void flight_account_links(const struct flight *f, const struct state *now, struc
         next->delta[k] = state_penetration(next, f->model, k);
     }
     (void)impacts_step(f->impacts, now, next, NULL);  // none opens, which alone can fail
+    peaks_columns(f->account->results, f->model, next);
 }
 
 static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
