@@ -212,7 +212,7 @@ static const struct option_row rows[] = {
     {"deck", .kind = OPTION_SET, .at = AT(form), .set = SPECTRUM_DECK,
      .doc = "prints the records and their factors as sweeps for a deck, nothing else"},
     {"format", 0, "F", OPTION_TEXT, 0, AT(record.format),
-     .doc = "format of the records; found if not given"},
+     .doc = "format of the records; default: detected from their content"},
     {"channel", 0, "N", OPTION_OWN, .own = read_channel,
      .doc = "channel of the records, where a file holds several"},
     {"unit", 0, "U", OPTION_TEXT, 0, AT(record.unit),
