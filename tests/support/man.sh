@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # man.sh JOSTLE FOLDER: writes the man pages jostle.1 and jostle-deck.5 into FOLDER, from the help
-# texts of the program, docs/deck.md, and the pages of statements and laws that it prints.
+# texts of the program, docs/deck.md, the record formats of docs/ground-motions.md, and the pages of
+# statements and laws that the program prints.
 set -eu
 jostle=$1
 folder=$2
@@ -79,7 +80,9 @@ jostle\\-deck \\- the text that jostle reads: buildings, contacts, laws, ground 
 END
     sed -e 's/^# .*/# Description/' -e 's/\[deck-statements.md\]([^)]*)/STATEMENTS OF A DECK below/' \
         docs/deck.md | part markdown -v sections=2
-    "$jostle" deck --markdown | sed 's/\[deck.md\]([^)]*)/the sections above/' |
+    sed -n '/^## Record files/,/^## Scaling/ { /^## Scaling/d; p; }' docs/ground-motions.md |
+        part markdown -v sections=2
+    "$jostle" deck --markdown | sed 's/\[deck.md\]([^)]*) explains/The sections above explain/' |
         part markdown -v sections=1
     "$jostle" laws --markdown | part markdown -v sections=2
     cat <<END
