@@ -21,14 +21,13 @@ const struct command command_laws = {
 enum { LAWS_MAX = 128 };
 
 static const char introduction[] =
-    "Symbols: penetration d, its rate v, v at the instant of closure v0, effective mass of the "
-    "two\n"
-    "bodies m* = m1 m2 / (m1 + m2), or the mass itself against a wall, coefficient of restitution "
-    "e,\n"
-    "storey shear V. Units and defaults are given in SI. A number may carry any unit of the same\n"
-    "dimension; a bare number is in the deck's units. Of the options marked `one of`, give "
-    "exactly\n"
-    "one.\n";
+    "Symbols: d is the penetration, v = dd/dt, v0 is v at the instant of closure, e is the "
+    "coefficient\n"
+    "of restitution, V is the storey shear. m* = m1 m2 / (m1 + m2) is the effective mass of two\n"
+    "bodies, or the mass of one body against a wall.\n\n"
+    "Units and defaults are given in SI. A number may carry any unit of the same dimension; a "
+    "bare\n"
+    "number is in the deck's units. Of the options marked `one of`, give exactly one.\n";
 
 // Options that many laws have in common. The Markdown page explains them once.
 static const struct row shared_rows[] = {
