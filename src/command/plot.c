@@ -18,7 +18,7 @@ const struct command command_plot = {
     .name = "plot",
     .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR]\n"
              "                   [--force] [--edp EDP] ...",
-    .summary = "draws the results by gnuplot",
+    .summary = "draws the results with gnuplot",
     .run = plot_command,
 };
 
@@ -58,8 +58,8 @@ static void print_study_kinds(void) {
     for (int i = 0; i < n_study_figure; i++) {
         printf("  %-10s %s\n", study_figures[i]->name, study_figures[i]->doc);
     }
-    printf(
-        "\nWithout KIND it is ida, where an intensity and records are swept, else response.\n\n");
+    printf("\nWithout KIND jostle draws ida if an intensity and records are swept, else "
+           "response.\n\n");
 }
 
 // EXIT_DONE with the figure asked for, or EXIT_INPUT.
@@ -116,8 +116,8 @@ static void print_kinds(void) {
     for (int i = 0; i < n_figure; i++) {
         printf("  %-10s %s\n", figures[i]->name, figures[i]->doc);
     }
-    printf("\nWithout KIND it is the first one that FILE.h5 holds the histories for. FILE.h5#7 is "
-           "run 7\nof a study whose deck has 'output -histories'.\n\n");
+    printf("\nWithout KIND jostle draws the first one for which FILE.h5 has the histories. "
+           "FILE.h5#7 is run 7\nof a study with 'output -histories'.\n\n");
 }
 
 static int unknown_figure(const char *word) {
@@ -251,25 +251,26 @@ static int use(void *request, struct arena *a, const struct words *operand) {
 
 static const struct option_row rows[] = {
     {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
-     .doc = "the picture; the ending says its kind (default: FILE-KIND.png in the current "
-            "directory)"},
+     .doc =
+         "the plot; its extension is its format (default: FILE-KIND.png in the current directory)"},
     {"compare", 0, "OTHER.h5", OPTION_TEXT, 0, AT(other),
-     .doc = "lays a second run of the same buildings over the first"},
+     .doc = "draws a second run of the same buildings over the first"},
     {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
-     .doc = "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, nothing else"},
+     .doc =
+         "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, it draws no plot"},
     {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
-     .doc = "overwrites what exists"},
+     .doc = "overwrites existing files"},
     {0}};
 
 static const struct option_row study_rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(study.request.edp),
-     .doc = "what is shown: drift, drift:A, drift:A:3, force ... (default: drift-ratio, or drift "
-            "where no heights are given); 'jostle fragility --help' lists all"},
+     .doc = "the demand: drift, drift:A, drift:A:3, force ... (default: drift-ratio, or drift "
+            "without heights); 'jostle fragility --help' lists all"},
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers)"},
     {"against", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
-     .doc = "the sweep or random parameter that response is drawn against"},
+     .doc = "the sweep or random parameter on the horizontal axis of response"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(study.limits),
      .doc = "limits of the demand, for fragility and ida"},
     {0}};

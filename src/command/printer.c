@@ -10,7 +10,7 @@
 
 const struct option_row printer_rows[] = {
     {"csv", .kind = OPTION_SET, .set = FORM_CSV,
-     .doc = "the same separated by commas, quoted where that is needed (RFC 4180)"},
+     .doc = "the same, separated by commas and quoted as RFC 4180 says"},
     {"json", .kind = OPTION_SET, .set = FORM_JSON,
      .doc = "the same as {\"columns\": [...], \"data\": [[...], ...]}; a missing number is null"},
     {0}};

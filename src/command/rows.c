@@ -253,7 +253,7 @@ int rows_command(const struct command *c, int argc, char **argv,
                  int (*print)(enum page page, const char *name)) {
     static const struct option_row rows[] = {
         {"markdown", .kind = OPTION_SET, .at = offsetof(struct reference, page),
-         .set = PAGE_MARKDOWN, .doc = "the page of the documentation"},
+         .set = PAGE_MARKDOWN, .doc = "prints the page of the documentation"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     const struct option_list list = {c, parts, .use = use};

@@ -349,7 +349,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_contact = {
     .name = "contact",
-    .doc = "force of each contact and link over time, and the hardest impact",
+    .doc = "force of each contact and link over time, and the strongest impact",
     .lacks = lacks,
     .draw = draw,
 };

@@ -149,6 +149,6 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_energy = {
     .name = "energy",
-    .doc = "where the energy went, part on part, and what the account misses",
+    .doc = "energy components, stacked, and the residual",
     .draw = draw,
 };

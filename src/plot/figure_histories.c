@@ -347,7 +347,8 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_histories = {
     .name = "histories",
-    .doc = "displacements of the floors that hit hardest, and the ground acceleration",
+    .doc =
+        "displacements of the floors with the largest contact force, and the ground acceleration",
     .lacks = lacks,
     .draw = draw,
 };

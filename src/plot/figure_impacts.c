@@ -273,7 +273,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_impacts = {
     .name = "impacts",
-    .doc = "every impact at its time and floor, the larger the harder",
+    .doc = "every impact at its time and floor, with an area proportional to its force",
     .lacks = lacks,
     .draw = draw,
 };

@@ -218,7 +218,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_spectrum = {
     .name = "spectrum",
-    .doc = "response spectra of the floors that hit hardest and of the roofs",
+    .doc = "response spectra of the floors with the largest contact force and of the roofs",
     .lacks = lacks,
     .draw = draw,
 };
