@@ -69,7 +69,7 @@ static void write_subtitle(const struct runs *s, char *text, size_t size) {
     const struct report *r = s->r[0];
     char unit[64], in[32], contact[32];
     if (s->n > 1) {
-        snprintf(text, size, "where the energy went");
+        snprintf(text, size, "energy components");
         return;
     }
     script_unit(&r->units, dimension_energy, unit, sizeof unit);
