@@ -11,7 +11,7 @@ const struct row law_choice_rows[LAW_CHOICE_ROWS] = {
     [LAW_CHOICE_CALIBRATE] = {"calibrate", ROW_FLAG, 0, OF_NONE, NULL, NAN,
                               "damping that delivers -e exactly, instead of the published damping"},
     [LAW_CHOICE_K_FROM] = {"k-from", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-                           "computes -k from the bodies: hertz or slab, with their options"},
+                           "hertz or slab: -k from the dimensions and moduli of the bodies"},
 };
 
 const struct contact_law *law_choice_find(struct deck *d, const struct word *name) {
