@@ -127,8 +127,8 @@ const struct contact_law contact_power = {
     .name = "power",
     .summary = "spring of any exponent, with or without hysteresis damping",
     .formula = "F = k d^n (1 + q v / v0), 1 + e = (1/q) ln((1 + q) / (1 - e q))",
-    .source = "Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445; relation derived from the "
-              "energies of both halves of the impact",
+    .source = "Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445; the relation with e is derived "
+              "in docs/theory.md",
     .remarks = "Use it for faces between flat and curved. It delivers e exactly. The force pulls "
                "only if the bodies part faster than v0/q.",
     .example = "-k 30e9N/m^2 -n 2 -e 0.65",
@@ -212,8 +212,8 @@ const struct contact_law contact_hunt_crossley = {
     .summary = "spring with hysteresis damping, exact restitution",
     .formula = "F = k d^n + zeta d^n v, n = 1 or 3/2, 1 + e = (1/q) ln((1 + q) / (1 - e q)), "
                "q = zeta v0 / k",
-    .source = "Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445; relation derived from the "
-              "energies of both halves of the impact",
+    .source = "Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445; the relation with e is derived "
+              "in docs/theory.md",
     .remarks = "Use it for flat faces (n = 1) and curved faces (n = 3/2). It delivers e exactly. "
                "The force pulls only if the bodies part faster than v0/q.",
     .example = "-k 2.75e9N/m^1.5 -e 0.65",

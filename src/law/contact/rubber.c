@@ -111,8 +111,9 @@ const struct contact_law contact_rubber = {
     .summary = "rubber bumper, or a shock absorber in the gap",
     .formula = "F = f while v >= 0, max(0, f (1 + c v)) after; f = k d^n to d = du, then k du^n + "
                "ky (d - du); c = q / v0, ln(1 - e q) + e q + q^2 / 2 = 0",
-    .source = "form of Polycarpou, Komodromos & Polycarpou (2013), Earthquake Eng. Struct. Dyn. "
-              "42, 81-100 (numbers not checked); relation derived from the energy of the release",
+    .source =
+        "form of the force: Polycarpou, Komodromos & Polycarpou (2013), Earthquake Eng. Struct. "
+        "Dyn. 42, 81-100 (numbers not checked); the relation with e is derived in docs/theory.md",
     .remarks = "Use it for bumpers of limited thickness. It delivers e exactly. Faster loading "
                "does not make it stiffer.",
     .example = "-k 2e9N/m^2 -n 2 -e 0.5",

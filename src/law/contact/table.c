@@ -135,7 +135,7 @@ const struct contact_law contact_table = {
     .summary = "measured force against penetration, with unloading branch",
     .formula = "F = L(d) for d >= D, L(d) s(d d_n / D) below, D the largest penetration so far, "
                "s = U / L of the file, d_n its last penetration",
-    .source = "none: interpolation of a file",
+    .source = "interpolation of a file",
     .remarks =
         "Use it for pads and bumpers with a measured curve. The force does not depend on the "
         "velocity. Beyond the end of the file the last slope continues, which is a guess.",

@@ -96,9 +96,9 @@ const struct contact_law contact_wang = {
     .formula = "F = k d^n + zeta d^n v while v >= 0; then f_e ((d - d_e) / (d_max - d_e))^n, "
                "f_e = k d_max^n, d_e = R d_max; 0 below d_e; zeta = q k / v0, "
                "e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2",
-    .source =
-        "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model for "
-        "low-speed pounding between viscoelastic materials and steel; relation with e derived here",
+    .source = "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model "
+              "for low-speed pounding between viscoelastic materials and steel; the relation with "
+              "e is derived in docs/theory.md",
     .remarks = "Use it for viscoelastic layers against steel, and for contacts that keep a dent. "
                "With -e it delivers e exactly; with -zeta the restitution depends on the velocity. "
                "e^2 must be <= 1 - R. If the bodies approach again within one contact, the force "
