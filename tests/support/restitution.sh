@@ -74,7 +74,7 @@ echo "$rows" | awk -F ' *[|] *' '
 cat <<'END'
 
 With `-calibrate` jostle solves for the damping parameter that delivers e
-([theory](theory.md#what-restitution-is-delivered)). Over these values of e, the largest difference is then
+([theory](theory.md#delivered-restitution)). Over these values of e, the largest difference is then
 
 END
 { laws && recipe; } | sort | while read -r law; do
