@@ -105,6 +105,7 @@ static void print_all(enum page page) {
     }
     fputs(introduction, stdout);
     if (page == PAGE_MARKDOWN) {
+        printf("\n[contact-values.md](contact-values.md) recommends laws and values.\n");
         printf("\nMany contact laws have these options. Below, such a law only names them:\n");
         rows_print(page, shared_rows, sizeof shared_rows / sizeof shared_rows[0], NULL);
     }
