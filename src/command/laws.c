@@ -8,6 +8,7 @@
 #include "law/bilateral.h"
 #include "law/power.h"
 #include "law/restitution.h"
+#include "law/yield.h"
 
 static int laws_command(int argc, char **argv);
 
@@ -52,6 +53,13 @@ static bool shared(const struct row *row) {
     return false;
 }
 
+// The same for storey laws.
+static const struct row yield_rows[] = {YIELD_ROW, HARDENING_ROW};
+
+static bool yields(const struct row *row) {
+    return strcmp(row->key, yield_rows[0].key) == 0 || strcmp(row->key, yield_rows[1].key) == 0;
+}
+
 // What users need to know about the force besides its formula.
 static void print_features(enum page page, const struct contact_law *law) {
     char text[128];
@@ -94,7 +102,10 @@ static void print_storey_law(enum page page, const struct storey_law *law) {
     rows_entry(page, "what", law->summary);
     rows_code(page, "shear", law->formula);
     rows_entry(page, "source", law->source);
-    rows_print(page, law->row, law->n_row, NULL);
+    if (page == PAGE_MARKDOWN) {
+        rows_names(law->row, law->n_row, yields);
+    }
+    rows_print(page, law->row, law->n_row, yields);
     printf("\n");
 }
 
@@ -119,6 +130,12 @@ static void print_all(enum page page) {
     rows_heading(page, 2,
                  page == PAGE_TEXT ? "Storey laws, for storey BUILDING:FLOORS NAME\n"
                                    : "Storey laws, for `storey BUILDING:FLOORS NAME`");
+    if (page == PAGE_MARKDOWN) {
+        printf("All storey laws except elastic have these options. In the formulas V_y is -yield, "
+               "R is -hardening,\nk is the initial stiffness and d_y = V_y / k.\n");
+        rows_print(page, yield_rows, sizeof yield_rows / sizeof yield_rows[0], NULL);
+        printf("\n");
+    }
     for (int i = 0; i < n_storey_law; i++) {
         print_storey_law(page, storey_laws[i]);
     }

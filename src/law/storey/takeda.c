@@ -35,7 +35,7 @@ const struct storey_law storey_takeda = {
     .summary = "bilinear; unloading and reloading become softer with the largest drift so far",
     .formula = "unloading with k (d_y / D)^alpha, at most towards the origin, to V = 0; then a "
                "straight line to D - beta (D - d_y) on the backbone V_y + R k (drift - d_y), not "
-               "stiffer than the unloading; D is the largest drift of that direction",
+               "stiffer than the unloading; D is the largest drift so far in that direction",
     .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
               "of Otani (1974), Univ. Illinois SRS 413",
     .row = rows,
