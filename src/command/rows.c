@@ -60,7 +60,7 @@ static void put_default(const struct row *row, const char *unit, char *cell) {
         snprintf(cell, CELL, "required");
     } else if (row->flags & ROW_ONE_OF) {
         snprintf(cell, CELL, "one of");
-    } else if (is_number(row) && !isnan(row->fallback)) {
+    } else if (is_number(row) && isfinite(row->fallback)) {
         bool bare = unit[0] == '\0' || row->fallback == 0.0;
         snprintf(cell, CELL, "%.6g%s%.80s", row->fallback, bare ? "" : " ", bare ? "" : unit);
     }
