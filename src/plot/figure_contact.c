@@ -27,11 +27,10 @@ struct view {
     struct span all;          // and of the links: they share the name of the axis, and its unit
 };
 
-static const char *lacks(const struct runs *s) {
-    if (s->r[0]->n_contact + s->r[0]->n_link == 0) {
-        return s->n > 1 ? "contacts; name the run that has them first" : "contacts";
-    }
-    return runs_have(s, FIELD_FORCE) ? NULL : "contact forces; see output -fields";
+static int check(const struct subject *p, struct error *e) {
+    const struct report *r = p->runs->r[0];
+    return r->n_contact + r->n_link > 0 ? runs_need(p->runs, FIELD_FORCE, "contact forces", e)
+                                        : runs_lack_contacts(p->runs, e);
 }
 
 static const struct report_link *link_of(const struct report *r, int i) {
@@ -317,7 +316,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.s = s, .force = span_none, .all = span_none};
     int status = STATUS_OK;
     choose(&v);
@@ -350,6 +350,6 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 const struct figure figure_contact = {
     .name = "contact",
     .doc = "force of each contact and link over time, and the hardest impact",
-    .lacks = lacks,
+    .check = check,
     .draw = draw,
 };

@@ -116,7 +116,8 @@ static void draw_run(const struct runs *s, const struct view *v, int run, struct
     panel_close(c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.energy = span_none, .residual = span_none};
     int status = STATUS_OK;
     for (int k = 0; k < s->n && status == STATUS_OK; k++) {

@@ -39,17 +39,18 @@ static bool has_contact(const struct runs *s) {
            isfinite(s->r[0]->contact[contact[0]].peak.force);
 }
 
-static const char *lacks(const struct runs *s) {
+static int check(const struct subject *p, struct error *e) {
+    const struct runs *s = p->runs;
     bool any = has_contact(s);
     for (int i = 0; i < s->r[0]->n_building && !any; i++) {
         any = has_storeys(s, i);
     }
     if (any) {
-        return NULL;
+        return STATUS_OK;
     }
-    return runs_have(s, storey_fields | contact_fields)
-               ? "storeys, and no impact with a force"
-               : "forces with their deformations; see output -fields";
+    const unsigned fields = storey_fields | contact_fields;
+    return runs_have(s, fields) ? runs_lack(s, "storeys, and no impact with a force", e)
+                                : runs_need(s, fields, "forces with their deformations", e);
 }
 
 static void add_storey(struct view *v, int building) {
@@ -228,7 +229,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.s = s, .all_x = span_none, .all_y = span_none};
     for (int i = 0; i < PANELS_MAX; i++) {
         v.x[i] = v.y[i] = span_none;
@@ -269,6 +271,6 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 const struct figure figure_loops = {
     .name = "loops",
     .doc = "contact force against penetration, storey shear against drift",
-    .lacks = lacks,
+    .check = check,
     .draw = draw,
 };

@@ -158,7 +158,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     const struct view v = choose(s, c);
     int status = STATUS_OK;
     for (int k = 0; k < s->n * v.n_building && status == STATUS_OK; k++) {
