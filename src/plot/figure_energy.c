@@ -76,8 +76,7 @@ static void write_subtitle(const struct runs *s, char *text, size_t size) {
     script_number(r->initial_energy + r->energy[ENERGY_INPUT], in, sizeof in);
     script_number(r->energy[ENERGY_CONTACT], contact, sizeof contact);
     if (r->n_contact + r->n_link > 0) {
-        snprintf(text, size, "energy: %s %s in, %s %s into %s", in, unit, contact, unit,
-                 work_name(s));
+        snprintf(text, size, "energy: %s %s in, %s into %s", in, unit, contact, work_name(s));
     } else {
         snprintf(text, size, "energy: %s %s in", in, unit);
     }
