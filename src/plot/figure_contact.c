@@ -11,6 +11,7 @@
 
 enum { STRIPS_MAX = 6, BINS = 500, PEAKS_MAX = 500 };
 enum { PULSE_ROWS = 3 };  // fewer do not tell the course of an impact: it is dotted
+enum { FINE_ROWS = 10 };  // fewer are coarse: the figure says how to get more
 
 // A contact, or behind the contacts a link, of the first run.
 struct view {
@@ -295,15 +296,17 @@ static bool is_rigid(const struct report *r) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
-    const char *peaks = v->missed ? "; upright lines are peaks between rows" : "";
+    const bool coarse = v->impact[0] >= 0 && v->rows[0] < FINE_ROWS;
     struct legend l = {0};
-    char text[160];
+    char text[160], peaks[96];
+    snprintf(peaks, sizeof peaks, "%s%s", v->missed ? "; upright lines: peaks between rows" : "",
+             coarse ? "; finer by output -every 1" : "");
     if (v->n_active == 0) {
         snprintf(text, sizeof text, "contact forces; no contact closed");
     } else if (is_rigid(r) || is_rigid(v->s->r[v->s->n - 1])) {
         snprintf(text, sizeof text, "contact forces; rigid impacts have none, only rest has");
     } else if (v->n < v->n_active) {
-        snprintf(text, sizeof text, "contact forces; the %d largest of %d%s", v->n, v->n_active,
+        snprintf(text, sizeof text, "the %d largest of %d forces%s", v->n, v->n_active,
                  peaks);
     } else {
         const char *contacts = r->n_contact > 0 ? "contact forces" : "";

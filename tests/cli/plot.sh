@@ -149,6 +149,7 @@ END
 run "$jostle" run -q bodies.deck
 run "$jostle" plot bodies.h5 loops --script bodies
 sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat >hardest
+expect "few rows say how to get more, in loops and contact" 'grep -q "output -every 1" bodies/loops.gp && "$jostle" plot bodies.h5 contact --script bodies && grep -q "output -every 1" bodies/contact.gp'
 expect "an impact of two rows is no loop: they are not joined" '[ $status -eq 0 ] && [ "$(grep -c "^[0-9]" hardest)" -eq 2 ] && awk "/^[0-9]/ && joined { exit 1 } { joined = /^[0-9]/ }" hardest'
 for file in pair apart; do
     run "$jostle" plot $file.h5 profiles --script $file.hit
