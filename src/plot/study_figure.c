@@ -31,6 +31,9 @@ struct axis study_demand_axis(const struct study_demand *d, const struct suite *
                          .span = span_with_room(span, span.low < 0 ? (double)NAN : 0)};
 }
 
+// An axis of an intensity begins at 0 where no more than this share of it has no values.
+static const double EMPTY = 0.3;
+
 static bool is_geometric(const struct suite *s) {
     const double *x = s->point;
     const int n = s->n_point;
@@ -56,7 +59,8 @@ struct axis study_abscissa_axis(const struct suite *s) {
         axis.span = (struct span){axis.span.low / room, axis.span.high * room};
         return axis;
     }
-    axis.span = span_with_room(axis.span, s->is_intensity && axis.span.low >= 0 ? 0 : (double)NAN);
+    const bool near = axis.span.low >= 0 && axis.span.low <= EMPTY * axis.span.high;
+    axis.span = span_with_room(axis.span, s->is_intensity && near ? 0 : (double)NAN);
     return axis;
 }
 
