@@ -306,8 +306,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     } else if (is_rigid(r) || is_rigid(v->s->r[v->s->n - 1])) {
         snprintf(text, sizeof text, "contact forces; rigid impacts have none, only rest has");
     } else if (v->n < v->n_active) {
-        snprintf(text, sizeof text, "the %d largest of %d forces%s", v->n, v->n_active,
-                 peaks);
+        snprintf(text, sizeof text, "the %d largest of %d forces%s", v->n, v->n_active, peaks);
     } else {
         const char *contacts = r->n_contact > 0 ? "contact forces" : "";
         const char *between = r->n_contact > 0 && r->n_link > 0 ? " and " : "";

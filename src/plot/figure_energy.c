@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the energy went: the parts of the account (docs/theory.md, section 6) on top of each
-// other, what came in as a line, and below what the account misses. The parts that do not come back
-// stand below. Two runs stand side by side on the same scale.
+// The components of the energy account (docs/theory.md, section 6), stacked, with dissipated ones
+// at the bottom. The input is a line. The residual is below. Two runs stand side by side on the
+// same scale.
 #include <math.h>
 
 #include "plot/figure.h"
@@ -149,6 +149,6 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
 
 const struct figure figure_energy = {
     .name = "energy",
-    .doc = "where the energy went, part on part, and what the account misses",
+    .doc = "energy components, stacked, and the residual of the energy account",
     .draw = draw,
 };
