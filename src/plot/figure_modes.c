@@ -63,7 +63,7 @@ static int write_shapes(struct view *v, int run, int k, FILE *to, struct error *
         bool known = true;
         for (int m = 0; m < b->n_floor; m++) {
             const double cycles = omega[m] * b->period[m] / (2 * acos(-1.0));
-            known = known && (omega[m] == 0 || fabs(cycles - 1) < 1e-6);
+            known = known && (omega[m] > 0 ? fabs(cycles - 1) < 1e-6 : !isfinite(b->period[m]));
         }
         v->unknown[k] = v->unknown[k] || !known;
         fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);

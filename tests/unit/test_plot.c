@@ -262,6 +262,20 @@ static void a_unit_too_long_beside_a_low_panel_takes_a_second_line_and_a_third(v
     assert_non_null(strstr(text, "'= 102 g]'"));
 }
 
+static void a_heading_too_wide_for_its_block_is_small(void **state) {
+    (void)state;
+    char text[4096];
+    struct canvas c = {.to = tmpfile(), .kind = CANVAS_BLOCK, .width = 50, .height = 50};
+    assert_non_null(c.to);
+    c.area = (struct area){10, 20, 10, 20};
+    canvas_head(&c, "", "energy of a block");
+    rewind(c.to);
+    text[fread(text, 1, sizeof text - 1, c.to)] = '\0';
+    fclose(c.to);
+    assert_non_null(strstr(text, "'energy of a block'"));
+    assert_non_null(strstr(text, "left font small_font"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thinning_keeps_the_extremes_of_every_part_and_the_order),
@@ -278,6 +292,7 @@ int main(void) {
         cmocka_unit_test(decades_have_as_many_numbers_as_find_room),
         cmocka_unit_test(a_name_too_long_for_the_axis_gives_way_to_the_brief_one),
         cmocka_unit_test(a_unit_too_long_beside_a_low_panel_takes_a_second_line_and_a_third),
+        cmocka_unit_test(a_heading_too_wide_for_its_block_is_small),
         cmocka_unit_test(a_history_is_a_straight_line_between_its_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
