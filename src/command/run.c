@@ -87,7 +87,7 @@ static int print_summary(const struct model *m, const struct results *r, const c
     struct report *report;
     int status = report_create(m, r, path, JOSTLE_VERSION, &report, e);
     if (status == STATUS_OK) {
-        report_print(report, stdout);
+        status = report_print(report, stdout, e);
         report_free(report);
     }
     return status;

@@ -52,7 +52,7 @@ static int show_of_run(const char *path, const struct request *q) {
     const struct report *r = result_report(file);
     int status = EXIT_DONE;
     if (q->form == FORM_TEXT) {
-        report_print(r, stdout);
+        status = report_print(r, stdout, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
     } else if (q->form == FORM_JSON) {
         show_json(r, stdout);
     } else {
