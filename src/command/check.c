@@ -16,7 +16,7 @@ static int check_command(int argc, char **argv);
 const struct command command_check = {
     .name = "check",
     .usage = "DECK [-D NAME=VALUE]...",
-    .summary = "reads and checks a deck, prints the model",
+    .summary = "checks a deck and prints its model and the step that it needs",
     .run = check_command,
 };
 
