@@ -61,12 +61,7 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
 void peaks_columns(struct results *r, const struct model *m, const struct state *s) {
     for (int i = 0; i < m->n_column; i++) {
         for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
-            const double x = struck_column_force(&m->column[i], q, s->u);
-            struct column_peak *p = &r->column[i][q];
-            p->max_time = x > p->max ? s->time : p->max_time;
-            p->max = x > p->max ? x : p->max;
-            p->min_time = x < p->min ? s->time : p->min_time;
-            p->min = x < p->min ? x : p->min;
+            peaks_column(&r->column[i][q], struck_column_force(&m->column[i], q, s->u), s->time);
         }
     }
 }

@@ -56,6 +56,14 @@ static inline void peaks_force(struct results *r, int k, double force, double ti
     peak_larger(force, time, &r->link[k].force, &r->link[k].force_time);
 }
 
+// Takes a value of a force in a struck column.
+static inline void peaks_column(struct column_peak *p, double x, double time) {
+    p->max_time = x > p->max ? time : p->max_time;
+    p->max = x > p->max ? x : p->max;
+    p->min_time = x < p->min ? time : p->min_time;
+    p->min = x < p->min ? x : p->min;
+}
+
 // The same from state `s`, of a live link.
 static inline void peaks_link(struct results *r, const struct model *m, const struct state *s,
                               int k) {
