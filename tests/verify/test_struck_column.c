@@ -179,11 +179,37 @@ static void columns_that_are_struck_together_add_up(void **state) {
     model_free(two);
 }
 
+// Stiffness of the point and end forces of a unit load at it, the floors at rest, of an independent
+// program with beam elements: E I = 64 MN m2, h = 3 m.
+static void a_load_at_the_point_is_shared_by_both_ends(void **state) {
+    static const struct {
+        double share, stiffness, force[COLUMN_FORCE_COUNT];
+    } rows[] = {
+        {0.5, 455111111.1, {0.5, -0.5, 0.375, 0.375, -0.375}},
+        {0.25, 1078781893.0, {0.84375, -0.15625, 0.421875, 0.2109375, -0.140625}},
+        {0.1, 9754610578.0, {0.972, -0.028, 0.243, 0.0486, -0.027}},
+        {0.75, 1078781893.0, {0.15625, -0.84375, 0.140625, 0.2109375, -0.421875}},
+    };
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        struct model *m =
+            analysis_model("%scolumn B@%gm -name c -EI 63999999.99 -mass 600\nstep fixed 1ms",
+                           buildings, 3.0 + 3.0 * rows[i].share);
+        const struct struck_column *c = m->column;
+        assert_close(c->stiffness, rows[i].stiffness, 1e-9);
+        for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+            assert_close(c->force[q][0] / c->stiffness, rows[i].force[q], 1e-12);
+        }
+        model_free(m);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(forces_and_motions_are_those_of_an_independent_program),
         cmocka_unit_test(the_column_may_be_on_the_left),
         cmocka_unit_test(columns_that_are_struck_together_add_up),
+        cmocka_unit_test(a_load_at_the_point_is_shared_by_both_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
