@@ -131,7 +131,6 @@ enum column_force {
     COLUMN_MOMENT_ABOVE,  // [F L] at the floor above
     COLUMN_FORCE_COUNT
 };
-extern const char *const column_force_names[];  // (COLUMN_FORCE_COUNT)
 
 // A column that is struck between the floors of its storey. The struck point has a mass and one
 // degree of freedom, which is a body of the model. A spring, one of the links, joins the body to

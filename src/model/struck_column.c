@@ -159,9 +159,6 @@ void struck_column_finish(struct builder *b) {
     }
 }
 
-const char *const column_force_names[] = {"shear_below", "shear_above", "moment_below",
-                                          "moment_point", "moment_above"};
-
 // One column has the bending stiffness EI and takes the force f of the struck point. With the drift
 // d of the storey, and without f, its shear is 12 EI d / h^3 and the moment at both ends
 // 6 EI d / h^2. The force f adds the end forces of a clamped beam with a load: shears (1 - N) f and
