@@ -31,7 +31,8 @@ struct source {
     const char *name;  // as messages show it
     const char *text;  // (size) with a final 0
     size_t size;
-    char *cell;  // a copy of text in which a 0 ends each word
+    char *cell;     // a copy of text in which a 0 ends each word
+    bool absolute;  // as of a deck_path
     bool on_disk;
     dev_t device;  // together with inode: identifies a file on disk
     ino_t inode;

@@ -216,6 +216,9 @@ static void run_include(struct deck *d, const struct statement *s) {
     if (file) {
         file->included = true;
     }
+    if (source) {
+        source->absolute = file->absolute;
+    }
     if (source && check_include(d, w, source)) {
         source_enter(d, source);
     } else {
