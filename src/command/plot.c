@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "command/crash.h"
 #include "command/option.h"
 #include "command/picture.h"
 #include "command/progress.h"
@@ -166,7 +167,9 @@ static int open_and_make(struct request *q, struct error *e) {
     struct result_file *first = NULL, *second = NULL;
     int status = result_open(q->result, &first, e);
     if (status == STATUS_OK && q->other) {
+        crash_reading(NULL, q->other);
         status = result_open(q->other, &second, e);
+        crash_reading(NULL, q->result);
     }
     if (status == STATUS_OK) {
         status = make(q, first, second, e);
@@ -246,6 +249,7 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (status != EXIT_DONE) {
         return status;
     }
+    crash_reading(NULL, q->result);
     return study_file_is_study(q->result) ? plot_suite(q) : plot_run(q);
 }
 
