@@ -174,11 +174,6 @@ static struct source *load(struct deck *d, const struct word *w, const char *pat
         deck_error_of(d, w, &e);
         return NULL;
     }
-    if (memchr(text, 0, size)) {
-        struct text_short t;
-        deck_error(d, w, "%s is not text: it contains a 0 byte", text_short(&t, path));
-        return NULL;
-    }
     struct source *s = source_add(d, path, text, size);
     if (!s) {
         diagnostics_no_memory(&d->diagnostics);
