@@ -270,7 +270,7 @@ static int run_command(int argc, char **argv) {
         {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(load.quiet),
          .doc = "prints nothing but errors"},
         {"shard", 0, "K/N", OPTION_OWN, .own = read_shard,
-         .doc = "part K of N of a study, into NAME.K-of-N.h5; jostle merge joins them"},
+         .doc = "part K of N of a study, into NAME.K-of-N.h5 without -o; jostle merge joins them"},
         {"force", .kind = OPTION_SET, .at = AT(existing), .set = RESULT_REPLACE,
          .doc = "overwrites an existing result file"},
         {"restart", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_RESTART,
