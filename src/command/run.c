@@ -234,7 +234,7 @@ static int run_study(const struct model *first, const struct run_options *o,
     if (!o->load.quiet && show_study_summary(result->path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    return study_end(p.n_failed, p.n_run, result->path, p.failure);
+    return study_display_status(p.n_failed, p.n_run, result->path, p.failure);
 }
 
 static int run_model(void *options, const struct model *m) {
