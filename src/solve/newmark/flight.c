@@ -62,8 +62,8 @@ static bool flight_is_linear(const struct link *l) {
 // must be in one block, as they are solved for together.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
-    bool possible = (m->elastic || !m->chain.full_damping) && !m->founded &&
-                    n_link <= LINKS_MAX && (n_link == 0 || floors->n_block == 1);
+    bool possible = (m->elastic || !m->chain.full_damping) && !m->founded && n_link <= LINKS_MAX &&
+                    (n_link == 0 || floors->n_block == 1);
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         possible =
@@ -184,6 +184,7 @@ void flight_account_links(const struct flight *f, const struct state *now, struc
         next->delta[k] = state_penetration(next, f->model, k);
     }
     (void)impacts_step(f->impacts, now, next, NULL);  // none opens, which alone can fail
+    peaks_columns(f->account->results, f->model, next);
 }
 
 static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {

@@ -94,6 +94,7 @@ static int run_step_commit(struct run *r) {
     if (r->model->founded) {
         peaks_founded(r->results, r->model, r->next);
     }
+    peaks_columns(r->results, r->model, r->next);
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, r->now, r->next, r->error);
     struct state *old = r->now;
