@@ -224,9 +224,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     gaps_update(&w->gaps, s);
     gaps_peaks(&w->gaps, s);
     if (f->on_lines) {
-        forcing_floors(s, m, s->time);
         state_internal_forces(s, m);
-        state_totals(s, m);
     }
     peaks_speed(f->account->results, m->n_dof);
     w->totals->steps += n - first;

@@ -36,10 +36,9 @@ static void newmark_begin(struct work *w, const struct state *now, struct state 
         forcing_of_pieces(next, w->forcing, end);
     } else {
         forcing_grounds_known(&w->ahead, next, m, end);
-        if (state_is_linear(m) && state_is_uniform(m)) {
-            return;
+        if (!state_is_uniform(m)) {
+            forcing_floors(next, m, end);
         }
-        forcing_floors(next, m, end);
     }
 }
 
@@ -200,7 +199,7 @@ static int newmark_try(struct work *w, const struct state *now, struct state *ne
     for (int k = 0; k < m->n_building; k++) {
         floors_trial(w, now, k);
     }
-    chain_forces(&m->chain, w->u_trial, w->v_trial, next->drift, next->shear, next->damping_force);
+    chain_strain(&m->chain, w->u_trial, next->drift, next->shear);
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         if (g->predictable) {
@@ -209,7 +208,7 @@ static int newmark_try(struct work *w, const struct state *now, struct state *ne
             state_storeys(next, m, g, history, next->storey_history);
         }
     }
-    state_full_forces(next, m, w->v_trial, history, next->storey_history);
+    state_parts(next, m, w->v_trial, history, next->storey_history);
     memcpy(w->storeys.drift, next->drift, size);
     memcpy(w->storeys.shear, next->shear, size);
     memcpy(w->storeys.rate, next->rate, size);
@@ -251,15 +250,11 @@ static int newmark_solve(struct work *w, const struct state *now, struct state *
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// Completes the end of the step: internal forces where newmark_solve has not left them, total
-// accelerations, and the histories of the links' laws.
+// Completes the end of the step: internal forces where newmark_solve has not left them, and the
+// histories of the links' laws.
 static void newmark_finish(struct work *w, struct state *next) {
-    const struct model *m = w->model;
-    if (!state_is_linear(m)) {
-        if (m->elastic) {
-            state_internal_forces(next, m);
-        }
-        state_totals(next, m);
+    if (w->model->elastic && !state_is_linear(w->model)) {
+        state_internal_forces(next, w->model);
     }
     contact_finish(w, next);
 }
