@@ -3,6 +3,7 @@
 
 #include "core/lanes.h"
 #include "solve/floors/floor_terms.h"
+#include "solve/state.h"
 
 // The compiler sees from the mask that there are no elements beyond whole lanes.
 static inline int whole(int n) {
@@ -14,6 +15,19 @@ LANES void chain_strain(const struct chain *c, const double *restrict u, double 
     const double *restrict k = c->stiffness;
     for (int i = 0, n = whole(c->n); i < n; i++) {
         double d = u[i] - c->joint[i] * u[i - 1];
+        drift[i] = d;
+        shear[i] = k[i] * d;
+    }
+}
+
+LANES void chain_try(const struct chain *c, double h, const struct state *now,
+                     double *restrict drift, double *restrict shear) {
+    const double *restrict u = now->u, *restrict v = now->v, *restrict a = now->a;
+    const double *restrict k = c->stiffness, *restrict joint = c->joint;
+    const double half = h * h / 2.0;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        const double under = TRIAL_U(u[i - 1], v[i - 1], a[i - 1], h, half);
+        double d = TRIAL_U(u[i], v[i], a[i], h, half) - joint[i] * under;
         drift[i] = d;
         shear[i] = k[i] * d;
     }
