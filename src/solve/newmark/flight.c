@@ -186,14 +186,16 @@ void flight_account_links(const struct flight *f, const struct state *now, struc
     (void)impacts_step(f->impacts, now, next, NULL);  // none opens, which alone can fail
 }
 
-static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
-    if (!f->possible || s->n_live > f->n_link || f->work->h != f->model->dt) {
-        return false;
-    }
-    // A storey that has left its line in the last step most likely will again in the next.
+// A storey that has left its line in the last step most likely will again in the next.
+bool flight_is_on_lines(struct flight *f, const struct state *before, const struct state *s) {
     const size_t histories = (size_t)f->model->n_storey_history * sizeof *s->storey_history;
     return memcmp(before->storey_history, s->storey_history, histories) == 0 &&
            (!f->on_lines || flight_find_lines(f, s->storey_history));
+}
+
+static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
+    return f->possible && s->n_live <= f->n_link && f->work->h == f->model->dt &&
+           flight_is_on_lines(f, before, s);
 }
 
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
