@@ -3,7 +3,6 @@
 
 #include "core/lanes.h"
 #include "solve/floors/floor_terms.h"
-#include "solve/state.h"
 
 // The compiler sees from the mask that there are no elements beyond whole lanes.
 static inline int whole(int n) {
@@ -20,9 +19,9 @@ LANES void chain_strain(const struct chain *c, const double *restrict u, double 
     }
 }
 
-LANES void chain_try(const struct chain *c, double h, const struct state *now,
-                     double *restrict drift, double *restrict shear) {
-    const double *restrict u = now->u, *restrict v = now->v, *restrict a = now->a;
+LANES void chain_try(const struct chain *c, double h, const double *restrict u,
+                     const double *restrict v, const double *restrict a, double *restrict drift,
+                     double *restrict shear) {
     const double *restrict k = c->stiffness, *restrict joint = c->joint;
     const double half = h * h / 2.0;
     for (int i = 0, n = whole(c->n); i < n; i++) {

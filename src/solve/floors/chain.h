@@ -8,14 +8,12 @@
 #include "core/lanes.h"
 #include "jostle/analysis.h"
 
-struct state;
-
 // Drifts of the storeys below each floor, and shears of elastic storeys.
 void chain_strain(const struct chain *c, const double *u, double *drift, double *shear);
 
 // The same at the end of a step of size h if the accelerations stay.
-void chain_try(const struct chain *c, double h, const struct state *now, double *drift,
-               double *shear);
+void chain_try(const struct chain *c, double h, const double *u, const double *v, const double *a,
+               double *drift, double *shear);
 
 // External forces -m base of the ground accelerations below each floor.
 void chain_inertia(const struct chain *c, const double *base, double *external);

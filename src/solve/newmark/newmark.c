@@ -203,7 +203,7 @@ static int newmark_try(struct work *w, const struct state *now, const struct sta
     trial.drift = w->storeys.drift;
     trial.shear = w->storeys.shear;
     trial.rate = w->storeys.rate;
-    chain_try(&m->chain, w->h, now, trial.drift, trial.shear);
+    chain_try(&m->chain, w->h, now->u, now->v, now->a, trial.drift, trial.shear);
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         if (g->predictable) {
