@@ -218,16 +218,13 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     if (n == first) {
         return n;
     }
-    // Accounts for these steps, and computes what they leave out.
+    // Accounts for these steps.
     struct state *s = *now;
     if (f->on_lines) {
         floors_catch_up(w, *next, s);
     }
     gaps_update(&w->gaps, s);
     gaps_peaks(&w->gaps, s);
-    if (f->on_lines) {
-        state_internal_forces(s, m);
-    }
     peaks_speed(f->account->results, m->n_dof);
     w->totals->steps += n - first;
     w->totals->iterations += n - first;
