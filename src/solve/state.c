@@ -102,7 +102,7 @@ void state_storeys(struct state *s, const struct model *m, const struct building
 
 void state_parts(struct state *s, const struct model *m, const double *v, const double *from,
                  double *after) {
-    for (int k = 0; m->chain.parts && k < m->n_building; k++) {
+    for (int k = 0; m->chain.parts && k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; g->n_part > 0 && !g->elastic && i < g->first + g->n_floor; i++) {
             s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
@@ -117,7 +117,7 @@ void state_parts(struct state *s, const struct model *m, const double *v, const 
 static void state_forces_from(struct state *s, const struct model *m, const double *from,
                               double *after) {
     chain_strain(&m->chain, s->u, s->drift, s->shear);
-    for (int k = 0; !m->elastic && k < m->n_building; k++) {
+    for (int k = 0; !m->elastic && k < m->n_body; k++) {
         if (!m->building[k].elastic) {
             state_storeys(s, m, &m->building[k], from, after);
         }

@@ -244,7 +244,7 @@ static bool rest_solve(struct state *s, const struct model *m) {
 void rest_equilibrium(struct state *s, const struct model *m) {
     // M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.
     double *force = s->total;
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const int first = m->building[k].first;
         building_damping_force(&m->building[k], s->v + first, force + first);
     }

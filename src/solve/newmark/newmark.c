@@ -136,7 +136,7 @@ static int newmark_relinearise(struct work *w, const struct state *now, const st
         return STATUS_OK;
     }
     *agree = true;
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->elastic || (g->n_part > 0 ? newmark_parts_agree(w, next, k)
                                          : newmark_agrees(w, next, g->first, g->n_floor))) {
@@ -167,7 +167,7 @@ static int newmark_solve_links(struct work *w, const struct state *now, struct s
 }
 
 static int newmark_not_finite(const struct model *m, const struct state *s, struct error *e) {
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         for (int i = 0; i < g->n_floor; i++) {
             int j = g->first + i;
@@ -204,7 +204,7 @@ static int newmark_try(struct work *w, const struct state *now, const struct sta
     trial.shear = w->storeys.shear;
     trial.rate = w->storeys.rate;
     chain_try(&m->chain, w->h, now->u, now->v, now->a, trial.drift, trial.shear);
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->predictable) {
             newmark_predict_shears(g, w->effective[k].tangent, now, &trial);
@@ -216,7 +216,7 @@ static int newmark_try(struct work *w, const struct state *now, const struct sta
         }
     }
     state_parts(&trial, m, w->v_trial, history, trial.storey_history);
-    for (int k = 0; status == STATUS_OK && k < m->n_building; k++) {
+    for (int k = 0; status == STATUS_OK && k < m->n_body; k++) {
         if (m->building[k].smooth) {
             w->factors++;
             status = newmark_linearise(w, now, &trial, k);
