@@ -187,14 +187,16 @@ void flight_account_links(const struct flight *f, const struct state *now, struc
     peaks_columns(f->account->results, f->model, next);
 }
 
-static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
-    if (!f->possible || s->n_live > f->n_link || f->work->h != f->model->dt) {
-        return false;
-    }
-    // A storey that has left its line in the last step most likely will again in the next.
+// A storey that has left its line in the last step most likely will again in the next.
+bool flight_is_on_lines(struct flight *f, const struct state *before, const struct state *s) {
     const size_t histories = (size_t)f->model->n_storey_history * sizeof *s->storey_history;
     return memcmp(before->storey_history, s->storey_history, histories) == 0 &&
            (!f->on_lines || flight_find_lines(f, s->storey_history));
+}
+
+static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
+    return f->possible && s->n_live <= f->n_link && f->work->h == f->model->dt &&
+           flight_is_on_lines(f, before, s);
 }
 
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
@@ -217,18 +219,13 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     if (n == first) {
         return n;
     }
-    // Accounts for these steps, and computes what they leave out.
+    // Accounts for these steps.
     struct state *s = *now;
     if (f->on_lines) {
         floors_catch_up(w, *next, s);
     }
     gaps_update(&w->gaps, s);
     gaps_peaks(&w->gaps, s);
-    if (f->on_lines) {
-        forcing_floors(s, m, s->time);
-        state_internal_forces(s, m);
-        state_totals(s, m);
-    }
     peaks_speed(f->account->results, m->n_dof);
     w->totals->steps += n - first;
     w->totals->iterations += n - first;
