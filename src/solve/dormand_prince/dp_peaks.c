@@ -238,6 +238,9 @@ static void dp_floors_step(struct dp *p) {
             dp_part_shears(p, &m->building[k]);
         }
     }
+    if (m->n_force > 0) {
+        dp_forces_step(p, !dp_is_instant(p));
+    }
     dp_rescale(p);
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest and smallest of the forces that follow from drifts (model/forces.h), over all
+// computed steps.
+//
+// Drifts of FORCES_BATCH states are collected. Between the extremes of all drifts in a batch lies a
+// box, and sum(p c) +- sum(|p| r) bounds a force with the row p there; c is the middle of the box
+// and r its half size. Only forces whose bounds exceed their extremes so far are computed, state by
+// state. States of a batch are close together, so these are few.
+#ifndef JOSTLE_FORCE_PEAKS_H
+#define JOSTLE_FORCE_PEAKS_H
+
+#include "solve/state.h"
+
+struct force_peaks {
+    const struct model *model;
+    struct results *results;  // borrowed
+    int n;                    // states in the batch
+    double time[FORCES_BATCH];
+    double *drift;            // [L] (FORCES_BATCH, model.chain.n)
+    double *middle, *radius;  // [L] (n_dof) scratch
+};
+extern const struct fields force_peaks_fields;
+
+// Room for the forces of the results' model; false: no memory.
+bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct results *r,
+                       struct arena *a);
+
+// Takes the states of the batch into the extremes, and empties it.
+void force_peaks_flush(struct force_peaks *p);
+
+// Takes a value of force i of all.
+static inline void force_peaks_take(struct results *r, int i, double value, double time) {
+    if (value > r->force_max[i]) {
+        r->force_max[i] = value;
+        r->force_max_time[i] = time;
+    }
+    if (value < r->force_min[i]) {
+        r->force_min[i] = value;
+        r->force_min_time[i] = time;
+    }
+}
+
+// Takes a state with displacements u, an array of core/lanes.h.
+static inline void force_peaks_note(struct force_peaks *p, const double *u, double time) {
+    const struct chain *c = &p->model->chain;
+    double *drift = p->drift + p->n * c->n;
+    for (int i = 0; i < c->n; i++) {
+        drift[i] = u[i] - c->joint[i] * u[i - 1];
+    }
+    p->time[p->n++] = time;
+    if (p->n == FORCES_BATCH) {
+        force_peaks_flush(p);
+    }
+}
+
+#endif
