@@ -3,8 +3,8 @@
 
 #include <math.h>
 
+#include "core/arena.h"
 #include "core/lanes.h"
-#include "core/number.h"
 
 static const struct fields_row list[] = {
     FIELD_VALUE(struct force_peaks, n),
@@ -24,54 +24,96 @@ bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct resu
         r->force_max[i] = -INFINITY;
         r->force_min[i] = INFINITY;
     }
-    p->middle = lanes_array(a, m->n_dof);
-    p->radius = lanes_array(a, m->n_dof);
+    p->bow = lanes_array(a, m->n_dof);
+    p->turned =
+        arena_alloc(a, m->n_force > 0 ? (size_t)m->n_dof * FORCES_BATCH : 0, sizeof *p->turned);
     return fields_alloc(&force_peaks_fields, m, p, a);
 }
 
-// The box of the drifts.
-LANES_INLINE void force_peaks_box(const struct force_peaks *p) {
+#define LANES_OF(x, i) (*(const lanes *)((x) + (i)))
+#define ABSOLUTE(x) ((lanes)((lanes_bits)(x)&INT64_MAX))
+#define CHOOSE(mask, a, b)                                                                         \
+    ((lanes)(((lanes_bits)(mask) & (lanes_bits)(a)) | (~(lanes_bits)(mask) & (lanes_bits)(b))))
+#define LARGER(a, b) CHOOSE((b) < (a), a, b)
+#define SMALLER(a, b) CHOOSE((a) < (b), a, b)
+
+// How far the drifts go from their lines.
+LANES_INLINE void force_peaks_bend(const struct force_peaks *p) {
     const int n = p->model->chain.n;
-    for (int i = 0; i < n; i += LANES_WIDTH) {
-        lanes_wide high = LANES_AT(p->drift, i), low = high;
-        for (int k = 1; k < p->n; k++) {
-            const lanes_wide x = LANES_AT(p->drift + k * n, i);
-            high = WIDE_LARGER(x, high);
-            low = WIDE_CHOOSE(WIDE_LESS(x, low), x, low);
+    const double *end = p->drift + (p->n - 1) * n;
+    for (int i = 0; i < n; i += LANES_VECTOR) {
+        const lanes first = LANES_OF(p->drift, i), last = LANES_OF(end, i);
+        const lanes slope = (last - first) / (p->n > 1 ? p->n - 1 : 1);
+        lanes bow = WIDER * LARGER(ABSOLUTE(first), ABSOLUTE(last));
+        for (int k = 1; k < p->n - 1; k++) {
+            const lanes apart = LANES_OF(p->drift + k * n, i) - (first + slope * k);
+            bow = LARGER(ABSOLUTE(apart), bow);
         }
-        const lanes_wide size = WIDE_LARGER(WIDE_ABSOLUTE(high), WIDE_ABSOLUTE(low));
-        *(lanes_wide *)(p->middle + i) = (high + low) / 2.0;
-        *(lanes_wide *)(p->radius + i) = (high - low) / 2.0 + WIDER * size;
+        *(lanes *)(p->bow + i) = bow + WIDER * bow;
+    }
+}
+
+// Turns the drifts of building g so that those of a storey stand side by side.
+static void force_peaks_turn(const struct force_peaks *p, const struct building *g) {
+    for (int k = 0; k < p->n; k++) {
+        const double *drift = p->drift + k * p->model->chain.n + g->first;
+        for (int j = 0; j < g->n_floor; j++) {
+            p->turned[j * FORCES_BATCH + k] = drift[j];
+        }
     }
 }
 
 // Takes force i of building g in all states of the batch.
-static void force_peaks_compute(const struct force_peaks *p, const struct building *g, int i) {
+LANES_INLINE void force_peaks_compute(const struct force_peaks *p, const struct building *g,
+                                      int i) {
     const int stride = lanes_whole(g->n_force);
-    for (int k = 0; k < p->n; k++) {
-        const double *drift = p->drift + k * p->model->chain.n + g->first;
-        double sum = 0.0;
-        for (int j = 0; j < g->n_floor; j++) {
-            sum += g->force_by_drift[j * stride + i] * drift[j];
+    double force[FORCES_BATCH] = {0.0};
+    for (int j = 0; j < g->n_floor; j++) {
+        const double by_drift = g->force_by_drift[j * stride + i];
+        const double *drift = p->turned + j * FORCES_BATCH;
+        LANES_LOOP
+        for (int k = 0; k < FORCES_BATCH; k++) {
+            force[k] += by_drift * drift[k];
         }
-        force_peaks_take(p->results, g->force + i, sum, p->time[k]);
+    }
+    for (int k = 0; k < p->n; k++) {
+        force_peaks_take(p->results, g->force + i, force[k], p->time[k]);
     }
 }
 
-LANES_INLINE void force_peaks_search(const struct force_peaks *p, const struct building *g) {
+// Which of four forces of building g, from i on, may exceed their extremes?
+LANES_INLINE void force_peaks_bound(const struct force_peaks *p, const struct building *g, int i,
+                                    lanes_bits *beyond) {
     const int stride = lanes_whole(g->n_force);
-    const double *middle = p->middle + g->first, *radius = p->radius + g->first;
-    for (int i = 0; i < g->n_force; i += LANES_WIDTH) {
-        lanes_wide centre = {0.0}, reach = {0.0};
-        for (int j = 0; j < g->n_floor; j++) {
-            const lanes_wide row = LANES_AT(g->force_by_drift + j * stride, i);
-            centre += row * middle[j];
-            reach += WIDE_ABSOLUTE(row) * radius[j];
+    const double *first = p->drift + g->first, *bow = p->bow + g->first;
+    const double *last = first + (p->n - 1) * p->model->chain.n;
+    lanes start = {0.0}, end = {0.0}, reach = {0.0};
+    for (int j = 0; j < g->n_floor; j++) {
+        const lanes row = LANES_OF(g->force_by_drift + j * stride, i);
+        start += row * first[j];
+        end += row * last[j];
+        reach += ABSOLUTE(row) * bow[j];
+    }
+    const lanes most = LANES_OF(p->results->force_max + g->force, i);
+    const lanes least = LANES_OF(p->results->force_min + g->force, i);
+    *beyond = (lanes_bits)(most < LARGER(start, end) + reach) |
+              (lanes_bits)(SMALLER(start, end) - reach < least);
+}
+
+// Computes the forces of building g that may exceed their extremes.
+LANES_INLINE void force_peaks_search(const struct force_peaks *p, const struct building *g) {
+    bool is_turned = false;
+    for (int i = 0; i < g->n_force; i += LANES_VECTOR) {
+        lanes_bits beyond;
+        force_peaks_bound(p, g, i, &beyond);
+        if (!(beyond[0] | beyond[1] | beyond[2] | beyond[3])) {
+            continue;
         }
-        const lanes_wide most = LANES_AT(p->results->force_max + g->force, i);
-        const lanes_wide least = LANES_AT(p->results->force_min + g->force, i);
-        const wide_bits beyond = WIDE_LESS(most, centre + reach) | WIDE_LESS(centre - reach, least);
-        for (int k = 0; k < LANES_WIDTH && i + k < g->n_force; k++) {
+        if (!is_turned) {
+            force_peaks_turn(p, g);
+            is_turned = true;
+        }
+        for (int k = 0; k < LANES_VECTOR && i + k < g->n_force; k++) {
             if (beyond[k]) {
                 force_peaks_compute(p, g, i + k);
             }
@@ -80,7 +122,7 @@ LANES_INLINE void force_peaks_search(const struct force_peaks *p, const struct b
 }
 
 LANES static void force_peaks_of_batch(const struct force_peaks *p) {
-    force_peaks_box(p);
+    force_peaks_bend(p);
     for (int k = 0; k < p->model->n_building; k++) {
         if (p->model->building[k].n_force > 0) {
             force_peaks_search(p, &p->model->building[k]);

@@ -2,10 +2,10 @@
 // The largest and smallest of the forces that follow from drifts (model/forces.h), over all
 // computed steps.
 //
-// Drifts of FORCES_BATCH states are collected. Between the extremes of all drifts in a batch lies a
-// box, and sum(p c) +- sum(|p| r) bounds a force with the row p there; c is the middle of the box
-// and r its half size. Only forces whose bounds exceed their extremes so far are computed, state by
-// state. States of a batch are close together, so these are few.
+// Drifts of FORCES_BATCH states are collected. A drift stays near the straight line from the first
+// to the last of them: by its bow at most. So a force with the row p stays between its values at
+// the first and the last state, widened by sum(|p| bow). Only forces that may so exceed their
+// extremes so far are computed, state by state. They are few.
 #ifndef JOSTLE_FORCE_PEAKS_H
 #define JOSTLE_FORCE_PEAKS_H
 
@@ -16,8 +16,10 @@ struct force_peaks {
     struct results *results;  // borrowed
     int n;                    // states in the batch
     double time[FORCES_BATCH];
-    double *drift;            // [L] (FORCES_BATCH, model.chain.n)
-    double *middle, *radius;  // [L] (n_dof) scratch
+    double *drift;  // [L] (FORCES_BATCH, model.chain.n)
+    double *bow;    // [L] (n_dof) scratch
+    double
+        *turned;  // [L] (n_dof, FORCES_BATCH) scratch: the drifts of a building, storey by storey
 };
 extern const struct fields force_peaks_fields;
 
