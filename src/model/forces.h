@@ -16,8 +16,12 @@
 int forces_of_share(const struct building *g, int number);
 const char *forces_share_name(const struct building *g, int number);
 
-// The index of the first force of the first member of part `part` (from 0); -1: it has no members.
-int forces_of_members(const struct building *g, int part);
+// The members of all frames and walls of the building, part by part.
+int forces_n_member(const struct building *g);
+
+// The index of force `which` of the first member of part `part` (from 0), which those of the next
+// members follow.
+int forces_of_members(const struct building *g, int part, enum frame_force which);
 
 // Fills n_force, force and force_by_drift of the building, whose parts are there; `linear` storeys
 // have a share. *first is the number of forces of the buildings before; it grows by those of this
@@ -26,5 +30,8 @@ bool forces_create(struct building *g, bool linear, int *first, struct arena *a)
 
 // The forces of the building at these drifts (n_floor), n_force rounded up to whole lanes.
 void forces_at(const struct building *g, const double *drift, double *force);
+
+// Makes the forces that members do not have NAN.
+void forces_hide(const struct building *g, double *force);
 
 #endif

@@ -16,14 +16,14 @@
 // A pivot this small, relative to the stiffness of its unknown, is rounding: nothing holds it.
 static const double HELD = 64.0 * DBL_EPSILON;
 
-const struct part_kind part_frame = {
+const struct part_kind frame_part = {
     .name = "frame",
     .traits = PART_LINEAR,
     .respond = parts_linear_respond,
     .stored = parts_linear_stored,
 };
 
-const struct part_kind part_wall = {
+const struct part_kind frame_wall = {
     .name = "wall",
     .traits = PART_LINEAR,
     .respond = parts_linear_respond,
@@ -31,7 +31,7 @@ const struct part_kind part_wall = {
 };
 
 const struct plane_frame *frame_of(const struct part *p) {
-    return p->kind == &part_frame || p->kind == &part_wall ? p->data : NULL;
+    return p->kind == &frame_part || p->kind == &frame_wall ? p->data : NULL;
 }
 
 const char *frame_member_name(const struct frame_member *m, struct arena *a) {
@@ -211,6 +211,12 @@ static double *frame_entry(const struct plane_frame *f, int member, enum frame_f
     return f->force + row * (size_t)f->n_floor;
 }
 
+// Does the member stand on a pinned base? Its moment there is 0, without rounding.
+static bool frame_is_pinned(const struct plane_frame *f, const struct frame_member *m) {
+    const struct frame_joint *j = &f->joint[m->joint[0]];
+    return m->joint[0] < f->n_line && j->turns && j->spring == 0.0;
+}
+
 // The forces of all members where joints move by x under a unit drift of a storey; and the storey
 // shears, which those of columns add up to.
 static void frame_recover(struct plane_frame *f, int storey, const double *x) {
@@ -222,7 +228,7 @@ static void frame_recover(struct plane_frame *f, int storey, const double *x) {
         frame_deform(f, m, d);
         const double bend = frame_force(&d[0], x, own), sway = frame_force(&d[1], x, own);
         const double shear = 2.0 * sway / m->length;
-        frame_entry(f, i, FRAME_MOMENT_I)[column] = sway + bend;
+        frame_entry(f, i, FRAME_MOMENT_I)[column] = frame_is_pinned(f, m) ? 0.0 : sway + bend;
         frame_entry(f, i, FRAME_MOMENT_J)[column] = sway - bend;
         frame_entry(f, i, FRAME_SHEAR)[column] = shear;
         if (m->kind != FRAME_BEAM) {

@@ -74,6 +74,6 @@ const char *frame_member_name(const struct frame_member *m, struct arena *a);
 // The frame of a part that is one; NULL: it is none.
 const struct plane_frame *frame_of(const struct part *p);
 
-extern const struct part_kind part_frame, part_wall;
+extern const struct part_kind frame_part, frame_wall;
 
 #endif

@@ -196,7 +196,7 @@ static void add_frame(struct builder *b, struct building_draft *d) {
         }
     }
     warn_open(b, d);
-    end(b, d, to, &part_frame, &f->word,
+    end(b, d, to, &frame_part, &f->word,
         arena_format(b->arena, "%d columns and %d beams", n_column, to->n_member - n_column));
 }
 
@@ -207,14 +207,14 @@ static void add_wall(struct builder *b, struct building_draft *d, const struct w
     }
     int number = 1;
     for (int i = 0; i < d->parts.n; i++) {
-        number += ((const struct part *)d->parts.item)[i].kind == &part_wall;
+        number += ((const struct part *)d->parts.item)[i].kind == &frame_wall;
     }
     for (int i = 0; i < w->n_floor; i++) {
         to->member[to->n_member++] = frame_member(FRAME_WALL, i + 1, number, d->height[i], w->ei[i],
                                                   w->ga ? w->ga[i] : INFINITY, 0.0);
     }
     set_base(to, 0, NULL, d->base);
-    end(b, d, to, &part_wall, &w->word,
+    end(b, d, to, &frame_wall, &w->word,
         arena_format(b->arena, "%d storey%s", w->n_floor, w->n_floor == 1 ? "" : "s"));
 }
 

@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "jostle/result.h"
 #include "result/choice.h"
+#include "result/report_members.h"
 
 enum { NAME_WIDTH_MAX = 16, LINK_WIDTH_MAX = 33, LAW_WIDTH_MAX = 17 };
 
@@ -196,6 +197,14 @@ static void print_forces(const struct printer *p, const struct shown_buildings *
     }
 }
 
+static void print_members(const struct printer *p, const struct shown_buildings *s) {
+    const struct report_building *shown[SHOWN_MAX];
+    for (int i = 0; i < s->n; i++) {
+        shown[i] = &p->r->building[s->choice[i].index];
+    }
+    report_print_members(p->r, shown, s->n, p->to);
+}
+
 static void print_contact(FILE *to, const struct report_link *c, int name_width, int law_width) {
     safe_cell(to, c->name, name_width);
     if (law_width > 0) {
@@ -366,6 +375,7 @@ void report_print(const struct report *r, FILE *to) {
         print_displacements(&p, &s);
         print_residuals(&p, &s);
         print_forces(&p, &s);
+        print_members(&p, &s);
         print_contacts(&p);
         print_links(&p);
         print_totals(&p);

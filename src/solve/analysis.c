@@ -57,7 +57,10 @@ static int analysis_show_row(struct run *r) {
     const bool members = r->model->output.fields & FIELD_MEMBERS;
     for (int k = 0; members && k < r->model->n_building; k++) {
         const struct building *g = &r->model->building[k];
-        forces_at(g, s->drift + g->first, r->row_members + g->force);
+        if (g->n_force > 0) {
+            forces_at(g, s->drift + g->first, r->row_members + g->force);
+            forces_hide(g, r->row_members + g->force);
+        }
     }
     const struct row_view row = {
         .time = s->time,

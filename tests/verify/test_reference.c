@@ -146,7 +146,6 @@ static double member_value(const struct analysis *a, const struct reference *r) 
     const char *name = strchr(r->owner, '/') + 1, *extreme = strrchr(r->quantity, '_');
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        const int first = g->n_part > 0 ? forces_of_members(g, 0) : -1;
         const struct plane_frame *f = g->n_part > 0 ? frame_of(&g->part[0]) : NULL;
         if (strncmp(g->name, r->owner, (size_t)(name - 1 - r->owner)) != 0 || !f) {
             continue;
@@ -155,7 +154,7 @@ static double member_value(const struct analysis *a, const struct reference *r) 
             for (int q = 0; strcmp(frame_member_name(&f->member[i], m->deck->arena), name) == 0 &&
                             q < FRAME_FORCES;
                  q++) {
-                const int at = g->force + first + i * FRAME_FORCES + q;
+                const int at = g->force + forces_of_members(g, 0, q) + i;
                 if (strncmp(r->quantity, force[q], (size_t)(extreme - r->quantity)) == 0) {
                     return strcmp(extreme, "_max") == 0 ? a->results->force_max[at]
                                                         : a->results->force_min[at];

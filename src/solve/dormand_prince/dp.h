@@ -171,8 +171,7 @@ struct dp {
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
 
-    // Scratch: forces that follow from drifts, and their first and second rates, at both its ends.
-    double *force[DP_FORCES];  // (model.n_force)
+    double *force[DP_FORCES];  // (model.n_force) scratch of dp_forces.c
 };
 
 // dp_system.c: the branches of laws.
@@ -386,8 +385,7 @@ void dp_peaks_jump(struct dp *p);
 // `share`.
 void dp_peaks_link(struct dp *p, int i, struct impact_share *share);
 
-// dp_forces.c: takes the forces that follow from drifts into their extremes, at the end of the step
-// and, if `within`, inside it.
+// dp_forces.c: the extremes of forces that follow from drifts, at its end and, if `within`, inside.
 void dp_forces_step(struct dp *p, bool within);
 
 // dp_account.c: works and impulses of steps, and the state within a step.

@@ -31,7 +31,7 @@ static void dp_forces_building(struct dp *p, const struct building *g, bool with
     for (int k = 0; k < DP_FORCES; k++) {
         dp_forces_of(p, g, x[k], p->force[k]);
     }
-    double *const *f = p->force;
+    double *const *f = p->force;  // forces, their rates and second rates, now and next
     for (int i = 0; i < g->n_force; i++) {
         const struct motion m = {
             .d = {f[0][i], f[3][i]}, .v = {f[1][i], f[4][i]}, .a = {f[2][i], f[5][i]}, .h = p->h};
