@@ -297,35 +297,38 @@ static void frame_reduce(struct plane_frame *f, const gsl_matrix *factors, doubl
     frame_symmetrise(f->stiffness, f->n_floor);
 }
 
+// Factorises the stiffness of the unknowns and condenses the frame. `x` (n_unknown).
+static int frame_solve(struct plane_frame *f, gsl_matrix *band, double *x, double *carried,
+                       struct error *e) {
+    frame_assemble(f, band);
+    for (size_t i = 0; i < band->size1; i++) {
+        x[i] = gsl_matrix_get(band, i, 0);
+    }
+    if (!frame_is_finite(x, f->n_unknown)) {
+        return frame_refuse(e);
+    }
+    const int loose = frame_factorise(band, x);
+    if (loose >= 0) {
+        return frame_report(f, loose, e);
+    }
+    frame_reduce(f, band, x, carried);
+    return frame_is_finite(f->stiffness, f->n_floor * f->n_floor) ? STATUS_OK : frame_refuse(e);
+}
+
 int frame_condense(struct plane_frame *f, struct arena *a, struct error *e) {
     const size_t n = (size_t)f->n_floor;
     bool *propped = arena_alloc(a, (size_t)f->n_joint, sizeof *propped);
     double *carried = arena_alloc(a, (size_t)f->n_line, sizeof *carried);
     f->stiffness = arena_alloc(a, n * n, sizeof *f->stiffness);
     f->force = arena_alloc(a, (size_t)f->n_member * FRAME_FORCES * n, sizeof *f->force);
-    if (arena_failed(a)) {
+    if (!propped || !carried || !f->stiffness || !f->force) {
         return error_no_memory(e);
     }
     frame_join(f, propped);
     frame_number(f, propped);
     double *x = arena_alloc(a, (size_t)f->n_unknown, sizeof *x);
-    gsl_matrix *band = gsl_matrix_calloc((size_t)f->n_unknown, frame_band(f) + 1);
-    int status = x && band ? STATUS_OK : error_no_memory(e);
-    if (status == STATUS_OK) {
-        frame_assemble(f, band);
-        for (size_t i = 0; i < band->size1; i++) {
-            x[i] = gsl_matrix_get(band, i, 0);
-        }
-        status = frame_is_finite(x, f->n_unknown) ? STATUS_OK : frame_refuse(e);
-    }
-    if (status == STATUS_OK) {
-        const int loose = frame_factorise(band, x);
-        status = loose >= 0 ? frame_report(f, loose, e) : STATUS_OK;
-    }
-    if (status == STATUS_OK) {
-        frame_reduce(f, band, x, carried);
-        status = frame_is_finite(f->stiffness, (int)(n * n)) ? STATUS_OK : frame_refuse(e);
-    }
+    gsl_matrix *band = x ? gsl_matrix_calloc((size_t)f->n_unknown, frame_band(f) + 1) : NULL;
+    const int status = band ? frame_solve(f, band, x, carried, e) : error_no_memory(e);
     gsl_matrix_free(band);
     return status;
 }

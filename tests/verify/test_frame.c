@@ -30,7 +30,6 @@ struct statics {
     const struct building *building;
     double u[16], drift[16], force[2048];
 };
-
 // Drifts and forces of the first building under these loads (n_floor).
 static struct statics statics_of(struct model *m, const double *load) {
     struct statics s = {.model = m, .building = &m->building[0]};
@@ -314,7 +313,7 @@ static void normal_forces_are_in_equilibrium_in_irregular_frames(void **state) {
     }
 }
 
-// What rows of every step say: the extremes of all forces, and the largest error of shares.
+// What rows of every step say: extremes of all forces, and the largest error of shares.
 struct watched {
     const struct model *model;
     double most[512], least[512], most_time[512], least_time[512];

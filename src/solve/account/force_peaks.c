@@ -39,9 +39,9 @@ bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct resu
 
 // How far the drifts go from their lines.
 LANES_INLINE void force_peaks_bend(const struct force_peaks *p) {
-    const int n = p->model->chain.n;
+    const ptrdiff_t n = p->model->chain.n;
     const double *end = p->drift + (p->n - 1) * n;
-    for (int i = 0; i < n; i += LANES_VECTOR) {
+    for (ptrdiff_t i = 0; i < n; i += LANES_VECTOR) {
         const lanes first = LANES_OF(p->drift, i), last = LANES_OF(end, i);
         const lanes slope = (last - first) / (p->n > 1 ? p->n - 1 : 1);
         lanes bow = WIDER * LARGER(ABSOLUTE(first), ABSOLUTE(last));
@@ -56,7 +56,7 @@ LANES_INLINE void force_peaks_bend(const struct force_peaks *p) {
 // Turns the drifts of building g so that those of a storey stand side by side.
 static void force_peaks_turn(const struct force_peaks *p, const struct building *g) {
     for (int k = 0; k < p->n; k++) {
-        const double *drift = p->drift + k * p->model->chain.n + g->first;
+        const double *drift = p->drift + (ptrdiff_t)k * p->model->chain.n + g->first;
         for (int j = 0; j < g->n_floor; j++) {
             p->turned[j * FORCES_BATCH + k] = drift[j];
         }
@@ -66,11 +66,11 @@ static void force_peaks_turn(const struct force_peaks *p, const struct building 
 // Takes force i of building g in all states of the batch.
 LANES_INLINE void force_peaks_compute(const struct force_peaks *p, const struct building *g,
                                       int i) {
-    const int stride = lanes_whole(g->n_force);
+    const ptrdiff_t stride = lanes_whole(g->n_force);
     double force[FORCES_BATCH] = {0.0};
     for (int j = 0; j < g->n_floor; j++) {
         const double by_drift = g->force_by_drift[j * stride + i];
-        const double *drift = p->turned + j * FORCES_BATCH;
+        const double *drift = p->turned + (ptrdiff_t)j * FORCES_BATCH;
         LANES_LOOP
         for (int k = 0; k < FORCES_BATCH; k++) {
             force[k] += by_drift * drift[k];
@@ -84,9 +84,9 @@ LANES_INLINE void force_peaks_compute(const struct force_peaks *p, const struct 
 // Which of four forces of building g, from i on, may exceed their extremes?
 LANES_INLINE void force_peaks_bound(const struct force_peaks *p, const struct building *g, int i,
                                     lanes_bits *beyond) {
-    const int stride = lanes_whole(g->n_force);
+    const ptrdiff_t stride = lanes_whole(g->n_force);
     const double *first = p->drift + g->first, *bow = p->bow + g->first;
-    const double *last = first + (p->n - 1) * p->model->chain.n;
+    const double *last = first + (ptrdiff_t)(p->n - 1) * p->model->chain.n;
     lanes start = {0.0}, end = {0.0}, reach = {0.0};
     for (int j = 0; j < g->n_floor; j++) {
         const lanes row = LANES_OF(g->force_by_drift + j * stride, i);

@@ -45,7 +45,7 @@ static inline void force_peaks_take(struct results *r, int i, double value, doub
 // Takes a state with displacements u, an array of core/lanes.h.
 static inline void force_peaks_note(struct force_peaks *p, const double *u, double time) {
     const struct chain *c = &p->model->chain;
-    double *drift = p->drift + p->n * c->n;
+    double *drift = p->drift + (ptrdiff_t)p->n * c->n;
     for (int i = 0; i < c->n; i++) {
         drift[i] = u[i] - c->joint[i] * u[i - 1];
     }
