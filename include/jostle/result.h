@@ -105,8 +105,9 @@ bool report_link_joins(const struct report_link *c, const char *building, int fl
 // How tables explain the mark of such a floor, and how legends name it.
 extern const char report_hit_note[], report_hit_name[];
 
-// Writes the summary an engineer reads, at most 100 columns wide. Errors of `to` are the caller's.
-void report_print(const struct report *r, FILE *to);
+// Writes the summary an engineer reads, at most 100 columns wide. Errors: STATUS_SYSTEM (no
+// memory); those of `to` are the caller's.
+int report_print(const struct report *r, FILE *to, struct error *e);
 
 // What to do where the file exists.
 enum result_existing { RESULT_KEEP, RESULT_REPLACE };
@@ -167,7 +168,7 @@ struct result_sums {
 };
 
 // Checks that the data of a result file of any kind are as they were written. Errors: STATUS_FAILED
-// (they differ, or cannot be read), STATUS_INPUT (does not exist, is not HDF5, has no checksum),
+// (they differ), STATUS_INPUT (does not exist, is not HDF5, is damaged, has no checksum),
 // STATUS_SYSTEM; they name the path.
 int result_verify(const char *path, struct result_sums *out, struct error *e);
 

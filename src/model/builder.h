@@ -49,6 +49,7 @@ struct building_draft {
     struct word *storey_word;           // (n_floor) the word that gives the law; text NULL: elastic
     double *displacement, *velocity;    // (n_floor)
     struct word *initial;               // (n_floor) the word that gives them; text NULL: at rest
+    const struct foundation *foundation;  // NULL: none
 };
 
 // The scaling of a record to a pseudo-spectral acceleration, which needs the periods of the
@@ -85,11 +86,16 @@ struct link_draft {
     bool overlap;  // an initial penetration is allowed
 };
 
+struct struck_draft {
+    struct struck_column column;
+    struct word word;  // for messages
+};
+
 struct builder {
     struct deck *deck;
     struct arena *arena;  // of the deck
     struct record_cache *records;
-    struct list buildings, grounds, links, loads;
+    struct list buildings, grounds, links, loads, columns;
     struct name_index building_index;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given

@@ -3,6 +3,8 @@
 #include "model/finish.h"
 #include "model/frame_draft.h"
 
+#include "model/struck_column.h"
+
 static int has_errors(const struct builder *b, struct error *e) {
     const struct diagnostics *found = &b->deck->diagnostics;
     if (arena_failed(b->arena) || found->out_of_memory) {
@@ -38,6 +40,7 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
     }
     int status = has_errors(b, e);
     if (status == STATUS_OK) {
+        struck_column_finish(b);
         status = finish_buildings(b, m, e);
     }
     if (status != STATUS_OK) {

@@ -28,7 +28,8 @@ static void count_steps(struct builder *b, struct model *m) {
     double ratio = m->duration / m->dt;
     double n = ceil(ratio - fmax(ROUNDING, 4.0 * DBL_EPSILON * ratio));
     if (!(n <= STEPS_MAX)) {
-        deck_error(b->deck, &b->step, "%.3g steps are too many; at most %.3g", n, STEPS_MAX);
+        deck_error(b->deck, &b->step, "%s%.3g steps are too many; at most %.3g",
+                   isinf(ratio) ? "over " : "", fmin(ratio, DBL_MAX), STEPS_MAX);
         n = 1.0;
     }
     m->n_step = n < 1.0 ? 1 : (long)n;
@@ -77,7 +78,7 @@ static double most_at_a_floor(const struct model *m, int i, enum bilateral_row w
 // stability.c derives the bound. It has no contacts, because the solver rejects steps that are too
 // long for a contact.
 double model_fastest(const struct model *m, int i) {
-    assert(i >= 0 && i < m->n_building);
+    assert(i >= 0 && i < m->n_body);
     const struct building *g = &m->building[i];
     return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + most_at_a_floor(m, i, BILATERAL_STIFFNESS));
 }
@@ -91,7 +92,7 @@ static double stable(const struct model *m) {
 static void check_stability(struct builder *b, struct model *m) {
     double limit = stable(m);
     const char *unit = b->deck->units.time_name;
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; i < m->n_body; i++) {
         const struct building *g = &m->building[i];
         double omega = model_fastest(m, i);
         if (omega * m->dt > limit) {
@@ -107,12 +108,19 @@ static void check_stability(struct builder *b, struct model *m) {
 
 // Reports a building that needs too many steps of Dormand & Prince's method.
 static void limit_explicit_steps(struct builder *b, struct model *m) {
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; i < m->n_body; i++) {
         const struct building *g = &m->building[i];
         struct stability stability = stability_of(g);
         double spring = most_at_a_floor(m, i, BILATERAL_STIFFNESS);
         double dashpot = most_at_a_floor(m, i, BILATERAL_DASHPOT);
         double limit = stability_step(&stability, spring, dashpot);
+        if (!(limit > 0.0)) {
+            deck_error(b->deck, &b->step,
+                       "building %s has a mode with negative damping, in which no adaptive step "
+                       "is stable; use integrator newmark or step fixed DT",
+                       g->name);
+            return;
+        }
         if (m->duration > ADAPTIVE_STEPS_MAX * limit) {
             const char *unit = b->deck->units.time_name;
             deck_error(b->deck, &b->step,
@@ -184,7 +192,7 @@ void finish_time(struct builder *b, struct model *m) {
             limit_explicit_steps(b, m);
         } else {
             // The longest adaptive step of Newmark's method is the longest stable one.
-            for (int i = 0; i < m->n_building; i++) {
+            for (int i = 0; i < m->n_body; i++) {
                 double omega = model_fastest(m, i);
                 m->control.longest = fmin(m->control.longest, stable(m) / omega);
             }

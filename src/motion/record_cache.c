@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 
 struct entry {
     struct entry *next;
@@ -18,7 +19,7 @@ struct entry {
 };
 
 struct record_cache {
-    pthread_mutex_t lock;  // guards all below
+    pthread_mutex_t lock;  // guards all members below
     struct entry *first;
     size_t bytes, bytes_max;
 };
@@ -49,13 +50,9 @@ void record_cache_free(struct record_cache *c) {
     free(c);
 }
 
-static bool same_text(const char *a, const char *b) {
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 static bool same(const struct record_request *a, const struct record_request *b) {
-    return strcmp(a->path, b->path) == 0 && same_text(a->format, b->format) && a->dt == b->dt &&
-           same_text(a->unit, b->unit) && a->gravity == b->gravity && a->channel == b->channel &&
+    return strcmp(a->path, b->path) == 0 && text_same(a->format, b->format) && a->dt == b->dt &&
+           text_same(a->unit, b->unit) && a->gravity == b->gravity && a->channel == b->channel &&
            a->demean == b->demean && a->plain == b->plain;
 }
 
@@ -103,7 +100,7 @@ static bool copy_request(struct arena *a, const struct record_request *request,
     return out->path && (out->format || !request->format) && (out->unit || !request->unit);
 }
 
-// Puts a copy in front.
+// Adds a copy of the record as the first entry.
 static int put(struct record_cache *c, const struct record_request *request, const struct record *r,
                struct error *e) {
     struct arena *a = arena_create();

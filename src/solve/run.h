@@ -86,9 +86,10 @@ struct run {
     // Scratch.
     struct state store[2];  // which `now` and `next` point to
     struct flight flight;
-    double *row_force;        // [F] (n_link) of a row
-    double *row_members;      // (model.n_force) of a row
-    struct meeting *meeting;  // (n_contact) of rigid impacts
+    double *row_force;              // [F] (n_link) of a row
+    double *row_members;            // (model.n_force) of a row
+    double *row_drift, *row_shear;  // [L] [F] (n_dof) the same of storeys, with any foundation
+    struct meeting *meeting;        // (n_contact) of rigid impacts
 };
 
 // In analysis.c.

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bilinear spring with hysteresis: k1 up to d = dy, then k2; it unloads with k1 down to the line k2
-// d, then along it to zero.
+// Bilinear spring with hysteresis. The force rises with k1 up to d = dy, then with k2. It unloads
+// with k1 down to the line k2 d, then along this line to zero.
 //
 //     F = k2 d + S,   S = (k1 - k2) (d - offset),   0 <= S <= (k1 - k2) dy.
 //
-// An approach renewed within one contact rises with k1 from where it is to the line of loading. The
-// offset follows by projecting S onto its limits, exactly for a path that does not turn within
-// the step; it is the largest penetration less dy while S > 0. An impact that reaches d_max > dy
-// loses (k1 - k2) dy (d_max - dy). The tangent is k1 or k2 and jumps between them.
+// The offset follows by limiting S, exactly if d does not reverse within the step. While S > 0, the
+// offset is the largest penetration minus dy. A renewed approach within one contact rises with k1
+// to the line of loading. An impact that reaches d_max > dy loses (k1 - k2) dy (d_max - dy). The
+// tangent is k1 or k2 and jumps between both.
 //
-// Muthukumar & DesRoches make k1, k2 and dy from a Hertz spring kh d^(3/2), e and an impact with
-// the velocity v0, which would reach dm by dm^(5/2) = 5 m v0^2 / (4 kh) and shall lose
-// E = (1 - e^2) m v0^2 / 2:
+// Muthukumar & DesRoches derive k1, k2 and dy from a Hertz spring kh d^(3/2), from e, and from the
+// velocity v0 of an impact. The Hertz spring reaches dm with dm^(5/2) = 5 m v0^2 / (4 kh). The
+// impact should lose E = (1 - e^2) m v0^2 / 2:
 //
 //     dy = a dm,   k1 = K + E / (a dm^2),   k2 = K - E / ((1 - a) dm^2),   K = kh sqrt(dm).
 //
-// That spring takes up more than m v0^2 / 2 on the way to dm, so the impact does not get there: an
-// e of 0.65 comes out as 0.758. With K = kh sqrt(dm) (1 + e^2) / (5/2) it does, and loses E:
-// -calibrate. k2 > 0 needs a < (3 + 2 e^2) / 5 as published, and a < 2 e^2 / (1 + e^2) then.
+// This bilinear spring needs more than m v0^2 / 2 up to dm, so the impact does not reach dm. An e
+// of 0.65 gives 0.758. With K = kh sqrt(dm) (1 + e^2) / (5/2) (-calibrate) the impact reaches dm
+// and loses E. k2 > 0 needs a < (3 + 2 e^2) / 5 as published, and a < 2 e^2 / (1 + e^2) with
+// -calibrate.
 #include <math.h>
 #include <string.h>
 
@@ -35,20 +36,20 @@ static const struct range yield_range = {
 
 static const struct row rows[N_ROW] = {
     [K1] = {"k1", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN,
-            "stiffness up to dy, and of unloading"},
-    [K2] = {"k2", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN, "stiffness beyond"},
+            "stiffness up to dy and of unloading"},
+    [K2] = {"k2", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN, "stiffness beyond dy"},
     [DY] = {"dy", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN, "yield penetration"},
     [KH] = {"kh", ROW_NUMBER, 0, OF_HERTZ_STIFFNESS, &range_positive, NAN,
-            "stiffness of a Hertz spring, which gives k1, k2 and dy with -e and -v0"},
+            "Hertz stiffness, which gives k1, k2 and dy with -e and -v0"},
     [E] = {"e", ROW_NUMBER, 0, OF_NONE, &restitution_range, NAN,
-           "coefficient of restitution, beside -kh"},
+           "coefficient of restitution, with -kh"},
     [V0] = {"v0", ROW_NUMBER, 0, OF_VELOCITY, &range_positive, NAN,
-            "velocity of the impact that delivers e, beside -kh"},
+            "velocity of the impact that delivers e, with -kh"},
     [A] = {"a", ROW_NUMBER, 0, OF_NONE, &yield_range, NAN,
-           "yield over largest penetration, beside -kh; 0.1, or less where -calibrate needs it"},
+           "dy/dm, with -kh; default: 0.1, or less if -calibrate needs less"},
 };
 
-// The given three of k1, k2, dy or of kh, e, v0.
+// True if the three values a, b and c are given.
 static bool given(const double *value, int a, int b, int c) {
     return !isnan(value[a]) && !isnan(value[b]) && !isnan(value[c]);
 }
@@ -81,7 +82,7 @@ static int check_a(const double *value, double limit, const char *formula, struc
                      value[A], value[E], formula, limit);
 }
 
-// Puts k1, k2 and dy in place of kh, e, v0 and a; `fit` is K over kh sqrt(dm).
+// Replaces kh, e, v0 and a by k1, k2 and dy. `fit` is K / (kh sqrt(dm)).
 static void apply_recipe(double *value, double m_eff, double fit) {
     double energy = 0.5 * m_eff * value[V0] * value[V0];
     double loss = energy * (1.0 - value[E]) * (1.0 + value[E]);
@@ -171,16 +172,16 @@ const struct contact_law contact_bilinear = {
     .name = "bilinear",
     .summary = "bilinear spring with hysteresis",
     .formula =
-        "F = k1 d to d = dy, then k1 dy + k2 (d - dy); unloads with k1 to k2 d, then along it; "
-        "from kh, e, v0: dy = a dm, k1 = K + E / (a dm^2), k2 = K - E / ((1 - a) dm^2), "
-        "dm = (5 m* v0^2 / (4 kh))^(2/5), E = (1 - e^2) m* v0^2 / 2, K = kh sqrt(dm)",
+        "F = k1 d up to d = dy, then k1 dy + k2 (d - dy); unloading with k1 down to k2 d, then "
+        "along k2 d. From kh, e, v0: dy = a dm, k1 = K + E / (a dm^2), k2 = K - E / ((1 - a) "
+        "dm^2), dm = (5 m* v0^2 / (4 kh))^(2/5), E = (1 - e^2) m* v0^2 / 2, K = kh sqrt(dm)",
     .source = "Muthukumar (2003), thesis, Georgia Institute of Technology, and Muthukumar & "
               "DesRoches (2006), Earthquake Eng. Struct. Dyn. 35, 811-828; two stiffnesses as in "
               "Valles & Reinhorn (1997), NCEER-97-0001",
-    .remarks = "for inelastic faces; never pulls, no jumps; what is lost, (k1 - k2) dy (d_max - "
-               "dy), depends on the velocity (needs the v0 expected), and below dy nothing is; "
-               "with -kh as published 0.65 "
-               "comes out as 0.758 at v0, exact with -calibrate",
+    .remarks = "Use it for faces that yield. Give -k1, -k2 and -dy, or give -kh, -e and the "
+               "expected velocity -v0. An impact loses (k1 - k2) dy (d_max - dy), so the "
+               "restitution depends on the velocity; below dy nothing is lost. With -kh, the "
+               "published relation delivers 0.758 for an e of 0.65 at v0; -calibrate delivers e.",
     .example = "-k1 560MN/m -k2 60MN/m -dy 0.5mm",
     .row = rows,
     .n_row = N_ROW,

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wang's law: F = k d^n + zeta d^n v while v >= 0; after that the spring is relaxed along
-//     F = f_e ((d - d_e) / (d_max - d_e))^n,   f_e = k d_max^n,   d_e = R d_max,
-// and there is no force below the residual penetration d_e.
+// Wang's law: F = k d^n + zeta d^n v while v >= 0. After this the spring relaxes along
+//     F = f_e ((d - d_e) / (d_max - d_e))^n,   f_e = k d_max^n,   d_e = R d_max.
+// Below the residual penetration d_e there is no force.
 //
-// As f_e / (d_max - d_e)^n = k / (1 - R)^n, only d_max is kept, the largest penetration of the
-// contact. With -e, zeta is q k / v0 with the q that delivers e: the approach leaves the share
-// 2 (q - ln(1 + q)) / q^2 of the energy in the spring (restitution_stored_q), of which the release
-// gives back 1 - R,
+// Only d_max, the largest penetration of the contact, is stored, because f_e / (d_max - d_e)^n = k
+// / (1 - R)^n. With -e, zeta is q k / v0. The approach stores the share 2 (q - ln(1 + q)) / q^2 of
+// the energy in the spring (restitution_stored_q), and the release returns 1 - R of this:
 //
 //     e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2,   so e^2 <= 1 - R.
 //
-// The slope of the force jumps at v = 0; the force itself does only where an approach is
-// renewed within one contact, which follows the first branch again.
+// The slope of the force jumps at v = 0. The force jumps only in a renewed approach within one
+// contact, which follows the first branch again.
 #include <math.h>
 
 #include "law/lists.h"
@@ -32,7 +31,7 @@ static const struct row rows[N_ROW] = {
     [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF | ROW_PER_LENGTH_POWER, OF_DASHPOT,
               &range_non_negative, NAN, "damping during approach"},
     [RESIDUAL] = {"residual", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &residual_range, NAN,
-                  "residual over largest penetration"},
+                  "R: residual penetration over the largest one"},
     [VMIN] = LEAST_V0_ROW,
     [N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
@@ -96,13 +95,13 @@ const struct contact_law contact_wang = {
     .formula = "F = k d^n + zeta d^n v while v >= 0; then f_e ((d - d_e) / (d_max - d_e))^n, "
                "f_e = k d_max^n, d_e = R d_max; 0 below d_e; zeta = q k / v0, "
                "e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2",
-    .source =
-        "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model for "
-        "low-speed pounding between viscoelastic materials and steel; relation with e derived here",
-    .remarks = "for viscoelastic layers against steel, and contacts that keep a dent; never pulls; "
-               "with -zeta e depends on the velocity, "
-               "with -e it is exact; e^2 <= 1 - R; an approach renewed within one contact jumps "
-               "back to the first branch",
+    .source = "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model "
+              "for low-speed pounding between viscoelastic materials and steel; the relation with "
+              "e is derived in docs/theory.md",
+    .remarks = "Use it for viscoelastic layers against steel, and for contacts that keep a dent. "
+               "With -e it delivers e exactly; with -zeta the restitution depends on the velocity. "
+               "e^2 must be <= 1 - R. If the bodies approach again within one contact, the force "
+               "jumps back to the first branch.",
     .example = "-k 2.75e9N/m^1.5 -zeta 5.5e9N*s/m^2.5 -residual 0.25",
     .row = rows,
     .n_row = N_ROW,

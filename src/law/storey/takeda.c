@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takeda's storey with a bilinear backbone, for reinforced concrete that is cracked from the start:
-// unloading softens with the drift reached, reloading aims short of it (law/peak_oriented.h).
-// Takeda, Sozen & Nielsen's own backbone has a third line, from cracking to yield.
+// Takeda's storey with a bilinear backbone, for reinforced concrete that is cracked from the start.
+// The unloading stiffness decreases with the largest drift. Reloading aims at less than the largest
+// drift (law/peak_oriented.h). The backbone of Takeda, Sozen & Nielsen has a third line, from
+// cracking to yield.
 
 #include "law/lists.h"
 #include "law/peak_oriented.h"
@@ -16,8 +17,7 @@ static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
     [HARDENING] = HARDENING_ROW,
     [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_NONE, &share, 0.4, "exponent of the unloading stiffness"},
-    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &share, 0.0,
-              "how far short of the peak reloading aims"},
+    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &share, 0.0, "reloading aims at D - beta (D - d_y)"},
 };
 
 static int takeda_prepare(const double *value, double stiffness, double *constant,
@@ -32,11 +32,10 @@ static int takeda_prepare(const double *value, double stiffness, double *constan
 
 const struct storey_law storey_takeda = {
     .name = "takeda",
-    .summary = "bilinear, unloading and reloading soften with the largest drift so far",
-    .formula =
-        "unloads with k (d_y / D)^alpha, towards the origin at most, to V = 0, then aims at D - "
-        "beta (D - d_y) on the backbone V_y + R k (drift - d_y), no stiffer than it unloads, D the "
-        "largest drift of that direction",
+    .summary = "bilinear; unloading and reloading become softer with the largest drift so far",
+    .formula = "unloading with k (d_y / D)^alpha, at most towards the origin, to V = 0; then a "
+               "straight line to D - beta (D - d_y) on the backbone V_y + R k (drift - d_y), not "
+               "stiffer than the unloading; D is the largest drift so far in that direction",
     .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
               "of Otani (1974), Univ. Illinois SRS 413",
     .row = rows,

@@ -62,8 +62,8 @@ static bool flight_is_linear(const struct link *l) {
 // must be in one block, as they are solved for together.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
-    bool possible = (m->elastic || !m->chain.full_damping) && n_link <= LINKS_MAX &&
-                    (n_link == 0 || floors->n_block == 1);
+    bool possible = (m->elastic || !m->chain.full_damping) && !m->founded &&
+                    n_link <= LINKS_MAX && (n_link == 0 || floors->n_block == 1);
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         possible =
@@ -79,7 +79,7 @@ static bool flight_is_possible(const struct model *m, const struct floors *floor
 // have their inverse?
 static bool flight_find_lines(struct flight *f, const double *history) {
     bool factorised = true;
-    for (int k = 0; k < f->model->n_building; k++) {
+    for (int k = 0; k < f->model->n_body; k++) {
         const struct effective *e = &f->work->effective[k];
         const struct building *g = e->building;
         for (int i = 0; i < g->n_floor; i++) {
@@ -116,7 +116,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
     f->force = arena_alloc(a, (size_t)f->n_link, sizeof *f->force);
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
-    f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
+    f->group_end = arena_alloc(a, (size_t)m->n_body, sizeof *f->group_end);
     f->back = lanes_array(a, m->n_dof);
     f->spring = lanes_array(a, m->n_dof);
     f->rest = lanes_array(a, m->n_dof);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "result/report_members.h"
+#include "command/report_members.h"
 
 #include <math.h>
 #include <string.h>
