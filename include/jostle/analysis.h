@@ -21,6 +21,7 @@ struct row_view {
     const double *penetration;   // [L] (n_link)
     const double *ground;        // [L/T^2] (n_ground) ground acceleration
     const double *energy;        // [F L] (ENERGY_COUNT)
+    const double *member_force;  // (model.n_force); NULL: FIELD_MEMBERS is not among the fields
 };
 
 // The energy account, relative to the ground: initial + input = kinetic + strain + damping +
@@ -118,7 +119,9 @@ struct results {
     double *residual_drift;  // (n_dof) [L] where the storeys have no shear after the end
     double *deepest;         // (n_link) [L] largest penetration of each link so far,
     double *deepest_time;    // (n_link) [T] and when
-    struct link_peak *link;  // (n_link) contacts first
+    double *force_max, *force_max_time;  // (model.n_force) forces that follow from drifts, [T]
+    double *force_min, *force_min_time;  // over every computed step, signed
+    struct link_peak *link;              // (n_link) contacts first
     struct column_peak (*column)[COLUMN_FORCE_COUNT];  // (n_column)
     struct impact *impact;                             // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;

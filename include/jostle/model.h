@@ -51,6 +51,10 @@ struct building {
     const double *part_stiffness;    // [F/L] (n_floor, n_floor) initial d shear / d drift of all
                                      // parts; NULL: there is none
     const double *part_dashpot;      // [F T/L] (n_floor, n_floor) initial d shear / d drift rate
+    int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
+                                     // index of the first among those of all buildings
+    const double *force_by_drift;    // (n_floor, n_force in whole lanes) transposed
+    bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
     double damping_beta;             // [T] and beta, of the initial stiffness; 0: none
     const struct word *damping;      // the last statement of Rayleigh damping; NULL: none
@@ -176,6 +180,7 @@ enum field {
     FIELD_FORCE = 32,
     FIELD_PENETRATION = 64,
     FIELD_ALL = 127,
+    FIELD_MEMBERS = 128,  // forces of members, and shares of parts
 };
 extern const char *const field_names[];  // in the order of the bits; NULL-terminated
 
@@ -218,6 +223,7 @@ struct model {
     const double *displacement;   // [L] (n_dof) initial, relative to the ground
     const double *velocity;       // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
+    int n_force;  // that follow from the drifts of all buildings, each in whole lanes
 
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative

@@ -6,6 +6,7 @@
 
 #include "command/choice.h"
 #include "command/printer.h"
+#include "command/report_members.h"
 #include "core/safe.h"
 #include "core/text.h"
 #include "jostle/result.h"
@@ -179,6 +180,14 @@ static void print_peaks(struct summary *s, const struct shown *shown) {
         PRINT_TABLE(s, &yielding, "residual", residuals, residual_row);
     }
     PRINT_TABLE(s, shown, "peak of", forces, force_row);
+}
+
+static void print_members(const struct summary *s, const struct shown *shown) {
+    const struct report_building *building[SHOWN_MAX];
+    for (int i = 0; i < shown->n; i++) {
+        building[i] = &s->r->building[shown->choice[i].index];
+    }
+    report_print_members(s->r, building, shown->n, s->to);
 }
 
 static bool contact_row(struct printer *t, const struct report *r, int i) {
@@ -372,6 +381,7 @@ int report_print(const struct report *r, FILE *to, struct error *e) {
     not_shown(&s, r->n_building - shown.n, "buildings", "drift");
     if (r->n_building > 0 && r->building[0].peak[0]) {
         print_peaks(&s, &shown);
+        print_members(&s, &shown);
         print_contacts(&s);
         print_links(&s);
         print_columns(&s);

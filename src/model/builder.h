@@ -39,7 +39,11 @@ struct building_draft {
     double *mass, *stiffness, *height;  // (n_floor); stiffness of shear storeys; height NULL: none
     bool any_stiffness;                 // a shear storey has a stiffness, right or wrong
     bool any_part;                      // a statement gives a part, right or wrong
+    bool any_frame, any_wall;           // the same of a frame, of a wall
     struct list parts;                  // of struct part, beside the shear storeys
+    struct frame_draft *frame;          // model/frame_draft.h; NULL: it has none
+    struct list walls;                  // of struct wall_draft
+    struct base_draft *base;            // of all lines and walls; NULL: fixed
     struct list damping;                // of struct damping_draft
     struct storey *storey;              // (n_floor)
     struct word *storey_word;           // (n_floor) the word that gives the law; text NULL: elastic

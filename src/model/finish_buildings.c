@@ -7,6 +7,7 @@
 #include "core/lanes.h"
 #include "law/lists.h"
 #include "model/finish.h"
+#include "model/forces.h"
 #include "model/foundation.h"
 #include "model/modes.h"
 #include "model/parts.h"
@@ -113,6 +114,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= s->law->n_history == 0;
         g->smooth |= s->law->n_history > 0 && !(s->law->traits & STOREY_STRAIGHT);
     }
+    forces_create(g, g->elastic, &m->n_force, b->arena);
     for (int i = 0; i < g->n_part; i++) {
         const bool linear = g->part[i].kind->traits & PART_LINEAR;
         g->elastic &= linear;

@@ -99,6 +99,16 @@ void study_table_read(const struct report *r, double *value) {
     layout_each(r, add_place, &(struct walk){.value = value});
 }
 
+const struct report_building *study_view_members(const struct study_view *v,
+                                                 const struct study_item *item) {
+    for (int i = 0; item->owner && strcmp(item->owner, "members") == 0 && i < v->n_building; i++) {
+        if (strcmp(item->parent, v->building[i].path) == 0) {
+            return &v->building[i];
+        }
+    }
+    return NULL;
+}
+
 int study_table_find(const struct study_table *t, const struct study_item *wanted) {
     for (int i = 0; i < t->n_item; i++) {
         const struct study_item *item = &t->item[i];

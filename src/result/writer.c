@@ -90,8 +90,9 @@ static int write_row(void *context, const struct row_view *row, struct error *e)
     struct result_writer *w = context;
     assert(w->n_written + (long)w->pending < w->report->n_row);
     const double *const from[SOURCE_COUNT] = {
-        row->displacement, row->velocity,    row->acceleration, row->drift,  row->storey_shear,
-        row->force,        row->penetration, &row->time,        row->ground, row->energy,
+        row->displacement, row->velocity, row->acceleration, row->drift,
+        row->storey_shear, row->force,    row->penetration,  &row->time,
+        row->ground,       row->energy,   row->member_force,
     };
     for (int i = 0; i < w->n_stream; i++) {
         const struct stream *s = &w->stream[i];
@@ -117,8 +118,11 @@ static int allocate(struct result_writer *w, const struct result_options *o, str
     }
     // Values of all streams in one row, and how many streams there are at most.
     const size_t width = (size_t)m->n_dof * FLOOR_FIELD_COUNT + 2 * (size_t)m->n_link +
-                         (size_t)m->n_ground + ENERGY_COUNT + 1;
+                         (size_t)m->n_ground + ENERGY_COUNT + 1 + (size_t)m->n_force;
     w->stream_capacity = m->n_building * FLOOR_FIELD_COUNT + 4 + m->n_ground + ENERGY_COUNT + 1;
+    for (int i = 0; i < m->n_building; i++) {
+        w->stream_capacity += 1 + m->building[i].n_part * (1 + MEMBER_FORCES);
+    }
     w->capacity = bytes_max / (width * sizeof(double));
     w->capacity = w->capacity < 1 ? 1 : w->capacity > ROWS_MAX ? ROWS_MAX : w->capacity;
     assert(w->report->n_row > 0);

@@ -5,6 +5,7 @@
 #define JOSTLE_RUN_H
 
 #include "solve/account/energy.h"
+#include "solve/account/force_peaks.h"
 #include "solve/account/impacts.h"
 #include "solve/newmark/flight.h"
 #include "solve/pace.h"
@@ -69,6 +70,7 @@ struct run {
     struct state *now, *next;
     struct energy_account energy;
     struct impact_log impacts;
+    struct force_peaks forces;
     struct results *results;
 
     // Newmark's method, in run_step_fields.
@@ -85,6 +87,7 @@ struct run {
     struct state store[2];  // which `now` and `next` point to
     struct flight flight;
     double *row_force;              // [F] (n_link) of a row
+    double *row_members;            // (model.n_force) of a row
     double *row_drift, *row_shear;  // [L] [F] (n_dof) the same of storeys, with any foundation
     struct meeting *meeting;        // (n_contact) of rigid impacts
 };

@@ -14,7 +14,14 @@ enum edp_reduction {
 };
 
 // A quantity that can be asked for. `owner` is what follows the first colon.
-enum edp_owner { EDP_OF_BUILDING, EDP_OF_CONTACT, EDP_OF_LINK, EDP_OF_COLUMN, EDP_OF_ALL };
+enum edp_owner {
+    EDP_OF_BUILDING,
+    EDP_OF_MEMBER,
+    EDP_OF_CONTACT,
+    EDP_OF_LINK,
+    EDP_OF_COLUMN,
+    EDP_OF_ALL
+};
 struct edp_quantity {
     const char *name;
     enum edp_owner owner;
@@ -42,9 +49,9 @@ struct edp {
     const struct edp_term *term;  // (n_term)
 };
 
-// Reads `text` against the file's table: NAME, NAME:BUILDING, NAME:BUILDING:FLOOR, NAME:CONTACT or
-// NAME:LINK; in names, _ stands for - too. What lasts is from `a`. Errors: STATUS_INPUT (no such
-// quantity or place, and what there is), STATUS_SYSTEM.
+// Reads `text` against the file's table: NAME, NAME:BUILDING, NAME:BUILDING:FLOOR,
+// NAME:BUILDING:MEMBER, NAME:CONTACT or NAME:LINK; in names, _ stands for - too. What lasts is from
+// `a`. Errors: STATUS_INPUT (no such quantity or place, and what there is), STATUS_SYSTEM.
 int edp_parse(const struct study_view *v, const char *text, struct arena *a, struct edp *out,
               struct error *e);
 

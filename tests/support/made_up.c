@@ -156,7 +156,8 @@ int made_up_rows(struct result_writer *w, int n, struct error *e) {
                 v[s][i] = 1000 * s + 10 * i + k / 16.0;
             }
         }
-        const struct row_view row = {0.1 * k, v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
+        const struct row_view row = {0.1 * k, v[0], v[1], v[2], v[3], v[4],
+                                     v[5],    v[6], v[7], v[8], NULL};
         int status = o.row(o.context, &row, e);
         if (status != STATUS_OK) {
             return status;

@@ -50,6 +50,12 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, events_before),
     FIELD_VALUE(struct dp, time_before),
     // Scratch.
+    FIELD_ARRAY(struct dp, force[0], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[1], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[2], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[3], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[4], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[5], FIELD_FORCES),
     FIELD_ARRAY(struct dp, reach, FIELD_LINKS),
     FIELD_ARRAY(struct dp, meeting, FIELD_LINKS),
     FIELD_ARRAY(struct dp, fastest.spring, FIELD_FLOORS),

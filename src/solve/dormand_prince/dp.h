@@ -132,6 +132,8 @@ struct dp_floors {
 };
 extern const struct dp_floors dp_narrow, dp_wide;
 
+enum { DP_FORCES = 6 };
+
 struct dp {
     const struct model *model;       // borrowed
     struct results *results;         // borrowed
@@ -168,6 +170,8 @@ struct dp {
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
+
+    double *force[DP_FORCES];  // (model.n_force) scratch of dp_forces.c
 };
 
 // dp_system.c: the branches of laws.
@@ -380,6 +384,9 @@ void dp_peaks_jump(struct dp *p);
 // Force and penetration in the step of link number i of the live ones, into its peaks and into
 // `share`.
 void dp_peaks_link(struct dp *p, int i, struct impact_share *share);
+
+// dp_forces.c: the extremes of forces that follow from drifts, at its end and, if `within`, inside.
+void dp_forces_step(struct dp *p, bool within);
 
 // dp_account.c: works and impulses of steps, and the state within a step.
 

@@ -63,6 +63,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
         return false;
     }
     floors_account_to(&r->work, &r->energy, r->results);
+    floors_forces_to(&r->work, m->n_force > 0 ? &r->forces : NULL);
     return true;
 }
 
@@ -101,6 +102,9 @@ static int run_step_commit(struct run *r) {
     r->now = r->next;
     r->next = old;
     r->results->totals.steps++;
+    if (r->model->n_force > 0) {
+        force_peaks_note(&r->forces, r->now->u, r->now->time);
+    }
     return status == STATUS_OK ? run_poll(r, r->now->time) : status;
 }
 
