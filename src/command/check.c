@@ -78,6 +78,18 @@ static int print_storeys(const struct model *m, const struct building *g) {
     return printer_close(&t);
 }
 
+// The loads of P-delta at the base, and how far the building is from buckling under them.
+static void print_pdelta(const struct building *g, const struct unit_texts *t) {
+    int most = 0;
+    for (int i = 1; i < g->n_floor; i++) {
+        most = g->theta[i] > g->theta[most] ? i : most;
+    }
+    safe_line(stdout,
+              "  P-delta: %.6g %s at the base, largest P drift / (V h) %.4g in storey %d, buckling "
+              "factor %.4g",
+              g->axial[0], t->force, g->theta[most], most + 1, g->buckling);
+}
+
 static int print_building(const struct model *m, const struct building *g,
                           const struct unit_texts *t) {
     double mass = 0.0;
@@ -99,6 +111,9 @@ static int print_building(const struct model *m, const struct building *g,
             printf(", damping %.4g %%", 100.0 * ratio);
         }
         printf("\n");
+    }
+    if (g->axial) {
+        print_pdelta(g, t);
     }
     for (int i = 0; i < g->n_part; i++) {
         safe_line(stdout, "  %s: %d x %d from %s", g->part[i].name, g->n_floor, g->n_floor,

@@ -38,7 +38,10 @@ struct building_draft {
     int n_floor;                        // 0: wrong in the deck, and reported
     double *mass, *stiffness, *height;  // (n_floor); stiffness of shear storeys; height NULL: none
     bool any_stiffness;                 // a shear storey has a stiffness, right or wrong
+    bool any_height;                    // it has -height, right or wrong
     bool any_part;                      // a statement gives a part, right or wrong
+    struct word pdelta;                 // its building word in pdelta; text NULL: no P-delta
+    double *load;                       // (n_floor) gravity loads there, for P-delta; NULL: none
     struct list parts;                  // of struct part, beside the shear storeys
     struct list damping;                // of struct damping_draft
     struct storey *storey;              // (n_floor)

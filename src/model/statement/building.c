@@ -18,7 +18,7 @@ static const struct row rows[N_ROW] = {
     [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
                    "storey stiffnesses; 0: a free body; needed unless a matrix gives stiffness"},
     [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
-                "storey heights, for drift ratios"},
+                "storey heights, for drift ratios and P-delta"},
 };
 
 // A name has letters, digits, _ - and UTF-8, because it names a group of the result file.
@@ -84,6 +84,7 @@ static void build(struct builder *b, const struct statement *s) {
         .word = s->word[1],
         .n_floor = count_floors(&a[FLOORS]),
         .any_stiffness = a[STIFFNESS].given,
+        .any_height = a[HEIGHT].given,
     };
     if (good) {
         size_t n = (size_t)d->n_floor;

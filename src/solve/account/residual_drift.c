@@ -15,6 +15,7 @@
 #include "core/arena.h"
 #include "core/root.h"
 #include "model/parts.h"
+#include "model/storey_force.h"
 #include "solve/account/peaks.h"
 
 enum { DOUBLINGS = 60, ITERATIONS_MAX = 100 };
@@ -30,7 +31,7 @@ struct unloading {
 
 static double residual_drift_shear(double drift, void *context) {
     const struct unloading *u = context;
-    return u->storey->law->respond(u->storey->constant, u->history, drift, NULL).shear;
+    return storey_respond(u->storey, u->history, drift, NULL).shear;
 }
 
 // The way back is that at the initial stiffness, or longer where the law softens or yields back.
@@ -65,8 +66,7 @@ static double residual_drift_shears(struct settling *r, const double *x) {
     parts_respond(b, r->history, x, r->still, &sums, NULL);
     for (size_t i = 0; i < r->n; i++) {
         const struct storey *storey = &r->model->storey[(size_t)b->first + i];
-        const struct storey_response own =
-            storey->law->respond(storey->constant, r->history + storey->history, x[i], NULL);
+        const struct storey_response own = storey_respond(storey, r->history, x[i], NULL);
         r->shear[i] += own.shear;
         r->tangent[i * r->n + i] += own.tangent;
     }
@@ -138,7 +138,7 @@ void residual_drifts(const struct model *m, const struct state *s, double *out) 
         }
         for (int i = b->first; i < b->first + b->n_floor; i++) {
             const struct storey *storey = &m->storey[i];
-            const struct unloading u = {storey, s->storey_history + storey->history};
+            const struct unloading u = {storey, s->storey_history};
             out[i] = storey->law->n_history == 0
                          ? 0.0
                          : fabs(residual_drift_unload(u, b->stiffness[i - b->first], s->drift[i]));

@@ -183,9 +183,11 @@ void dp_system_start(struct dp *p);
 void dp_system_branch(struct dp *p, int i, double from, double direction);
 
 // The storey below floor i: its law at `drift` with the committed history, the smallest change of
-// its drift that counts, and its shear at `drift` on its branch [F].
+// its drift that counts, its initial stiffness without P-delta, and its shear at `drift` on its
+// branch [F].
 struct storey_response dp_system_storey(const struct dp *p, int i, double drift);
 double dp_system_noise(const struct dp *p, int i);
+double dp_system_stiffness(const struct dp *p, int i);
 double dp_system_shear(const struct dp *p, int i, double drift);
 
 // How far its branch has led from its law at `now`, as a drift [L]: the sum of events that were too

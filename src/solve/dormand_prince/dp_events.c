@@ -146,7 +146,7 @@ static struct dp_event dp_link_event(const struct dp *p, int k) {
 // A line that is told from the last committed point on has a slope as wrong as that by rounding.
 static bool dp_is_on_branch(const struct dp *p, int i, double drift) {
     double change = dp_system_storey(p, i, drift).tangent - p->system.tangent[i];
-    return fabs(change) <= SAME * p->model->chain.stiffness[i];
+    return fabs(change) <= SAME * dp_system_stiffness(p, i);
 }
 
 // The drift between low and high at which the law leaves the tangent of its branch.

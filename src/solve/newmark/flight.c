@@ -87,11 +87,11 @@ static bool flight_find_lines(struct flight *f, const double *history) {
             const struct storey *s = &f->model->storey[at];
             const double *h = s->law->n_history > 0 ? history + s->history : NULL;
             const struct storey_branch b = s->law->branch(s->constant, h);
-            f->back[at] = b.back;
+            f->back[at] = b.back - s->pdelta;
             f->spring[at] = b.spring;
             f->rest[at] = b.rest;
             f->limit[at] = b.limit;
-            factorised &= g->elastic || e->tangent[i] == b.back + b.spring;
+            factorised &= g->elastic || e->tangent[i] == b.back + b.spring - s->pdelta;
         }
         factorised &= !effective_prefers_inverse(e) || effective_has_inverse(e);
     }
