@@ -170,11 +170,13 @@ struct model {
     struct chain chain;               // the same floors
     const struct storey *storey;      // (n_dof) the storey below each floor
     bool elastic;                     // every building is
-    const struct link *link;          // (n_link) contacts first (n_contact), then bilateral links
-    const struct ground *ground;      // (n_ground)
-    const struct load *load;          // (n_load)
-    const double *displacement;       // [L] (n_dof) initial, relative to the ground
-    const double *velocity;           // [L/T] (n_dof)
+    const double *collapse;           // [L] (n_dof) drift of the storey below each floor at which a
+                             // run ends, collapsed; infinite: none. NULL: no storey has one
+    const struct link *link;      // (n_link) contacts first (n_contact), then bilateral links
+    const struct ground *ground;  // (n_ground)
+    const struct load *load;      // (n_load)
+    const double *displacement;   // [L] (n_dof) initial, relative to the ground
+    const double *velocity;       // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
 
     double beta, gamma;  // Newmark

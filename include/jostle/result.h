@@ -43,6 +43,15 @@ struct report_link {
     struct link_peak peak;
 };
 
+// How a run has collapsed (struct collapse).
+struct report_collapse {
+    long happened;         // 1; 0: it has not
+    double time;           // [T] NAN: it has not
+    const char *building;  // "": it has not
+    long storey;           // from 1; 0: it has not
+    double drift;          // [L] NAN: it has not
+};
+
 // What a result file says apart from its histories.
 struct report {
     struct arena *arena;  // owns everything below
@@ -64,6 +73,7 @@ struct report {
     double initial_energy;        // [F L] kinetic, strain and contact energy at t = 0
     double residual_peak;         // [F L]
     struct totals totals;
+    struct report_collapse collapse;
 };
 
 // The report of a run from memory. `file` and `version` are copied; `r` may be NULL: before the

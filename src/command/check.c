@@ -90,6 +90,22 @@ static void print_pdelta(const struct building *g, const struct unit_texts *t) {
               g->axial[0], t->force, g->theta[most], most + 1, g->buckling);
 }
 
+// The drifts at which a run ends.
+static void print_collapse(const struct model *m, const struct building *g) {
+    double least = INFINITY, most = 0.0;
+    for (int i = g->first; m->collapse && i < g->first + g->n_floor; i++) {
+        least = fmin(least, m->collapse[i]);
+        most = isinf(m->collapse[i]) ? most : fmax(most, m->collapse[i]);
+    }
+    if (most > least) {
+        printf("  a run ends, collapsed, at a storey drift of %.4g to %.4g %s\n", least, most,
+               m->deck->units.length_name);
+    } else if (most > 0.0) {
+        printf("  a run ends, collapsed, at a storey drift of %.4g %s\n", most,
+               m->deck->units.length_name);
+    }
+}
+
 static int print_building(const struct model *m, const struct building *g,
                           const struct unit_texts *t) {
     double mass = 0.0;
@@ -115,6 +131,7 @@ static int print_building(const struct model *m, const struct building *g,
     if (g->axial) {
         print_pdelta(g, t);
     }
+    print_collapse(m, g);
     for (int i = 0; i < g->n_part; i++) {
         safe_line(stdout, "  %s: %d x %d from %s", g->part[i].name, g->n_floor, g->n_floor,
                   g->part[i].source);

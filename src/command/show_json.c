@@ -137,6 +137,7 @@ void show_json(const struct report *r, FILE *to) {
     close_list(&j, '}');
     open_list(&j, "totals", '{');
     put_members(&j, &layout_totals, r, 1);
+    put_members(&j, &layout_collapse, r, 1);
     close_list(&j, '}');
     fputs("\n}\n", to);
 }

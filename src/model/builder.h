@@ -16,6 +16,8 @@ struct list {
     int n, capacity;
 };
 
+struct selection;
+
 enum damping_kind {
     DAMPING_RATIOS,        // Rayleigh: value[0] at mode[0], value[1] at mode[1]
     DAMPING_COEFFICIENTS,  // Rayleigh: alpha, beta
@@ -84,11 +86,21 @@ struct link_draft {
     bool overlap;  // an initial penetration is allowed
 };
 
+// A limit of drift at which a run ends.
+struct collapse_draft {
+    bool is_ratio;  // of the storey height
+    double limit;   // [L] or ratio
+    int n_selection;
+    const struct selection *storeys;  // (n_selection); NULL: all
+    struct word word;
+};
+
 struct builder {
     struct deck *deck;
     struct arena *arena;  // of the deck
     struct record_cache *records;
     struct list buildings, grounds, links, loads;
+    struct list collapses;  // of struct collapse_draft
     struct name_index building_index;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given

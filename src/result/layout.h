@@ -29,6 +29,7 @@ struct column_table {
 
 extern const struct column_table layout_root;       // of struct report: attributes of /
 extern const struct column_table layout_totals;     // the same; of a study: /totals
+extern const struct column_table layout_collapse;   // the same, which earlier versions do not have
 extern const struct column_table layout_energy;     // of struct report: /energy
 extern const struct column_table layout_building;   // of struct report_building: /buildings/*
 extern const struct column_table layout_peak;       // the same: /buildings/*/envelope

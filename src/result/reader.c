@@ -76,6 +76,12 @@ static void get_attributes(struct result_file *f) {
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, r);
     }
+    // Files of earlier versions do not tell.
+    r->collapse = (struct report_collapse){.time = NAN, .building = "", .drift = NAN};
+    const bool tells = H5Aexists(f->root, layout_collapse.column[0].name) > 0;
+    for (int c = 0; tells && c < layout_collapse.n_column; c++) {
+        h5_get_member(&f->h, r->arena, f->root, &layout_collapse, c, r);
+    }
     r->n_row = (long)h5_get_length(&f->h, f->root, "time", (size_t)1 << 30);
     if (r->n_row < 1) {
         h5_fail(&f->h, "dataset 'time' has no values");

@@ -74,6 +74,18 @@ static void link_fill(struct report_link *to, const struct report *r, const stru
     };
 }
 
+static void collapse_fill(struct report_collapse *to, const struct model *m,
+                          const struct report *report, const struct collapse *c) {
+    *to = (struct report_collapse){.time = NAN, .building = "", .drift = NAN};
+    for (int k = 0; c && c->happened && k < m->n_building; k++) {
+        const int floor = c->dof - m->building[k].first;
+        if (floor >= 0 && floor < m->building[k].n_floor) {
+            *to =
+                (struct report_collapse){1, c->time, report->building[k].name, floor + 1, c->drift};
+        }
+    }
+}
+
 static void results_fill(struct report *to, const struct results *r) {
     to->n_impact = r->n_impact;
     to->impact = arena_alloc(to->arena, (size_t)r->n_impact, sizeof *to->impact);
@@ -140,6 +152,7 @@ static void model_fill(struct report *to, const struct model *m, const struct re
         struct report_link *l = i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
         link_fill(l, to, &m->link[i]);
     }
+    collapse_fill(&to->collapse, m, to, r ? &r->collapse : NULL);
     if (r) {
         results_fill(to, r);
     }

@@ -317,6 +317,10 @@ static void print_totals(const struct printer *p) {
         fprintf(p->to,
                 "\nsteps       %ld (%ld rejected, %ld split at impacts, %ld not to tolerance)\n",
                 t->steps, t->rejected, t->events, t->unsolved);
+        if (t->indefinite > 0) {
+            fprintf(p->to, "            %ld of the rejected because a stiffness was negative\n",
+                    t->indefinite);
+        }
         fprintf(p->to, "iterations  %ld\n", t->iterations);
     } else {
         fprintf(p->to, "\nsteps       %ld (%ld rejected, %ld events located)\n", t->steps,
@@ -344,6 +348,18 @@ static void print_run(const struct report *r, FILE *to) {
     }
 }
 
+static void print_collapse(const struct report *r, FILE *to) {
+    const struct report_collapse *c = &r->collapse;
+    const char *length = r->units.length_name, *time = r->units.time_name;
+    if (c->happened) {
+        safe_line(
+            to,
+            "COLLAPSED at %.6g %s: the drift of storey %ld of building %s reached %.4g %s; the "
+            "run ended there",
+            c->time, time, c->storey, c->building, fabs(c->drift), length);
+    }
+}
+
 void report_print(const struct report *r, FILE *to) {
     struct printer p = {.to = to, .r = r};
     units_init(&p);
@@ -360,6 +376,7 @@ void report_print(const struct report *r, FILE *to) {
     } else {
         fprintf(to, "adaptive steps\n");
     }
+    print_collapse(r, to);
     const struct shown_buildings s = choose_buildings(r);
     print_buildings(&p, &s);
     if (r->n_building > 0 && r->building[0].peak[0]) {

@@ -26,6 +26,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct results, deepest, FIELD_LINKS),
     FIELD_ARRAY(struct results, deepest_time, FIELD_LINKS),
     FIELD_ARRAY(struct results, link, FIELD_LINKS),
+    FIELD_VALUE(struct results, collapse),
     FIELD_VALUE(struct results, energy),
     FIELD_VALUE(struct results, initial_energy),
     FIELD_VALUE(struct results, residual_peak),

@@ -82,13 +82,14 @@ struct dp_rates {
 
 enum dp_event_kind {
     DP_NONE,
-    DP_CLOSE,   // a contact closes
-    DP_OPEN,    // or opens
-    DP_MEET,    // the bodies of a rigid contact meet
-    DP_KINK,    // the force of a closed contact has a kink
-    DP_TURN,    // the velocity of a closed contact or a damper changes its sign
-    DP_BRANCH,  // a storey comes to the end of its line
-    DP_UNLOAD,  // the drift of a yielding storey turns round
+    DP_CLOSE,     // a contact closes
+    DP_OPEN,      // or opens
+    DP_MEET,      // the bodies of a rigid contact meet
+    DP_KINK,      // the force of a closed contact has a kink
+    DP_TURN,      // the velocity of a closed contact or a damper changes its sign
+    DP_BRANCH,    // a storey comes to the end of its line
+    DP_UNLOAD,    // the drift of a yielding storey turns round
+    DP_COLLAPSE,  // a drift reaches its limit, at which the run ends
 };
 
 // What ends a step before its time.

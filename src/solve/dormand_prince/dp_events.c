@@ -29,6 +29,9 @@ static const double SAME = 1e-9;
 // The rate at which a kink comes nearer is a difference quotient over this share of the step.
 static const double PROBE = 1e-4;
 
+// A collapse is where the drift has passed its limit by this share.
+static const double COLLAPSED = 5e-10;
+
 // The kinds of events. What passes through zero is the velocity of the link or storey (`turns`), or
 // else its penetration or drift. After a correction of the instant below `located`, a share of the
 // step, the step is taken a last time: the next correction would be about its square. The instant
@@ -46,6 +49,7 @@ static const struct dp_kind {
     [DP_MEET] = {.located = 1e-7},
     [DP_BRANCH] = {.located = 1e-7, .of_storey = true},
     [DP_UNLOAD] = {.located = 1e-7, .of_storey = true, .turns = true},
+    [DP_COLLAPSE] = {.located = 1e-7, .of_storey = true},
 };
 
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
@@ -211,6 +215,26 @@ static struct dp_event dp_storey_event(const struct dp *p, int i) {
     return nothing;
 }
 
+// Where the drift of storey i reaches its limit, and passes it by less than rounding counts.
+static struct dp_event dp_collapse(const struct dp *p, int i) {
+    const struct motion m = dp_motion_floor(p, i, p->system.below[i]);
+    const double limit = p->model->collapse[i] * (1.0 + COLLAPSED);
+    const double speed = fmax(fabs(m.v[0]), fabs(m.v[1]));
+    if (fmax(fabs(m.d[0]), fabs(m.d[1])) + m.h * speed < limit) {
+        return nothing;
+    }
+    const struct motion_pieces s = dp_motion_cut(&m);
+    int n = 1;
+    while (n < s.n && fabs(s.d[n]) < limit) {
+        n++;
+    }
+    if (fabs(s.d[n]) < limit) {
+        return nothing;
+    }
+    const double sign = copysign(1.0, s.d[n]), target = sign * limit;
+    return (struct dp_event){DP_COLLAPSE, i, dp_where(&s, n - 1, target), sign, target};
+}
+
 static void dp_take_earlier(struct dp *p, struct dp_event event) {
     if (event.place < p->event.place) {
         p->event = event;
@@ -233,6 +257,9 @@ void dp_events_first(struct dp *p) {
     }
     for (int n = 0; n < p->system.n_inelastic; n++) {
         dp_take_earlier(p, dp_storey_event(p, p->system.inelastic[n]));
+    }
+    for (int i = 0; p->model->collapse && i < p->model->n_dof; i++) {
+        dp_take_earlier(p, dp_collapse(p, i));
     }
 }
 

@@ -27,7 +27,7 @@ enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
 bool ensemble_suits(const struct model *m) {
     bool suits = !m->adaptive && m->n_storey_history == 0 && !m->chain.full_damping &&
                  m->n_ground == 1 && m->n_load == 0 && m->n_link == m->n_contact &&
-                 m->n_dof <= FLOORS_MOST;
+                 m->n_dof <= FLOORS_MOST && !m->collapse;
     for (int k = 0; suits && k < m->n_link; k++) {
         suits = !m->link[k].law->rebound && link_is_plain(&m->link[k]);
     }
