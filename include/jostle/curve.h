@@ -10,8 +10,9 @@ JOSTLE_C_BEGIN
 // Numbers of one point.
 enum curve_column { CURVE_PENETRATION, CURVE_LOADING, CURVE_UNLOADING, CURVE_COLUMNS };
 
-// Points from (0, 0, 0) on. The penetration grows, the loading force does not fall and ends above
-// 0; unloading over loading force is between 0 and 1, does not fall, and ends at 1.
+// Points from (0, 0, 0) on. The penetration grows. The loading force does not decrease and ends
+// above 0. The ratio of unloading to loading force is between 0 and 1, does not decrease, and ends
+// at 1.
 struct curve {
     int n;                // at least 2
     const double *point;  // (n, CURVE_COLUMNS)

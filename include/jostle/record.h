@@ -14,19 +14,19 @@ JOSTLE_C_BEGIN
 
 struct arena;
 
-// What the user asks for.
+// The request of the user.
 struct record_request {
     const char *path;
     const char *format;  // name of a record format; NULL: found from the content
-    double dt;           // [s]; 0: the file must say it. Must agree with the file where it says it
-    const char *unit;    // "g", "m/s2", "cm/s2", "gal" ...; NULL: the file must say it
+    double dt;           // [s]; must agree with the file; 0: the file must have it
+    const char *unit;    // "g", "m/s2", "cm/s2", "gal" ...; NULL: the file must have it
     double gravity;      // value of the unit g [m/s^2]
-    int channel;         // of a file that holds several, from 1; 0: not said
+    int channel;         // from 1, in a file with several channels; 0: not given
     bool demean;         // subtract the mean of the values
     bool plain;          // values have no acceleration unit (a load history): read as printed
 };
 
-// Which part of the request an error is about.
+// The part of the request that an error concerns.
 enum record_part { RECORD_PATH, RECORD_FORMAT_NAME, RECORD_DT, RECORD_UNIT, RECORD_CHANNEL };
 
 enum { RECORD_WARNINGS_MAX = 8 };
@@ -36,16 +36,17 @@ struct record {
     size_t n;                // samples, at least 2
     double dt;               // [s]
     double unit;             // size of the file's unit [m/s^2]; 1 if plain
-    const double *value;     // (n) in the file's unit, as printed, or less their mean
-    double mean;             // that was subtracted, in the file's unit; 0: none was
+    const double *value;     // (n) in the file's unit, as printed or minus their mean
+    double mean;             // mean that was subtracted, in the file's unit; 0: none
     double peak;             // the largest absolute value
-    bool large;              // beyond any ground acceleration, which a warning says
+    bool large;              // larger than any real ground acceleration; a warning says so
     int n_warning;
     char warning[RECORD_WARNINGS_MAX][512];  // "path:line: what is odd"
 };
 
-// Reads the record; what lasts is from `a`. Errors: STATUS_INPUT with "path:line: cause",
-// STATUS_SYSTEM when the file cannot be read or memory runs out; then only out->wrong is set.
+// Reads the record; its arrays and texts are from `a`. Errors: STATUS_INPUT with "path:line:
+// cause", STATUS_SYSTEM (the file cannot be read, no memory). After an error only out->wrong is
+// set.
 int record_read(struct arena *a, const struct record_request *request, struct record *out,
                 struct error *e);
 
@@ -58,14 +59,14 @@ struct record_format {
     const char *name;  // for -format
     const char *doc;   // one line
     bool channels;     // its files hold several channels
-    bool certain;      // what it goes by is in no file of another format
+    bool certain;      // files of other formats do not have its marks
     bool plain;        // can read values without an acceleration unit
 
-    // True if the text looks like this format. Formats are asked in the order of the list, those
-    // that are certain first.
+    // True if the text looks like this format. jostle tries the formats in the order of the list,
+    // first those that are `certain`.
     bool (*matches)(const struct record_text *t);
 
-    // Reads what the file says, and no more: the request is weighed against it by record_read.
+    // Reads the statements of the file only. record_read compares them with the request.
     int (*read)(struct arena *a, const struct record_request *request, const struct record_text *t,
                 struct record_content *out, struct error *e);
 };

@@ -27,8 +27,8 @@ struct signal {
     // amplitude sin(omega (t - start) + phase); a constant has omega = 0 and phase = pi/2.
     double amplitude, omega, phase;
     const char *name;    // file name, "sine" or "constant"
-    double mean;         // that was subtracted from the samples of a record; 0: none was
-    const char *scaled;  // how a record was scaled to a spectrum, half a sentence; NULL: it was not
+    double mean;         // mean that was subtracted from the samples of a record; 0: none
+    const char *scaled;  // scaling of a record to a spectrum, a phrase; NULL: not scaled
 };
 
 // A sampled signal of n >= 2 values, scaled; integrates them exactly as a piecewise linear

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elastic response spectra of sampled ground accelerations: the largest response of a damped
-// single-degree-of-freedom oscillator, u'' + 2 zeta omega u' + omega^2 u = -a(t), at rest before
-// the first sample and left alone after the last.
+// single-degree-of-freedom oscillator, u'' + 2 zeta omega u' + omega^2 u = -a(t). It is at rest
+// before the first sample and vibrates freely after the last.
 #ifndef JOSTLE_SPECTRUM_H
 #define JOSTLE_SPECTRUM_H
 
@@ -31,11 +31,11 @@ struct spectrum_point {
 // given by samples. A period of 0 is the rigid oscillator: the ground's peak acceleration.
 struct spectrum_point spectrum_at(const struct signal *ground, double period, double zeta);
 
-// Its SPECTRUM_SV alone, which takes a third of the time, at the frequency omega > 0 [1/T].
+// SPECTRUM_SV only, at the frequency omega > 0 [1/T]. This takes a third of the time.
 double spectrum_velocity(const struct signal *ground, double omega, double zeta);
 
-// What the spectra of several records have in common, quantity by quantity: the arithmetic mean,
-// and percentiles of the sorted values, between which they are interpolated linearly.
+// Statistics of the spectra of several records, for each quantity: the arithmetic mean, and
+// percentiles of the sorted values, with linear interpolation.
 enum spectra_statistic { SPECTRA_MEAN, SPECTRA_P16, SPECTRA_P50, SPECTRA_P84, SPECTRA_STATISTICS };
 
 // Spectra of n_record records at a grid of damping ratios and periods.
@@ -44,7 +44,7 @@ struct spectra {
     const double *damping;         // (n_damping), borrowed
     const double *period;          // (n_period) [T], borrowed
     struct spectrum_point *point;  // (n_record + SPECTRA_STATISTICS, n_damping, n_period)
-    // Called for each point of each record; NULL: nothing to tell.
+    // Called for each point of each record. NULL: not called.
     void (*tell)(void *context, long n_done, long n);
     void *context;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a restoring law of a storey is: one const descriptor in one file of src/law/storey/, named
-// by one line in storey_list.inc.
+// Descriptor of a storey law: one const descriptor in one file of src/law/storey/, and one line in
+// storey_list.inc.
 #ifndef JOSTLE_STOREY_LAW_H
 #define JOSTLE_STOREY_LAW_H
 
@@ -14,7 +14,7 @@ JOSTLE_C_BEGIN
 
 enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 9, STOREY_HISTORY_MAX = 8 };
 
-// What an integrator of high order must know about a law.
+// Properties of a law that an integrator of high order uses.
 enum storey_trait {
     STOREY_STRAIGHT = 1,  // made of straight lines: the tangent is constant on a branch
 };
@@ -24,8 +24,8 @@ struct storey_response {
     double tangent;  // d shear / d drift [F/L]
 };
 
-// A straight line of a law: V = back drift + spring (drift - rest), while that spring bears no more
-// than its limit.
+// A straight line of a law: V = back drift + spring (drift - rest), valid while the force of the
+// second spring does not exceed the limit.
 struct storey_branch {
     double back, spring;  // [F/L]
     double rest;          // [L]
@@ -43,16 +43,17 @@ struct storey_law {
     int n_history;    // 0: the law is linear and elastic
     unsigned traits;  // enum storey_trait
 
-    // Values of the rows of one storey (NAN: not given) and its stiffness -> constants.
+    // Computes the constants from the values of the rows of one storey (NAN: not given) and its
+    // stiffness.
     int (*prepare)(const double *value, double stiffness, double *constant, struct error *e);
 
-    // Shear and consistent tangent at `drift`, from the committed history. `after`, unless it is
-    // NULL, becomes the history that a step which ends there commits; it may be `history` itself.
+    // Shear and consistent tangent at `drift`, from the committed history. `after` becomes the
+    // history at `drift`. It may be NULL or `history` itself.
     struct storey_response (*respond)(const double *constant, const double *history, double drift,
                                       double *after);
 
-    // The line on which the shear is, to the last bit, while the history stays as it is. NULL:
-    // there is no such line.
+    // The line of the storey as long as the history does not change; the shear on it has the bits
+    // of `respond`. NULL: the law has no such lines.
     struct storey_branch (*branch)(const double *constant, const double *history);
 
     // Recoverable energy at `drift` with the committed history [F L].

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bilateral connection: F = k d + c |v|^a sign(v), d and v of either sign. For a < 1 the slope in v
-// is infinite at v = 0.
+// Spring and damper that push and pull: F = k d + c |v|^a sign(v). d and v may have either sign.
+// For a < 1 the force has an infinite slope at v = 0.
 #include "law/bilateral.h"
 
 #include <math.h>

@@ -9,7 +9,7 @@ enum bilateral_row { BILATERAL_STIFFNESS, BILATERAL_DASHPOT, BILATERAL_EXPONENT,
 
 extern const struct row bilateral_rows[BILATERAL_ROWS];
 
-// Not in the table of contact laws: it has no contact condition, d may have either sign.
+// The law is not in the table of contact laws, because it has no contact condition.
 extern const struct contact_law bilateral_law;
 
 #endif

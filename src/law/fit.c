@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Least squares over the samples of a record,
-//     sum over i of (F_i - F(t_i - t0; k, zeta))^2 = min,
-// F the force of an isolated impact and t0 the instant of closure, by the trust-region method of
-// Levenberg and Marquardt (GSL). Jankowski (2005), Earthquake Eng. Struct. Dyn. 34, 595-611, did it
-// by hand; his normalised error is the square root of the sum over that of F = 0.
 //
-// Unknowns are the logarithms of k and zeta, which keeps them positive, and t0 over the duration of
-// the impact. Derivatives with respect to t0 are the law's, others central differences. Outside the
-// contact F is 0; where it jumps at closure or opening, the samples on both sides of the jump are
-// left out, as what they show depends on how the record was sampled and filtered. The sum then
-// jumps as closure or opening passes a sample; so the samples in contact are held during a search,
-// and searches are repeated over what they may be.
+//     sum over i of (F_i - F(t_i - t0; k, zeta))^2 = min.
 //
-// Standard errors take the residuals for white noise.
+// F is the force of an isolated impact and t0 the instant of closure. The method is the
+// trust-region method of Levenberg and Marquardt (GSL). Jankowski (2005), Earthquake Eng. Struct.
+// Dyn. 34, 595-611, fitted by hand. His normalised error is the square root of this sum over that
+// of F = 0.
+//
+// The unknowns are the logarithms of k and zeta, which keeps both positive, and t0 over the
+// duration of the impact. The derivative with respect to t0 follows from the law. The other
+// derivatives are central differences.
+//
+// Outside the contact F is 0. If F jumps at closure or opening, the samples on both sides of the
+// jump are left out, because their values depend on sampling and filtering of the record. The sum
+// then jumps when closure or opening passes a sample. So a search holds the set of samples in
+// contact, and searches are repeated over the possible sets.
+//
+// Standard errors assume that the residuals are white noise.
 #include "law/fit.h"
 
 #include <gsl/gsl_blas.h>
@@ -23,13 +28,13 @@
 
 enum { K, START, ZETA, N_UNKNOWN_MAX };  // a law without zeta has two unknowns
 
-// The unknowns start here, so that their changes are relative ones.
+// The start value of each unknown. It is not 0, so that changes are relative.
 static const double ORIGIN = 1.0;
 static const double TOLERANCE = 1e-10;    // of the unknowns, and of the gradient
-static const double DIFFERENCE = 1e-6;    // of central differences; impacts are good to 1e-12
+static const double DIFFERENCE = 1e-6;    // of central differences; impacts have errors of 1e-12
 static const double STATIONARY = 1e-6;    // largest cosine between residuals and a derivative
-static const double EXACT = 1e-9;         // of the peak: residuals that are rounding
-static const double BETTER = 1.0 - 1e-6;  // of a normalised error: not the same again
+static const double EXACT = 1e-9;         // share of the peak: residuals below are rounding errors
+static const double BETTER = 1.0 - 1e-6;  // factor of a normalised error: a real improvement
 enum { ITERATIONS_MAX = 200, ROUNDS_MAX = 20 };
 
 struct fit {
@@ -161,16 +166,16 @@ static int search(struct fit *f, struct fit_result *out, struct error *e) {
     return STATUS_OK;
 }
 
-// The normalised error at `p` with the samples in contact that really are.
+// The normalised error at `p`, with the samples that are in contact at `p`.
 static double error_at(struct fit *f, const struct fit_point *p) {
     const struct fit_request *q = f->model.q;
     gsl_vector_const_view measured = gsl_vector_const_view_array(q->force, q->n);
     return sqrt(fit_model_squares(&f->model, p)) / gsl_blas_dnrm2(&measured.vector);
 }
 
-// Searches from `from` with `held` samples in contact (NULL: none are held); *seen: those that
-// really are, in the end. True if the result is better than *out, of which the error is infinite
-// before the first.
+// Searches from `from` with the samples `held` in contact (NULL: no samples are held). *seen: the
+// samples that are in contact at the end of the search. True if the result is better than *out.
+// Before the first search, the error of *out is infinite.
 static bool improve(struct fit *f, const struct fit_point *from, const struct fit_samples *held,
                     struct fit_samples *seen, struct fit_result *out) {
     struct fit_result r;
@@ -193,7 +198,7 @@ static bool improve(struct fit *f, const struct fit_point *from, const struct fi
     return true;
 }
 
-// Takes and leaves single samples at either end as long as that helps.
+// Adds and removes single samples at both ends of the contact while this improves the fit.
 static void improve_edges(struct fit *f, struct fit_samples best, struct fit_result *out) {
     bool improved = true;
     for (int i = 0; i < ROUNDS_MAX && improved; i++) {
@@ -212,8 +217,9 @@ static void improve_edges(struct fit *f, struct fit_samples best, struct fit_res
     }
 }
 
-// Where the force jumps: the best result over the samples that may be in contact. Those that are in
-// one result are held in the next search, then those around are tried. False: none is found.
+// The fit of a law whose force jumps: the best result over the possible sets of samples in contact.
+// A search holds the samples that are in contact in the result before. Then sets that differ by
+// single samples are tried. False: no result.
 static bool search_samples(struct fit *f, struct fit_result *out) {
     const struct fit_point from = f->start;
     struct fit_samples next = f->model.contact;

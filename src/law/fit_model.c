@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double JUMP = 1e-6;  // of the peak
+static const double JUMP = 1e-6;  // share of the peak force
 enum { SAMPLES_MIN = 6, SAMPLES_MAX = 10000000 };
 
-// Has the law a stiffness that can be fitted?
+// True if the law has a stiffness that can be fitted.
 static bool is_possible(const struct contact_law *law) {
     int k = contact_law_row(law, "k");
     return law->force && k >= 0 && law->row[k].kind == ROW_NUMBER;
@@ -99,7 +99,7 @@ bool fit_model_note_jumps(struct fit_model *m) {
     return m->jumps_closing || m->jumps_opening;
 }
 
-// Takes the samples on both sides of a jump, of which `inner` is the one in contact, as measured.
+// Gives the samples on both sides of a jump their measured values. `inner` is the one in contact.
 static void leave_out(struct fit_model *m, size_t inner, size_t outer) {
     const size_t n = m->q->n;
     if (inner < n && outer < n) {
@@ -136,8 +136,8 @@ void fit_model_predict(struct fit_model *m, const struct fit_point *p,
         return;
     }
     if (held) {
-        // The samples up to `first` continue the force at closure, those from `end` on that at
-        // opening, as far as they are held. The others have none.
+        // Held samples before `first` continue the force at closure. Held samples from `end` on
+        // continue the force at opening. All other samples outside the contact have no force.
         for (size_t i = 0; i < m->q->n; i++) {
             const bool before = i < m->contact.first;
             const bool in = i >= held->first && i < held->end;
@@ -170,25 +170,25 @@ double fit_model_squares(struct fit_model *m, const struct fit_point *p) {
     return sum;
 }
 
-// Whether masses, velocity and record agree. The impulse J of the contact force takes the effective
-// mass m from the approach velocity v to -e v, so that e = J / (m v) - 1, and 0 <= e <= 1 where the
-// impact creates no energy (Goldsmith 1960, Impact, chapter 2).
+// Checks that masses, velocity and record are consistent. The impulse J of the contact force
+// changes the velocity of the effective mass m from v to -e v, so e = J / (m v) - 1. An impact that
+// creates no energy has 0 <= e <= 1 (Goldsmith 1960, Impact, chapter 2).
 //
-// J is taken by the trapezoidal rule from the peak to the first sample <= 0 on either side. Its
-// edges are known to half a sampling interval, where the force may jump. A record that is cut off
-// there has a smaller J, and e is then only known not to exceed 1.
+// J is computed with the trapezoidal rule, from the peak to the first sample <= 0 on both sides.
+// Each end of the pulse is known to half a sampling interval, because the force may jump there. If
+// the record cuts the pulse off, J is too small. Then only e <= 1 can be checked.
 
-static const double MEASURING_ERROR = 0.02;  // relative, of masses, velocities and forces together
-static const double CUT = 0.05;              // of the peak: more at an end of the record is cut off
+static const double MEASURING_ERROR = 0.02;  // relative, of mass, velocity and forces
+static const double CUT = 0.05;              // share of the peak: more at an end is a cut
 
 // The pulse around the peak.
 struct pulse {
     size_t first, last;  // samples > 0
     double impulse;
-    double edges;  // by which the impulse may be off at both ends
+    double edges;  // possible error of the impulse from both ends
 };
 
-// The force at an end of the record that the pulse reaches, over the peak.
+// The force at an end of the record over the peak, if the pulse reaches this end.
 static double cut_at(const struct fit_request *q, size_t end, size_t edge, double peak) {
     return edge == end && q->force[edge] > CUT * peak ? q->force[edge] / peak : 0.0;
 }
@@ -209,7 +209,7 @@ int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct 
     for (size_t i = p.first; i < p.last; i++) {
         p.impulse += (q->force[i] + q->force[i + 1]) / 2.0 * (q->time[i + 1] - q->time[i]);
     }
-    // Beyond the ends the force goes to 0 within one interval.
+    // Beyond the ends of the pulse the force decreases to 0 within one interval.
     const double before = p.first > 0 ? q->time[p.first] - q->time[p.first - 1] : 0.0;
     const double behind = p.last + 1 < q->n ? q->time[p.last + 1] - q->time[p.last] : 0.0;
     p.edges = (q->force[p.first] * before + q->force[p.last] * behind) / 2.0;

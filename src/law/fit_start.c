@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the search for the best parameters starts. The impulse of the pulse is m v (1 + e), which
-// gives the restitution e and with it zeta; the peak gives k; the centroid of the pulse gives the
-// instant of closure. Where the force jumps, the sum of squares jumps as the instant of closure
-// passes a sample, and the best instant is found by a scan.
+// Start of the search for the best parameters. The impulse of the pulse is m v (1 + e), which gives
+// e and so zeta. The peak gives k. The centroid of the pulse gives the instant of closure. If the
+// force jumps, the sum of squares jumps when closure passes a sample. Then a scan finds the best
+// instant.
 #include <math.h>
 
 #include "core/root.h"
 #include "law/fit_model.h"
 
-static const double PULSE = 0.05;            // of the peak: where the pulse ends
-static const double STIFF = 70.0;            // logarithm of a k beyond any, in SI
-static const double LITTLE_DAMPING = -3.0;   // logarithm of a zeta with which bodies part
-static const double RESTITUTION_MIN = 0.05;  // of a start
-static const double DAMPED = 0.95;           // of the restitution without damping: as near to it
-static const double SCAN = 0.25;             // of the duration, to both sides
+static const double PULSE = 0.05;            // share of the peak at which the pulse ends
+static const double STIFF = 70.0;            // logarithm of a k above all real ones, in SI
+static const double LITTLE_DAMPING = -3.0;   // logarithm of a zeta at which bodies separate
+static const double RESTITUTION_MIN = 0.05;  // smallest restitution
+static const double DAMPED = 0.95;           // largest restitution, over that without damping
+static const double SCAN = 0.25;             // half width of the scan, as a share of the duration
 enum { SCAN_POINTS = 16, SCANS = 3, SCAN_SHRINKS = 8, STEPS_MAX = 300 };
 
 // The first moments of a force over time, by the trapezoidal rule.
 struct moments {
     double impulse, moment;
-    double time, force;  // of the point before
+    double time, force;  // of the previous point
     int n;
 };
 
@@ -40,10 +40,10 @@ static void add_point(void *context, const struct isolated_point *p) {
 struct search {
     struct fit_model *model;
     struct fit_point at;
-    double restitution;  // wanted
+    double restitution;  // required
 };
 
-// Peak force less that of the record, over the logarithm of k.
+// Peak force minus the peak force of the record, as a function of the logarithm of k.
 static double excess_force(double log_k, void *context) {
     const struct search *s = context;
     struct fit_point p = s->at;
@@ -54,7 +54,8 @@ static double excess_force(double log_k, void *context) {
                                                                      : NAN;
 }
 
-// Restitution less that wanted, over the logarithm of zeta. Bodies that do not part have none.
+// Restitution minus the required one, as a function of the logarithm of zeta. Bodies that do not
+// separate have the restitution 0.
 static double excess_restitution(double log_zeta, void *context) {
     const struct search *s = context;
     struct fit_point p = s->at;
@@ -66,8 +67,8 @@ static double excess_restitution(double log_zeta, void *context) {
                : -s->restitution;
 }
 
-// Root of a function of a logarithm, searched from `near`: upwards while it is negative if it rises
-// (`rise` 1) or downwards (-1), else the other way. NAN: none.
+// Root of a function of a logarithm. The function rises (`rise` 1) or falls (-1) with its argument.
+// The search starts at `near` and goes to the side on which the root must be. NAN: no root.
 static double solve(double (*function)(double x, void *context), struct search *s, double near,
                     double rise) {
     const double sign = function(near, s) > 0.0 ? 1.0 : -1.0;
@@ -83,15 +84,16 @@ static double solve(double (*function)(double x, void *context), struct search *
     return NAN;
 }
 
-// The logarithm of the k that gives the peak. A bumper with a limit may have a larger peak with a
-// small k, with which the limit is passed, than with a larger one: then it is searched from above.
+// The logarithm of the k that gives the peak. A bumper has a limit of penetration. With a small k
+// the penetration may exceed this limit, and the peak may be larger than with a larger k. Then the
+// search starts from above.
 static double find_stiffness(struct search *s) {
     double log_k = solve(excess_force, s, 0.0, 1.0);
     return isfinite(log_k) ? log_k : solve(excess_force, s, STIFF, 1.0);
 }
 
-// k and zeta from peak and restitution. With much damping the peak may be too large for any k: then
-// that without damping is as good a start.
+// k and zeta from peak and restitution. With strong damping the peak may be too large for every k.
+// Then the k without damping is the start.
 static int find_parameters(struct search *s, double rebound, struct error *e) {
     struct isolated_impact i;
     s->at.k = exp(find_stiffness(s));
@@ -109,7 +111,7 @@ static int find_parameters(struct search *s, double rebound, struct error *e) {
     return STATUS_OK;
 }
 
-// Moves the instant of closure to where the sum of squares is smallest.
+// Moves the instant of closure to the smallest sum of squares.
 static void scan(struct fit_model *m, struct fit_point *p, double width) {
     double least = fit_model_squares(m, p);
     for (int round = 0; round < SCANS; round++, width /= SCAN_SHRINKS) {

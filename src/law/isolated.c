@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Integrates x'' = -F in units of the approach velocity v0, the effective mass m and a length L at
-// which the law's force is about m v0^2 / L, by the Runge-Kutta method of Prince & Dormand, 8(7),
-// of the GSL.
+// Integrates x'' = -F with the Runge-Kutta method of Prince & Dormand, 8(7), of the GSL. The units
+// are the approach velocity v0, the effective mass m and a length L at which the force of the law
+// is about m v0^2 / L.
 //
-// Laws change their branch at v = 0, so an impact is a sequence of phases of approach and release.
-// Within a phase the law sees velocities of its sign only; a step that leaves the phase, by v = 0
-// or d = 0, is taken again with the length that ends there, and the history is committed. First
-// steps are tiny, for laws whose force has an infinite slope at closure. Peaks of the force inside
-// a step are found by its rate dF/dt = dF/dd v - dF/dv F/m.
+// Laws change their branch at v = 0. So an impact is a sequence of phases of approach and release.
+// Within a phase, the law is evaluated only at velocities of the sign of the phase. A step that
+// passes v = 0 or d = 0 is taken again with the length that ends there. Then the history is
+// committed. The first steps are very short, because the force of some laws has an infinite slope
+// at closure. The root of dF/dt = dF/dd v - dF/dv F/m gives the peak of the force within a step.
 //
 // Impulse and energy follow from the velocities: m (v0 + v1) and m (v0^2 - v1^2) / 2.
 #include "law/isolated.h"
@@ -21,21 +21,21 @@
 
 #include "core/root.h"
 
-enum { DEPTH, SPEED, N_STATE };  // of the state, in units of L and v0
+enum { DEPTH, SPEED, N_STATE };  // penetration and velocity in units of L and v0
 
 // Tolerance of a step, and the first and the longest one in units of L / v0.
 struct accuracy {
     double tolerance, first_step, longest_step;
-    bool peaks;  // are they wanted?
+    bool peaks;  // true: finds the peak of the force
 };
 static const struct accuracy full = {1e-13, 1e-12, 0.02, true}, rough = {1e-8, 1e-4, 0.2, false};
 
-static const double JUMP = 1e-9;  // of the peak force: what is shown on both sides
+static const double JUMP = 1e-9;  // share of the peak force: a larger jump gives two points
 enum { STEPS_MAX = 200000 };
 
 enum phase { APPROACH, RELEASE };
 
-// An impact under way.
+// An impact in progress.
 struct flight {
     const struct contact_law *law;
     const double *constant;
@@ -48,7 +48,7 @@ struct flight {
     gsl_odeiv2_step *step;
     gsl_odeiv2_control *control;
     gsl_odeiv2_evolve *evolve;
-    double time, state[N_STATE];    // now, time in units of L / v0
+    double time, state[N_STATE];    // present instant, in units of L / v0
     double before, start[N_STATE];  // at the start of the last step
     double next_step;
 
@@ -78,7 +78,7 @@ static double force_rate(const struct flight *f, const double *state) {
     return r.dfdd * f->velocity * state[SPEED] - r.dfdv * r.force / f->mass;
 }
 
-// The last step again, with length h, into `state`.
+// Takes the last step again with length h, into `state`.
 static void retake(const struct flight *f, double h, double *state) {
     double error[N_STATE];
     memcpy(state, f->start, sizeof f->start);
@@ -106,7 +106,7 @@ static double force_rate_after(double h, void *context) {
     return force_rate(context, state);
 }
 
-// Length of the last step at which `function` passes zero.
+// The length of the last step at which `function` passes zero.
 static double locate(struct flight *f, double (*function)(double h, void *context)) {
     return root_find(function, f, 0.0, f->time - f->before, DBL_EPSILON);
 }
@@ -131,7 +131,7 @@ static struct isolated_point point_at(const struct flight *f, double time, const
     };
 }
 
-// Shows the instants asked for that lie in the last step.
+// Calls the observer for the requested instants in the last step.
 static void show_samples(struct flight *f) {
     const struct isolated_observer *o = f->observer;
     for (; f->n_sampled < o->n_time; f->n_sampled++) {
@@ -151,7 +151,7 @@ static void show(const struct flight *f) {
     f->observer->point(f->observer->context, &point);
 }
 
-// Accepts the state: its peak, its history, and whoever looks.
+// Accepts the state: peak, history, observer.
 static void accept(struct flight *f) {
     if (f->accuracy->peaks) {
         note_peak(f);
@@ -168,7 +168,7 @@ static void accept(struct flight *f) {
     }
 }
 
-// Goes over to the other phase, where the force may jump.
+// Changes to the other phase. The force may jump here.
 static void turn(struct flight *f) {
     const double before = response(f, f->state).force;
     f->phase = f->phase == APPROACH ? RELEASE : APPROACH;
@@ -177,7 +177,7 @@ static void turn(struct flight *f) {
     }
 }
 
-// Cuts the last step where `function` passes zero. False: not found.
+// Shortens the last step to the zero of `function`. False: not found.
 static bool cut(struct flight *f, double (*function)(double h, void *context)) {
     double h = locate(f, function);
     retake(f, h, f->state);
@@ -186,7 +186,7 @@ static bool cut(struct flight *f, double (*function)(double h, void *context)) {
     return isfinite(f->state[DEPTH]) && isfinite(f->state[SPEED]);
 }
 
-// One step, at most to the end of the phase. *parted: it ended at d = 0.
+// Takes one step, at most to the end of the phase. *parted: the step ended at d = 0.
 static bool advance(struct flight *f, bool *parted) {
     f->before = f->time;
     memcpy(f->start, f->state, sizeof f->state);
@@ -228,7 +228,7 @@ static int fly(struct flight *f, struct error *e) {
     return STATUS_OK;
 }
 
-// A power of 2 near the L with F(L) L = m v0^2; 0 where the law has no such L.
+// A power of 2 near the L with F(L) L = m v0^2. 0: the law has no such L.
 static double find_length(const struct flight *f) {
     double energy = f->mass * f->velocity * f->velocity;
     double length = 1.0;
@@ -264,7 +264,7 @@ static bool allocate(struct flight *f) {
     return f->step && f->control && f->evolve;
 }
 
-// An impact without a force is over at once.
+// An impact under a law without a force has no duration.
 static void rigid(const struct contact_law *law, const double *constant, double mass,
                   double velocity, const struct isolated_observer *observer,
                   struct isolated_impact *out) {
@@ -281,8 +281,8 @@ static void rigid(const struct contact_law *law, const double *constant, double 
     }
 }
 
-// The impact of a flight of which the law, its constants, mass and velocity are given, and how it
-// is to be followed.
+// Computes the impact of a flight. Its law, constants, mass and velocity are given, and whether
+// peaks and an observer are needed.
 static int follow(struct flight *f, struct isolated_impact *out, struct error *e) {
     f->state[SPEED] = f->start[SPEED] = 1.0;
     f->next_step = f->accuracy->first_step;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A storey is remembered by the point from which it was last unloaded, and by the largest drift
-// either way. From that point the unloading line leads down to zero shear, where the other side
-// begins. As long as a storey moves on that line, up or down, nothing has to be remembered; nor
-// before its first yielding.
+// The history of a storey is the point of the last unloading and the largest drift to each side.
+// From this point the unloading line leads to zero shear, where the other side begins. The history
+// does not change before the first yield, nor while the storey moves on the unloading line.
 #include "law/peak_oriented.h"
 
 #include <assert.h>
@@ -10,9 +9,9 @@
 #include <stdbool.h>
 #include <string.h>
 
-// The point of the last unloading; of either side the part of the largest drift that is beyond
-// yield, and by which share its unloading stiffness is below the initial one. That share follows
-// from the largest drift; it is kept because a power is slow to compute.
+// TURN_*: point of the last unloading. RIGHT, LEFT: largest drift minus the yield drift.
+// SOFTENING_*: 1 - unloading stiffness / initial stiffness. The softening follows from the largest
+// drift. It is stored because pow is slow.
 enum { TURN_DRIFT, TURN_SHEAR, RIGHT, LEFT, SOFTENING_RIGHT, SOFTENING_LEFT };
 static_assert(SOFTENING_LEFT + 1 == PEAK_ORIENTED_HISTORY, "every value of the history has a name");
 
@@ -27,8 +26,7 @@ int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *c
     return STATUS_OK;
 }
 
-// At zero shear the drift is not on the other side of zero: else reloading would have to start
-// beyond its target.
+// Unloading must not cross the origin: otherwise reloading would start beyond its target.
 static double peak_oriented_softening(const double *c, double largest) {
     double alpha = c[PEAK_ORIENTED_ALPHA];
     if (alpha == 0.0) {
@@ -54,9 +52,9 @@ struct side {
     const double *constant;
     double sign;
     bool right;
-    double beyond;                  // yield, of the largest drift
-    double unloading;               // stiffness
-    double turn_drift, turn_shear;  // where it was last unloaded
+    double beyond;                  // largest drift minus yield drift
+    double unloading;               // unloading stiffness
+    double turn_drift, turn_shear;  // point of the last unloading
 };
 
 static struct side peak_oriented_side(const double *c, const double *h, bool right) {
@@ -73,7 +71,7 @@ static struct side peak_oriented_side(const double *c, const double *h, bool rig
     };
 }
 
-// From the turning point straight to the target, and along the backbone.
+// From the point of unloading on a straight line to the target, then along the backbone.
 static struct storey_response peak_oriented_reload(const struct side *s, double drift) {
     const double *c = s->constant;
     const double target = c[PEAK_ORIENTED_YIELD_DRIFT] + (1.0 - c[PEAK_ORIENTED_BETA]) * s->beyond;
@@ -91,7 +89,7 @@ static struct storey_response peak_oriented_reload(const struct side *s, double 
     return line < r.shear || drift < target ? (struct storey_response){line, stiffness} : r;
 }
 
-// Makes the end of a path that has reloaded the turning point.
+// Stores the end of a path that has reloaded as the point of the last unloading.
 static void peak_oriented_arrive(const struct side *s, double drift, double shear, double *h) {
     const double beyond = drift - s->constant[PEAK_ORIENTED_YIELD_DRIFT];
     h[TURN_DRIFT] = s->sign * drift;

@@ -19,7 +19,7 @@ double restitution_lankarani_nikravesh(double e) {
     return 0.75 * (1.0 - e * e);
 }
 
-// q (1 + e) - ln(1 + q) + ln(1 - e q), by ln(1 + x) - x so that small q lose no digits.
+// q (1 + e) - ln(1 + q) + ln(1 - e q), written with ln(1 + x) - x: small q then lose no digits.
 static double exact_q_residual(double q, void *context) {
     double e = *(const double *)context;
     return gsl_sf_log_1plusx_mx(-e * q) - gsl_sf_log_1plusx_mx(q);
@@ -37,15 +37,15 @@ double restitution_exact_q(double e) {
     return root_find(exact_q_residual, &e, low, high, 4.0 * DBL_EPSILON);
 }
 
-// Half the share less half the one wanted, by ln(1 + q) - q so that small q lose no digits.
+// (share(q) - required share) / 2, written with ln(1 + q) - q: small q then lose no digits.
 static double stored_residual(double q, void *context) {
     double share = *(const double *)context;
     return -gsl_sf_log_1plusx_mx(q) / (q * q) - share / 2.0;
 }
 
 double restitution_stored_q(double share) {
-    double low = 1.5 * (1.0 - share);  // the share is above 1 - 2 q / 3
-    double high = 2.0 / share;         // and below 2 / q
+    double low = 1.5 * (1.0 - share);  // because share > 1 - 2 q / 3
+    double high = 2.0 / share;         // because share < 2 / q
     if (low == 0.0 || !(stored_residual(low, &share) > 0.0)) {
         return low;
     }
@@ -68,7 +68,7 @@ double restitution_release_q(double e) {
                : high;
 }
 
-// a / tan a with cos a = zeta; a series in tan^2 a where both vanish.
+// a / tan a with cos a = zeta. Where a and tan a tend to 0, a series in tan^2 a.
 static double phase_over_tangent(double zeta) {
     double square = (1.0 - zeta) * (1.0 + zeta);
     double x = square / (zeta * zeta);

@@ -31,28 +31,29 @@ double restitution_kelvin_voigt(double e);
 // near e = 1: a requested e of 0.65 gives 0.7748.
 double restitution_lankarani_nikravesh(double e);
 
-// The q > 0 of F = k d^n (1 + q v / v0) that delivers e, whatever n is; from the energies at the
-// turning point of both halves of the impact,
+// The q > 0 of F = k d^n (1 + q v / v0) that delivers e, for every n. The energies of approach and
+// release at the largest penetration give
 //     q (1 + e) = ln((1 + q) / (1 - e q)),   q < 1 / e.
 // NAN: no memory.
 double restitution_exact_q(double e);
 
-// The q >= 0 of an approach under F = k d^n (1 + q v / v0), whatever n is, after which the spring
-// holds the share s of the energy, 0 < s <= 1:
+// The q >= 0 of an approach under F = k d^n (1 + q v / v0), for every n, after which the spring has
+// the share s of the energy, 0 < s <= 1:
 //     s = 2 (q - ln(1 + q)) / q^2.
 // NAN: no memory.
 double restitution_stored_q(double share);
 
-// The q > 0 of a release under F = f(d) (1 + q v / v0), v < 0, after an elastic approach under any
-// spring f, that delivers e:
+// The q > 0 of a release under F = f(d) (1 + q v / v0), v < 0, that delivers e. The approach before
+// it is elastic, under any spring f:
 //     ln(1 - e q) + e q + q^2 / 2 = 0,   q < 1 / e.
 // NAN: no memory.
 double restitution_release_q(double e);
 
-// Damping ratio of a linear dashpot that delivers e when it acts during approach only, or where it
-// does not pull. With zeta = cos a the approach ends after the phase a at the penetration
-// exp(-a / tan a), which gives e = exp(-a / tan a); without tension the release is the approach
-// backwards, and e = exp(-2 a / tan a). For zeta > 1, a is imaginary. NAN: no memory.
+// Damping ratio of a linear dashpot that delivers e if the dashpot acts during approach only, or if
+// the contact does not pull. With zeta = cos a the approach ends after the phase a at the
+// penetration exp(-a / tan a). A release without dashpot gives e = exp(-a / tan a). A release
+// without tension mirrors the approach: e = exp(-2 a / tan a). For zeta > 1, a is imaginary. NAN:
+// no memory.
 double restitution_approach(double e);
 double restitution_no_tension(double e);
 
@@ -62,9 +63,9 @@ double restitution_ratio(double e, double zeta, double (*relation)(double e));
 // The damping ratio with which a law delivers a given coefficient of restitution.
 
 // The value of row `zeta` with which an isolated impact has the restitution e. The impact has k, m
-// and v0 equal to 1; other rows have their fallback. For the `exact` of a law whose restitution
-// depends only on zeta and falls with it. The search starts at `guess` > 0. NAN: no such value was
-// found, or no memory.
+// and v0 equal to 1. Other rows have their default. Use it as `exact` of a law whose restitution
+// depends only on zeta and falls with zeta. The search starts at `guess` > 0. NAN: no such value
+// was found, or no memory.
 double calibrate_by_impact(const struct contact_law *law, double e, double guess);
 
 #endif

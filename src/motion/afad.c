@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// AFAD (formerly NSMN), Turkey: three channels side by side. A header of 18 lines, which need not
-// be UTF-8; these are read:
+// AFAD (formerly NSMN), Turkey: three channels side by side. The header has 18 lines, which need
+// not be UTF-8. These lines are read:
 //
 //     STRONG GROUND MOTION RECORDS OF TURKIYE
 //     NUMBER OF DATA          : 28683
@@ -8,7 +8,7 @@
 //     RAW PGA VALUES (gal)    : (N-S) 13.200332 (E-W) 12.163827 (U-D) 9.840572
 //            N-S          E-W          U-D       the last line: names of the channels
 //
-// Then a row of values for each time. Their unit is that of the largest values.
+// A row of values for each time follows. The unit of the values is that of RAW PGA VALUES.
 //
 // Source: files of https://tadas.afad.gov.tr; the reader of gmprocess (USGS) for NSMN.
 #include <string.h>
@@ -29,7 +29,7 @@ static bool afad_matches(const struct record_text *t) {
     return false;
 }
 
-// Steps to the line with the names of the channels, the last of the header.
+// Goes to the line with the names of the channels, the last line of the header.
 static bool find_names(struct lines *l, struct channels *c) {
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
         struct piece rest = l->line;
@@ -44,8 +44,8 @@ static bool find_names(struct lines *l, struct channels *c) {
     return false;
 }
 
-// The unit, in brackets in the key of the largest values, and that of the channel, behind its name
-// in brackets.
+// The unit, in brackets in the key of the largest values; and the largest value of the channel,
+// behind its name in brackets.
 static int read_peak(const struct record_request *request, const struct header *h,
                      struct piece name, struct record_content *out, struct error *e) {
     struct header_entry peaks;

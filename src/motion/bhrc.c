@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BHRC, Iran (ISMN): volume 1 (volume1.h) with accelerations (10E13.6). Its lines 1, 7, 11, 12 and
-// the last:
+// BHRC, Iran (ISMN): volume 1 (volume1.h) with accelerations (10E13.6). Lines 1, 7, 11, 12 and the
+// last line:
 //
 //     * VOL1DS FILE:  5529/01
 //     COMP L1
@@ -8,7 +8,7 @@
 //     UNITS ARE SECONDS AND G/10
 //     /&
 //
-// Its headers of numbers are cut off at 70 characters.
+// The headers of numbers are cut off at 70 characters.
 //
 // Source: files of BHRC; the reader of gmprocess (USGS) for them.
 #include "motion/volume1.h"

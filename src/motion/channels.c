@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of several channels: the choice of a channel, and channels that are columns of rows.
+// Files of several channels: the choice of a channel, and files in which each channel is a column.
 #include "motion/channels.h"
 
 #include <assert.h>
@@ -91,8 +91,8 @@ static int read_row(const struct record_text *t, const struct channel_rows *rows
     return status;
 }
 
-// True if the rows behind the stated number are the same as the last of them, with which some
-// recorders fill up.
+// True if all rows after the stated number equal the last of them. Some recorders fill files this
+// way.
 static bool is_filling(const struct channel_rows *rows) {
     struct lines l = rows->from;
     for (double i = 0; i < rows->stated; i++) {

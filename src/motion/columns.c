@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One column of values, or times and then one or more columns of values, which are the channels of
-// the file, separated by blanks, tabs, commas or semicolons. Lines that begin with # % ! * or //
-// are comments and stand above or below the numbers; a # with a blank behind it opens a comment in
-// a line of numbers. Lines of text may stand above the numbers; the last one may give the units in
-// brackets: `time (s),acceleration (g)`.
+// One column of values, or a column of times and one or more columns of values. Each column of
+// values is a channel. Spaces, tabs, commas or semicolons separate columns. A line that begins with
+// # % ! * or // is a comment. Comments are above or below the numbers. In a line of numbers, a #
+// before a space begins a comment. Lines of text may be above the numbers. The last of them may
+// give the units in brackets: `time (s),acceleration (g)`.
 //
-// Times must grow in even steps. The step is the mean one, with the fewest digits that give it to
-// 1e-12, which takes away no more than the noise of the division. A time may lie TIME_ERROR_MAX
+// Times must ascend in equal steps. The step is the mean step, with the fewest digits that give it
+// to 1e-12. This rounding removes only the error of the division. A time may be TIME_ERROR_MAX
 // steps off the even grid, because times are often printed with few digits.
 #include <math.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@
 #include "motion/table.h"
 #include "motion/values.h"
 
-// In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
+// In steps. Times of 256 samples a second with three printed decimals are 0.13 steps off.
 static const double TIME_ERROR_MAX = 0.2;
 
 static bool columns_matches(const struct record_text *t) {
@@ -25,7 +25,7 @@ static bool columns_matches(const struct record_text *t) {
     return table_find(t, &table);
 }
 
-// What is read of a table.
+// The part of a table that is read.
 struct columns {
     const struct record_text *text;
     const struct table *table;
@@ -46,8 +46,8 @@ static int check_time_unit(const struct record_text *t, const struct table *tabl
     return STATUS_OK;
 }
 
-// Takes the unit of the values from the caption: one is that of all columns, and of as many as
-// there are columns of values each has its own. Brackets that hold no unit are text.
+// Reads the unit of the values from the caption. One unit is that of all columns of values. As many
+// units as columns belong to one column each. Brackets without a unit are text.
 static int read_caption(const struct record_request *request, const struct columns *c,
                         struct record_content *out, struct error *e) {
     const struct table *table = c->table;
@@ -160,7 +160,7 @@ static int row_line(const struct table *table, size_t i) {
     return l.number;
 }
 
-// Finds the time step, and how far the times are off it.
+// Finds the time step and the largest distance of a time from the even grid.
 static int find_step(const struct columns *c, size_t n, struct record_content *out,
                      struct error *e) {
     double start = c->time[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of Fortran output that hold several values. Rules of repeat counts and of exponents
-// without a letter: Fortran 2018, ISO/IEC 1539-1, 13.7.2.3 and 13.10.3.
+// Fields of Fortran output that hold several values. The rules of repeat counts, and of exponents
+// without a letter, are those of Fortran 2018, ISO/IEC 1539-1, 13.7.2.3 and 13.10.3.
 #include "motion/lines.h"
 
 #include <string.h>
@@ -23,8 +23,8 @@ static size_t skip_digits(struct piece s, size_t i) {
     return i;
 }
 
-// The end of the exponent that begins at `i`, or `i`. *ambiguous: digits of the next number may be
-// among its own.
+// The end of the exponent that begins at `i`; `i`: there is no exponent. *ambiguous: some of its
+// digits may belong to the next number.
 static size_t skip_exponent(struct piece s, size_t i, bool *ambiguous) {
     size_t end = i;
     if (is_one_of(s, i, "EeDd")) {
@@ -36,7 +36,7 @@ static size_t skip_exponent(struct piece s, size_t i, bool *ambiguous) {
     return end;
 }
 
-// Characters of the number with a decimal point that `s` begins with; 0: there is none.
+// Length of the number with a decimal point at the start of `s`; 0: there is no such number.
 static size_t number_length(struct piece s, bool *ambiguous) {
     const size_t sign = is_one_of(s, 0, "+-");
     const size_t point = skip_digits(s, sign);
@@ -47,7 +47,7 @@ static size_t number_length(struct piece s, bool *ambiguous) {
     return end > sign + 1 ? skip_exponent(s, end, ambiguous) : 0;
 }
 
-// Numbers that the field consists of; 0: of something else.
+// Count of numbers in a field that contains only numbers; 0: it contains something else.
 static size_t count_touching(struct piece s, bool *ambiguous) {
     size_t n = 0;
     for (size_t length; s.n > 0; n++) {
@@ -75,7 +75,7 @@ static bool read_repeat(struct piece field, struct compound *out) {
     return true;
 }
 
-// A number, a sign and digits up to the end?
+// True if the text is a number, a sign and digits to the end.
 static bool lacks_letter(struct piece s) {
     bool ambiguous;
     const size_t sign = number_length(s, &ambiguous);

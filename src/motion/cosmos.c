@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// COSMOS 1.20: channel after channel, each with 13 lines of text, 100 integers, 100 reals, lines of
-// comment and its values; velocities and displacements may follow with or without headers of their
-// own. What is read:
+// COSMOS 1.20: one channel after the other. Each has 13 lines of text, 100 integers, 100 reals,
+// lines of comment and the values. Velocities and displacements may follow, with or without their
+// own headers. These lines are read:
 //
 //     Corrected acceleration    (Format v01.20 with 13 text lines) Src: ...
 //     Sta Chan   1: 90 deg (Rcrdr Chan  1) Location: ...                     the name
@@ -10,9 +10,9 @@
 //      100 Real-header values follow on  17 lines, Format= (6F13.6)          real 62: step in ms
 //        7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)
 //
-// The step must agree with the number of values and their duration, which is told in seconds.
-// Volume 0, counts of a recorder, is refused: the factors in its header are those of parts of the
-// instrument, which not every network gives.
+// The step must agree with the number of values and their duration, which the file gives in
+// seconds. Volume 0 (counts of a recorder) is refused: the factors in its header belong to parts of
+// the instrument, and not every network gives them.
 //
 // Source: COSMOS Strong Motion Data Format, Ver. 1.20 (2001), www.cosmos-eq.org.
 #include <math.h>
@@ -30,10 +30,10 @@ static const double DURATION_ROUNDING = 1;  // [s]
 // A channel: its lines in the file and what its text says.
 struct channel {
     struct lines reals, values;  // at the lines before them; number 0: there is none
-    struct piece name;           // `90 deg`; empty: not told
-    struct header_entry peak;    // its value empty: not told
+    struct piece name;           // `90 deg`; empty: the file has no name
+    struct header_entry peak;    // empty value: the file states no peak
     struct piece peak_unit;
-    struct header_entry unknown;  // what stands for a value that is not known
+    struct header_entry unknown;  // the text for an unknown value
 };
 
 static bool is_title(struct piece line) {
@@ -75,7 +75,7 @@ static void note_text(struct channel *c, const struct lines *l) {
     }
 }
 
-// Steps to the next line before accelerations; false: there is no further channel.
+// Goes to the next line before accelerations; false: there is no further channel.
 static bool next_channel(struct lines *l, struct channel *c) {
     *c = (struct channel){0};
     while (lines_next(l)) {
@@ -96,7 +96,7 @@ static bool next_name(struct lines *l, struct piece *name) {
     return found;
 }
 
-// A time step that the header leaves open must be given by the user.
+// If the header gives no time step, the user must give it.
 static int read_step(const struct record_text *t, const struct channel *c, double unknown,
                      struct record_content *out, struct error *e) {
     struct fixed_format format;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CSMIP/CGS volume 1 and 2, and USC volume 2: channel after channel, each with lines of text,
-// headers of integers and of reals, and its values. The line before the values tells their number,
+// CSMIP/CGS volume 1 and 2, and USC volume 2: one channel after the other. Each has lines of text,
+// headers of integers and of reals, and its values. The line before the values has their number,
 // the time step and the unit:
 //
 //      31932 Accelerogram points at 100 pts/sec in units of g.       Format: (8f9.6)     volume 1
 //      3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)       volume 2
 //      1887 POINTS OF ACC DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC/SEC        of USC
 //
-// Values of volume 2 are (8F10.3) and have velocities and displacements after them, which are not
-// read. The lines of text name the channel, `CHAN  1:  90 DEG`, of USC `COMP N08W`, and its peak,
-// `MAX  =   .344 G` or `PEAK ACCELERATION =  -267.957`, by which the values are checked. What the
-// headers of numbers say is in the lines of text too; they are skipped.
+// Values of volume 2 are (8F10.3). The velocities and displacements after them are not read. The
+// lines of text have the name of the channel, `CHAN  1:  90 DEG` or for USC `COMP N08W`, and its
+// peak, `MAX  =   .344 G` or `PEAK ACCELERATION =  -267.957`. The values are checked against this
+// peak. The headers of numbers repeat the lines of text and are skipped.
 //
 // Source: Shakal & Huang (1985), Standard tape format for CSMIP strong-motion data tapes, OSMS
-// 85-03; volume 1 as later written with `pts/sec`. Volume 1 with a time for every value is refused.
-// Files of USC; the reader of gmprocess (USGS) for them.
+// 85-03. Volume 1 is read as written later, with `pts/sec`; a file with a time for every value is
+// refused. For USC: its files, and the reader of gmprocess (USGS).
 #include <math.h>
 #include <string.h>
 
@@ -33,8 +33,8 @@ static const char volume_2_usc[] = "POINTS OF ACC DATA EQUALLY SPACED AT";
 // A channel: its names and its place in the file.
 struct channel {
     struct lines title;        // at the line before the values
-    struct piece name;         // `CHAN  1:  90 DEG`, `N08W`; empty: not told
-    struct header_entry peak;  // its value empty: not told
+    struct piece name;         // `CHAN  1:  90 DEG`, `N08W`; empty: no name
+    struct header_entry peak;  // empty value: the file states no peak
 };
 
 static bool is_volume_2(struct piece line) {
@@ -58,7 +58,7 @@ static bool csmip_matches(const struct record_text *t) {
     return false;
 }
 
-// Steps to the next line before accelerations; false: there is no further channel.
+// Goes to the next line before accelerations; false: there is no further channel.
 static bool next_channel(struct lines *l, struct channel *c) {
     *c = (struct channel){0};
     while (lines_next(l)) {
@@ -91,7 +91,7 @@ static bool next_name(struct lines *l, struct piece *name) {
     return found;
 }
 
-// The number of values and the time step of the line before them.
+// Reads the number of values and the time step from the line before the values.
 static int read_sizes(const struct record_text *t, const struct lines *l, double *npts, double *dt,
                       struct error *e) {
     struct piece rest = l->line;
@@ -131,7 +131,7 @@ static void read_unit(const struct record_request *request, const struct lines *
     }
 }
 
-// The last format in brackets; volume 2 writes (8F10.3) where the line tells none.
+// The last format in brackets. For volume 2 it is (8F10.3) if the line has no format.
 static int read_format(const struct record_text *t, const struct lines *l,
                        struct fixed_format *format, struct error *e) {
     if (fixed_format_find(l->line, format)) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curve of force against penetration: rows of penetration, loading force and, where the branches
-// differ, unloading force at the same penetration, from the largest penetration back to 0. The text
-// is laid out as for records: blanks, tabs, commas or semicolons, comments, lines of text above the
-// numbers, of which the last may give the units in brackets: `penetration (mm), force (kN)`.
+// A curve of force against penetration, from rows of penetration, loading force and unloading
+// force. If both branches are equal, the unloading force may be missing. The layout of the text is
+// that of records: spaces, tabs, commas or semicolons, comments, and lines of text above the
+// numbers. The last of these lines may give the units in brackets: `penetration (mm), force (kN)`.
 //
-// Curves are not smoothed. A curve with a falling force is an error, and so is an unloading branch
-// that returns more energy than the loading put in. The error points at the first such line.
+// Curves are not smoothed. A curve with a decreasing loading force is an error. So is an unloading
+// branch that returns more energy than the loading branch took. The error points at the first such
+// line.
 #include "motion/curve_file.h"
 
 #include <math.h>
@@ -19,7 +20,7 @@ enum { FILE_SIZE_MAX = 16 << 20, POINTS_MAX = 100000 };
 static const char *const column_name[CURVE_COLUMNS] = {"penetration", "loading force",
                                                        "unloading force"};
 
-// Relative; the forces are decimals, their ratio is not.
+// Relative: the forces are decimals, but their ratio is rounded.
 static const double ROUNDING = 1e-9;
 
 // A row as it is read.

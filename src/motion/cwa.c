@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Central Weather Administration (CWA, formerly CWB), Taiwan: time and three channels side by side.
-// A header of lines `#KEY: value`; these are read:
+// The header has lines `#KEY: value`. These lines are read:
 //
 //     #Earthquake Information                    the first line
 //     #RecordLength(sec): 120
@@ -10,7 +10,7 @@
 //     #DataSequence: Time U(+); N(+); E(+)
 //     #Data: 4F10.3                              the last line
 //
-// Then a row of time and values for each time, as many as rate times length.
+// Rows of time and values follow. Their number is rate times length.
 //
 // Source: files of https://gdms.cwa.gov.tw; the reader of gmprocess (USGS) for CWA.
 #include <stdio.h>
@@ -27,7 +27,7 @@ static bool cwa_matches(const struct record_text *t) {
     return lines_next(&l) && lines_contain(l.line, "#EARTHQUAKE INFORMATION");
 }
 
-// Steps to the last line of the header.
+// Goes to the last line of the header.
 static bool find_data(struct lines *l) {
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
         if (l->line.n >= 6 && memcmp(l->line.text, "#Data:", 6) == 0) {
@@ -58,7 +58,7 @@ static int read_names(const struct header *h, struct channels *c, struct error *
                              lines_excerpt(entry.value).text);
 }
 
-// The larger one of both largest values of the channel, `0.658~   -0.837`.
+// The larger of the two stated peaks of the channel, `0.658~   -0.837`.
 static int read_peak(const struct header *h, struct piece name, struct record_content *out,
                      struct error *e) {
     enum { SIDES = 2 };

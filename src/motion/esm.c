@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DYNA ASCII of the Engineering Strong-Motion database (ESM) and of ITACA: one component a file.
-// Lines of `KEY: value`, 43 (ITACA), 55 (DYNA 1.0) or 64 (DYNA 1.2), where many values are empty
-// and some hold colons. These are read:
+// DYNA ASCII of the Engineering Strong-Motion database (ESM) and of ITACA: one component in each
+// file. The header has lines `KEY: value`: 43 (ITACA), 55 (DYNA 1.0) or 64 (DYNA 1.2). Many values
+// are empty, and some contain colons. These lines are read:
 //
 //     EVENT_NAME: ...                  the first line
 //     SAMPLING_INTERVAL_S: 0.01
@@ -10,8 +10,8 @@
 //     PGA_CM/S^2: 1.632                may be empty
 //     DATA_TYPE: Acceleration          or UNPROCESSED ACCELERATION, PROCESSED ACCELERATION
 //
-// Then one value a line. Files of velocities, displacements and response spectra have the same
-// header with another DATA_TYPE: they are refused.
+// The values follow, one in a line. Files of velocities, displacements and response spectra have
+// this header with another DATA_TYPE. They are refused.
 //
 // Source: headers of files of https://esm-db.eu; the DYNA bindings of the ITACA team to ObsPy.
 #include "motion/header.h"
@@ -25,7 +25,8 @@ static bool esm_matches(const struct record_text *t) {
     return lines_next(&l) && lines_contain(l.line, "EVENT_NAME:");
 }
 
-// The lines before the first one without a colon; *values stands on the last of them.
+// Finds the header, the lines before the first line without a colon. The current line of *values is
+// the last of them.
 static struct header find_header(const struct record_text *t, struct lines *values) {
     struct lines l;
     lines_init(&l, t);

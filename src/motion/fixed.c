@@ -19,8 +19,8 @@ static size_t take_count(struct piece *rest) {
     return count;
 }
 
-// Reads `8F9.6`, `5E15.6`, `8F9`, also in small letters and with more behind, `1F15.6E`. False: the
-// text is not such a format.
+// Reads `8F9.6`, `5E15.6`, `8F9`. Small letters and text after the format are allowed, `1F15.6E`.
+// False: the text is not such a format.
 static bool read_format(struct piece text, struct fixed_format *out) {
     *out = (struct fixed_format){.n = take_count(&text)};
     if (text.n < 2 || !strchr("FfEe", text.text[0])) {

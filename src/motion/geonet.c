@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GeoNet (New Zealand) V1A, uncorrected, and V2A, corrected: component after component, each with
-// 16 lines of text, 4 of integers (10I8), 6 of reals (10F8.0), and its accelerations in mm/s/s
-// (10F8.1), which velocities (mm/s) and displacements (mm) follow in V2A. What is read, by its line
-// in the component:
+// GeoNet (New Zealand) V1A, uncorrected, and V2A, corrected: one component after the other. Each
+// has 16 lines of text, 4 of integers (10I8), 6 of reals (10F8.0), and its accelerations in mm/s/s
+// (10F8.1). In V2A velocities (mm/s) and displacements (mm) follow. These lines of a component are
+// read:
 //
 //      1   Corrected accelerogram 20180212_211554_WPWS_20 GNS Science
 //     10   Number of points  5800    Duration 115.98 sec
@@ -33,7 +33,7 @@ static const char none[] =
     "the file has no line 'Corrected accelerogram' or 'Uncorrected accelerogram' of 'GNS Science'";
 static const double DURATION_ROUNDING = 0.01;  // [s]
 
-// A component: its lines, by their numbers in it, and what they say.
+// A component: numbers of its lines, and their content.
 struct component {
     const struct record_text *text;
     struct lines line[HEADER_LINES + 1];
@@ -50,7 +50,7 @@ static bool geonet_matches(const struct record_text *t) {
     return lines_next(&l) && is_title(l.line);
 }
 
-// Steps to the first line of the next component.
+// Goes to the first line of the next component.
 static bool next_component(struct lines *l, struct piece *name) {
     while (lines_next(l)) {
         if (is_title(l->line)) {
@@ -65,7 +65,7 @@ static bool next_component(struct lines *l, struct piece *name) {
     return false;
 }
 
-// Takes the lines of the component that begins where `l` stands.
+// Reads the lines of the component that begins at the current line of `l`.
 static int read_lines(struct component *c, struct lines l, struct error *e) {
     for (int i = 1; i <= HEADER_LINES; i++) {
         c->line[i] = l;
@@ -78,7 +78,7 @@ static int read_lines(struct component *c, struct lines l, struct error *e) {
     return STATUS_OK;
 }
 
-// The first word behind `word` in line `i`.
+// The first word after `word` in line `i`.
 static struct piece word_behind(const struct component *c, int i, const char *word) {
     struct piece rest = lines_behind(c->line[i].line, word);
     struct piece field;
@@ -120,7 +120,8 @@ static int read_counts(struct component *c, struct error *e) {
                              line, c->count[ACCELERATIONS]);
 }
 
-// The time step, by which the duration is checked: that of n - 1 steps; of n is let pass.
+// Reads the time step and checks the duration. The duration is n - 1 steps; n steps are accepted
+// too.
 static int read_step(const struct component *c, struct record_content *out, struct error *e) {
     const struct header h = {.text = c->text};
     const int line = c->line[LINE_STEP].number;
@@ -145,7 +146,7 @@ static int read_step(const struct component *c, struct record_content *out, stru
                              out->dt, line, duration);
 }
 
-// The unit, and the peak by which the values are checked.
+// Reads the unit, and the peak against which the values are checked.
 static int read_acceleration(const struct record_request *request, const struct component *c,
                              struct record_content *out, struct error *e) {
     const struct header h = {.text = c->text};
@@ -171,7 +172,7 @@ static int read_acceleration(const struct record_request *request, const struct 
     return header_read_peak(&h, &entry, peak, out, e);
 }
 
-// The lines of velocities and displacements must be there, and no more of accelerations.
+// Checks that the lines of velocities and displacements follow, and no further accelerations.
 static int check_end(const struct component *c, struct lines l, struct error *e) {
     const double rows = ceil(c->count[VELOCITIES] / ROW) + ceil(c->count[DISPLACEMENTS] / ROW);
     double n = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Headers of one entry a line: `KEY: value`, `KEY   : value` or `KEY   value`.
+// Headers with one entry in each line: `KEY: value`, `KEY   : value` or `KEY   value`.
 #include "motion/header.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static struct piece skip_blanks(struct piece s) {
     return s;
 }
 
-// True, with its value, if the line is an entry of this key and not of a longer one.
+// True if the line is an entry with this key, and not with a longer key. Sets its value.
 static bool is_entry(struct piece line, const char *key, struct piece *value) {
     const size_t n = strlen(key);
     if (line.n < n || memcmp(line.text, key, n) != 0) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Intensities of a piecewise linear acceleration a + s x, x the time since a sample:
-//     integral of its square over a step    dt (a0^2 + a0 a1 + a1^2) / 3,
-//     integral of its absolute value        dt |a0 + a1| / 2, or where the sign changes
-//                                           dt (a0^2 + a1^2) / (2 (|a0| + |a1|)).
-// Velocity and displacement are largest at a sample, or where acceleration or velocity is zero.
-// Arias (1970) in Hansen, Seismic Design for Nuclear Power Plants; significant durations: Trifunac
-// and Brady (1975), Bulletin of the Seismological Society of America 65, 581; CAV: EPRI NP-5930
-// (1988), without its threshold.
+// Intensities of a piecewise linear acceleration a + s x, with the time x since a sample. In one
+// step
+//     the integral of the square            is dt (a0^2 + a0 a1 + a1^2) / 3,
+//     the integral of the absolute value    is dt |a0 + a1| / 2, or if the sign changes
+//                                              dt (a0^2 + a1^2) / (2 (|a0| + |a1|)).
+// Velocity and displacement have their peaks at samples, or where acceleration or velocity is zero.
+//
+// Sources: Arias (1970) in Hansen, Seismic Design for Nuclear Power Plants. Significant durations:
+// Trifunac and Brady (1975), Bulletin of the Seismological Society of America 65, 581. CAV: EPRI
+// NP-5930 (1988), without its threshold.
 #include "jostle/intensity.h"
 
 #include <assert.h>
@@ -58,9 +60,9 @@ static double absolute_integral(const struct signal *g, size_t j) {
     return g->dt * (a * a + b * b) / (2.0 * (fabs(a) + fabs(b)));
 }
 
-// Time at which the integral of the squared acceleration reaches `target`. In the step where it
-// does, the rest r of it takes x with (a + s x)^3 - a^3 = 3 s r, so x = 3 r / (c^2 + c a + a^2)
-// with c = a + s x, the cubic root of a^3 + 3 s r.
+// Time at which the integral of the squared acceleration reaches `target`. Let r be the rest of the
+// integral in the last step, and x the time for it: (a + s x)^3 - a^3 = 3 s r. So x = 3 r / (c^2 +
+// c a + a^2) with c = a + s x, the cubic root of a^3 + 3 s r.
 static double time_of(const struct signal *g, double target) {
     double sum = 0.0;
     for (size_t j = 0; j + 1 < g->n; j++) {

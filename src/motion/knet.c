@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// K-NET and KiK-net ASCII (NIED, Japan): one component a file. A header of 17 lines, the value of
-// each from column 19 on, of which these are read:
+// K-NET and KiK-net ASCII (NIED, Japan): one component in each file. The header has 17 lines, with
+// the value of each from column 19 on. These lines are read:
 //
 //     Sampling Freq(Hz) 100Hz
 //     Duration Time(s)  102
@@ -8,8 +8,8 @@
 //     Max. Acc. (gal)   4.078                  about the mean
 //     Memo.                                    the last line, maybe with a remark
 //
-// Then the values in whole counts, eight a line, as many as rate times duration. They are not
-// corrected: they carry an offset that may be many times the largest acceleration.
+// The values follow in whole counts, eight in a line. Their number is rate times duration. They are
+// not corrected: their offset may be many times the largest acceleration.
 //
 // Source: NIED, https://www.kyoshin.bosai.go.jp, and the reader of ObsPy, obspy.io.nied.knet.
 #include <math.h>
@@ -20,7 +20,7 @@
 
 enum { HEADER_LINES_MAX = 32 };
 
-// Steps to the last line of the header.
+// Goes to the last line of the header.
 static bool find_memo(struct lines *l) {
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
         if (l->line.n >= 5 && memcmp(l->line.text, "Memo.", 5) == 0) {

@@ -79,7 +79,7 @@ static const char *skip_blanks(const char *at, const char *end) {
 bool lines_field(struct piece *rest, const char *separators, struct piece *field) {
     assert(rest && separators && field);
     if (rest->n == 0) {
-        *field = *rest;  // which may be nowhere
+        *field = *rest;  // an empty field
         return false;
     }
     const char *end = rest->text + rest->n;
@@ -205,8 +205,8 @@ static enum number read_plain(const char *text, size_t n, double *value) {
     return how == TEXT_NUMBER_RANGE ? NUMBER_RANGE : NUMBER_OK;
 }
 
-// Where the exponent of a number in Fortran's ways begins: at its D, or at the sign of a
-// three-digit exponent without a letter. n: there is none.
+// Position of the exponent in a Fortran number: at its D, or at the sign of a three-digit exponent
+// without a letter. n: there is no exponent.
 static size_t fortran_exponent(struct piece s) {
     for (size_t i = 1; i < s.n; i++) {
         if (upper(s.text[i]) == 'D') {
@@ -230,7 +230,7 @@ enum number lines_number(struct piece field, double *value) {
     if (how != NUMBER_BAD || field.n > LONGEST) {
         return how;
     }
-    // Where fields of a fixed width touch, read_plain has read on into the next.
+    // If fields of a fixed width touch, read_plain has read characters of the next field, too.
     char copy[LONGEST + 2];
     size_t at = fortran_exponent(field);
     if (at == field.n) {
@@ -264,7 +264,7 @@ bool lines_number_like(struct piece field) {
     return field.n > 0 && is_digit(field.text[0]);
 }
 
-// Bytes of the character at `s` if it can be shown as it is; 0: not.
+// Number of bytes of the character at `s`, if it can be printed without change; otherwise 0.
 static size_t shown_as_is(struct piece s) {
     unsigned char c = (unsigned char)s.text[0];
     if (c < 0x80) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stiffness matrix: n rows of n numbers. The text is laid out as for records: blanks, tabs,
-// commas or semicolons between numbers, comments behind #, lines of text above the numbers.
+// A stiffness matrix: n rows of n numbers. The layout of the text is that of records: spaces, tabs,
+// commas or semicolons between numbers, comments after #, lines of text above the numbers.
 //
-// The matrix must be symmetric: entries (i, j) and (j, i) may differ by what printing with seven
-// digits leaves, 1e-6 of sqrt(K_ii K_jj), and their mean is taken. It must be positive definite:
-// its Cholesky factorisation must have pivots above rounding, 1e-12 of the diagonal.
+// The matrix must be symmetric. Entries (i, j) and (j, i) may differ by 1e-6 of sqrt(K_ii K_jj),
+// the rounding of seven printed digits. Their mean is used. The matrix must be positive definite:
+// the pivots of its Cholesky factorisation must be above rounding, 1e-12 of the diagonal.
 #include "motion/matrix_file.h"
 
 #include <assert.h>
@@ -59,7 +59,7 @@ static int read_row(const struct record_text *t, const struct table *table, cons
     return STATUS_OK;
 }
 
-// Makes the matrix symmetric; refuses one that is not.
+// Makes the matrix symmetric. An error if it is not symmetric to rounding.
 static int check_symmetry(const struct record_text *t, size_t n, double *k, struct error *e) {
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j < i; j++) {
@@ -77,7 +77,7 @@ static int check_symmetry(const struct record_text *t, size_t n, double *k, stru
     return STATUS_OK;
 }
 
-// By its Cholesky factor L, which takes the place of `k` (n, n).
+// Checks that the matrix is positive definite. Its Cholesky factor L replaces `k` (n, n).
 static bool is_definite(size_t n, double *k) {
     bool definite = true;
     for (size_t j = 0; definite && j < n; j++) {
@@ -140,7 +140,7 @@ static int check_definite(const struct record_text *t, const struct matrix_reque
     return status;
 }
 
-// In the unit wanted.
+// Converts the matrix to the unit of the result.
 static int convert(const struct record_text *t, const struct matrix_request *q, double *k,
                    struct error *e) {
     const size_t n = (size_t)q->n;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PEER AT2: lines of text, one of them with the unit, then a line with the number of values and the
-// time step, then the values, any number a line. The header has 4 lines (PEER) or more (7 in the
-// OpenSees El Centro); its last line occurs as
+// PEER AT2: lines of text, one of them with the unit. Then a line with the number of values and the
+// time step. Then the values, any number in a line. The header has 4 lines (PEER) or more (7 in the
+// El Centro record of OpenSees). Forms of its last line:
 //
-//     NPTS=  1559, DT= .02000 SEC          also with dt in small letters, without SEC, with filter
-//     NPTS =  5000 , DT =   .010 SEC ,     data behind, and with blanks anywhere
+//     NPTS=  1559, DT= .02000 SEC          also with dt in small letters, without SEC, with text
+//     NPTS =  5000 , DT =   .010 SEC ,     after it, and with spaces anywhere
 //     4096    0.0100    NPTS, DT
 //
-// and the unit as `ACCELERATION TIME SERIES IN UNITS OF G`, `The units are (g)` or `Acceleration in
-// g`. VT2 and DT2 files look the same, but hold velocities and displacements: they are refused.
+// Forms of the unit: `ACCELERATION TIME SERIES IN UNITS OF G`, `The units are (g)`, `Acceleration
+// in g`. VT2 and DT2 files look the same but hold velocities and displacements. They are refused.
 #include <math.h>
 #include <string.h>
 
@@ -18,7 +18,7 @@
 
 enum { HEADER_LINES_MAX = 64 };
 
-// Steps to the line with NPTS.
+// Goes to the line with NPTS.
 static bool find_npts(struct lines *l) {
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
         if (lines_word(l->line, "NPTS")) {
@@ -44,7 +44,8 @@ static bool peer_matches(const struct record_text *t) {
     return false;
 }
 
-// The texts of both values of the header's last line. dt->n = 0 and dt->text = NULL: not there.
+// Finds the texts of both values in the last line of the header. dt->n = 0 and dt->text = NULL:
+// there is no time step.
 static bool find_sizes(struct piece line, struct piece *npts, struct piece *dt) {
     *dt = (struct piece){0};
     if (lines_value(line, "NPTS", npts)) {
@@ -57,7 +58,7 @@ static bool find_sizes(struct piece line, struct piece *npts, struct piece *dt) 
            lines_word(rest, "DT");
 }
 
-// Steps to the next line with sizes above the values; false: there is none.
+// Goes to the next line with number and time step above the values; false: there is no such line.
 static bool next_sizes(struct lines *l) {
     struct piece npts, dt, first;
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
@@ -72,8 +73,8 @@ static bool next_sizes(struct lines *l) {
     return false;
 }
 
-// Steps to the last line with sizes. Where NPTS stands twice above the values or in that line, the
-// other one goes to out->other_npts.
+// Goes to the last line with number and time step. If NPTS occurs twice above the values or in this
+// line, the other number goes to out->other_npts.
 static void find_last_sizes(struct lines *l, struct record_content *out) {
     struct piece npts = {0}, dt, second;
     for (struct lines next = *l; next_sizes(&next); *l = next) {
@@ -90,7 +91,8 @@ static void find_last_sizes(struct lines *l, struct record_content *out) {
     }
 }
 
-// The number of values as the header says; of two, the one that the file holds.
+// The number of values in the header. If the header has two numbers, the one that the file agrees
+// with.
 static double choose_npts(const struct lines *l, double npts, struct record_content *out) {
     int last_line;
     out->npts = npts;
@@ -169,7 +171,7 @@ static bool find_unit(struct piece line, struct piece *unit) {
     return false;
 }
 
-// Takes the unit from a line of the header, unless one was found before.
+// Reads the unit from a line of the header, unless an earlier line had it.
 static int read_unit(const struct record_request *request, const struct record_text *t,
                      const struct lines *l, struct record_content *out, struct error *e) {
     bool other = lines_word(l->line, "VELOCITY") || lines_word(l->line, "DISPLACEMENT");

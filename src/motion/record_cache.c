@@ -18,7 +18,7 @@ struct entry {
 };
 
 struct record_cache {
-    pthread_mutex_t lock;  // guards all below
+    pthread_mutex_t lock;  // guards all members below
     struct entry *first;
     size_t bytes, bytes_max;
 };
@@ -103,7 +103,7 @@ static bool copy_request(struct arena *a, const struct record_request *request,
     return out->path && (out->format || !request->format) && (out->unit || !request->unit);
 }
 
-// Puts a copy in front.
+// Adds a copy of the record as the first entry.
 static int put(struct record_cache *c, const struct record_request *request, const struct record *r,
                struct error *e) {
     struct arena *a = arena_create();

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Weighs what a file says against what the user says, and against what ground motions can be.
+// Compares the statements of a file with those of the user, and with the properties of ground
+// motions.
 //
 // Time step: a step that the user gives must be that of the file. A step from the file alone must
-// be believable for an accelerogram, DT_MIN to DT_MAX; -dt confirms one that is not. A -dt that
-// nothing in the file confirms is warned of above DT_MAX.
+// be plausible for an accelerogram, from DT_MIN to DT_MAX. -dt confirms another step. A -dt above
+// DT_MAX that the file does not confirm gives a warning.
 //
-// Unit: the user's overrides the file's, with a warning.
+// Unit: the unit of the user replaces that of the file, with a warning.
 //
-// Size: the largest accelerations recorded are 2 to 4 g. Over WARN_G the unit is probably wrong:
-// that is a warning, as a factor of 981 (cm/s^2 read as g) or 9807 is a mistake to be seen at once.
-// No such mistake makes more than REFUSE_G, and none makes a single value SPIKE times larger than
-// all others: those are broken numbers.
+// Size: the largest recorded accelerations are 2 to 4 g. Above WARN_G the unit is probably wrong.
+// This gives a warning, because a factor of 981 (cm/s^2 read as g) or 9807 is easy to recognise.
+// Wrong units cannot explain more than REFUSE_G, nor a single value SPIKE times larger than all
+// others. Such values are damaged numbers, an error.
 //
-// Peak: where the file states one, that of the values must agree to its last digit, or there is a
-// warning.
+// Peak: if the file states a peak, the peak of the values must agree to its last digit. Otherwise
+// there is a warning.
 //
-// Offset: the velocity left at the end is the mean times the duration. It is at most 0.25 m/s in
-// some 120 records of PEER and others as they were released. Uncorrected records have offsets above
-// their peaks, which -demean takes off.
+// Offset: the final velocity is the mean times the duration. It is at most 0.25 m/s in about 120
+// records of PEER and others, as released. Uncorrected records have offsets larger than their
+// peaks. -demean subtracts them.
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -33,12 +34,12 @@ static const double SPIKE_G = 100;
 static const double REFUSE_G = 1e5;
 static const double SPIKE = 10;
 static const double END_VELOCITY = 0.5;  // [m/s]
-static const double TIME_ERROR = 0.01;   // in steps; more is said in a warning
+static const double TIME_ERROR = 0.01;   // in steps; a larger error gives a warning
 
-// Of a step. That of 256 samples a second, printed with three decimals, is 2.4 % off.
+// Share of a step. The step of 256 samples a second with three printed decimals is 2.4 % off.
 static const double NOTED_STEP_ERROR = 0.03;
 
-// One check at a time: what it looks at and where it reports to.
+// The input of a check, and the place for its warnings and errors.
 struct check {
     const struct record_request *request;
     const char *path;
@@ -166,8 +167,8 @@ static int check_peak(const struct check *c, struct error *e) {
     return STATUS_OK;
 }
 
-// A peak that is stated may be that of another version of the record, so that one that differs is
-// no error.
+// The stated peak may be that of another version of the record. So a different peak is only a
+// warning.
 static void check_stated_peak(const struct check *c) {
     const struct record_content *content = c->content;
     if (content->stated_line == 0) {
@@ -227,7 +228,7 @@ static void check_offset(const struct check *c) {
     }
 }
 
-// Takes the mean off the values, which have been weighed as they are printed.
+// Subtracts the mean from the values. The checks before this use the values as printed.
 static void demean(const struct record_content *content, struct record *out) {
     out->mean = values_mean(content->value, content->n);
     out->peak = 0;

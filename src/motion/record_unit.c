@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units as record files and users write them: in capitals, with `sec` for s and `**` for ^; and
-// G/10, of volume 1.
+// Units as record files and users write them: in capitals, with `sec` for s and `**` for ^. Volume
+// 1 also has G/10.
 #include "motion/record_format.h"
 
 #include <string.h>
@@ -22,7 +22,7 @@ bool record_unit(struct piece text, double gravity, struct dimension *dimension,
     if (parse_whole(copy, gravity, dimension, si)) {
         return true;
     }
-    // `copy` becomes `text` with small letters, s for sec, ^ for **, and without blanks.
+    // `copy` is `text` with small letters, s for sec, ^ for **, and without spaces.
     size_t n = 0;
     for (size_t i = 0; i < text.n; i++) {
         char c = text.text[i];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RENADIC, Universidad de Chile: volume 1 (volume1.h) with pairs of time and acceleration (10F7.3),
-// which may touch. Its lines 1, 7, 11, 12 and the last:
+// which may touch. Lines 1, 7, 11, 12 and the last line:
 //
 //     UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 06/30/2011
 //     CHAN  1: EW       (STA CHN:  1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values that run on from line to line, three or more in a line, without a time: 8F10.5 and the
-// like. Columns of several quantities look the same when all rows are full; a file is taken for a
-// series without being told so only if it has a single row, or a last row that is shorter.
+// Values that continue from line to line, three or more in a line, without times (8F10.5, for
+// example). Several columns look the same if all rows are full. So without -format, a file counts
+// as a series only if it has a single row, or if its last row is shorter.
 #include "motion/table.h"
 #include "motion/values.h"
 

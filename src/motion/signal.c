@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values and integrals of the time functions in signal.h.
 //
-// Samples are joined by straight lines, so that the integrals from sample j on are, with slope
-// s = (a[j+1] - a[j]) / dt and x the time since sample j,
+// Straight lines join the samples. With the slope s = (a[j+1] - a[j]) / dt and the time x since
+// sample j, the integrals from sample j on are
 //     v = v[j] + a[j] x + s x^2 / 2,    u = u[j] + v[j] x + a[j] x^2 / 2 + s x^3 / 6.
-// Before the first and after the last sample the value is zero, so v stays and u grows linearly.
+// Before the first and after the last sample the value is zero, so v is constant and u grows
+// linearly.
 #include "jostle/signal.h"
 
 #include <assert.h>
@@ -16,8 +17,8 @@
 #include "core/lanes.h"
 #include "core/number.h"
 
-// A time this close to the end of a signal, relative to one sample, is taken as the end itself:
-// n dt and (n dt) computed in another way differ by rounding.
+// A time this close to the end of a signal, relative to one sample, counts as the end itself. n dt
+// and (n dt) computed in another way differ by rounding.
 static const double END_SLACK = 1e-6;
 
 int signal_init_samples(struct signal *s, struct arena *a, const double *value, size_t n, double dt,
@@ -53,7 +54,7 @@ int signal_init_samples(struct signal *s, struct arena *a, const double *value, 
     return STATUS_OK;
 }
 
-// The sample at or before t and the time since then. As in add_samples, to the last bit.
+// The sample at or before t and the time since this sample, with the same bits as in add_samples.
 static size_t sample_before(const struct signal *s, double t, double *since) {
     double x = (t - s->start) * (1.0 / s->dt);
     size_t j = x > 0.0 ? (size_t)x : 0;
@@ -81,7 +82,7 @@ double signal_value(const struct signal *s, double t) {
     return s->value[j] + (s->value[j + 1] - s->value[j]) * (x * (1.0 / s->dt));
 }
 
-// signal_value of samples, in lanes, which know numbers of samples as int only.
+// signal_value of samples in lanes. Lanes have numbers of samples of type int only.
 LANES static void add_samples(const struct signal *s, int n, const double *restrict t,
                               double *restrict sum) {
     const double *restrict value = s->value;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SMC of the USGS, corrected accelerations: 11 lines of text, 6 of integers (8I10), 10 of reals
 // (5E15.7), lines of comment that begin with a |, and values in cm/s/s in fields of 10 that touch.
-// What is read:
+// These lines and numbers are read:
 //
 //     line 1         2 CORRECTED ACCELEROGRAM
 //     integer 16     number of lines of comment
@@ -9,8 +9,8 @@
 //     real 2         samples a second
 //     real 30, 32    largest and smallest value; 1.7E+38: not known
 //
-// Uncorrected accelerations have times that are not even; they are refused, as are velocities,
-// displacements and spectra, which the first line names.
+// Uncorrected accelerations have uneven times. They are refused, and so are velocities,
+// displacements and spectra. The first line names the kind.
 //
 // Source: USGS National Strong-Motion Project, SMC-format data files,
 // http://escweb.wr.usgs.gov/nsmp-data/smcfmt.html; files of the USGS.
@@ -59,7 +59,7 @@ static int read_lines(struct smc *s, struct error *e) {
                : lines_error(e, s->text->path, 1, "the line has no \'2 CORRECTED ACCELEROGRAM'");
 }
 
-// Number `i`, from 1, of those in fields of this format from line `first`.
+// Number `i`, from 1, in the fields of this format that begin in line `first`.
 static struct header_entry number(const struct smc *s, const char *key, int first,
                                   const struct fixed_format *format, size_t i) {
     const int line = first + (int)((i - 1) / format->n);
@@ -67,7 +67,7 @@ static struct header_entry number(const struct smc *s, const char *key, int firs
                                  line};
 }
 
-// Steps over the lines of comment, to the last.
+// Goes over the lines of comment, to the last of them.
 static int skip_comments(const struct smc *s, struct lines *l, struct error *e) {
     const struct header h = {.text = s->text};
     const struct header_entry entry =

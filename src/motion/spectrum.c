@@ -3,19 +3,20 @@
 // Jennings 1969, Bulletin of the Seismological Society of America 59, 909; Chopra, Dynamics of
 // Structures, section 5.2), with exact peaks inside the steps.
 //
-// Solution at tau after a sample, with the ground acceleration a + s tau, h the response to a unit
-// velocity at tau = 0, and h1, h2 its first and second integral:
+// The solution at tau after a sample, with the ground acceleration a + s tau. h is the response to
+// a unit velocity at tau = 0; h1 and h2 are its first and second integral:
 //     u = (1 - omega^2 h1) u0 + h v0 - a h1 - s h2,    v = -omega^2 h u0 + h' v0 - a h - s h1.
-// The closed forms of h1 and h2 cancel where omega tau is small; Taylor's series is used there.
+// The closed forms of h1 and h2 lose digits if omega tau is small. Taylor's series replaces them
+// there.
 //
-// Peaks: u, v and the total acceleration -(omega^2 u + 2 zeta omega v) are all y = p u + q v. In a
-// step y is a straight line plus a damped sine, so y'' is a damped sine. Its zeros are known and
-// half a damped period apart. Between two zeros y' is monotone and has at most one zero, which
+// Peaks: u, v and the total acceleration -(omega^2 u + 2 zeta omega v) have the form y = p u + q v.
+// In a step y is a straight line plus a damped sine, so y'' is a damped sine. Its zeros are known
+// and half a damped period apart. Between two zeros y' is monotone and has at most one zero, which
 // Newton's method finds in a bracket. So no peak is missed, even in a step longer than the period.
 // After the end of the record the largest peak is within one damped period.
 //
-// In a step of length T a function lies within T^2 / 8 max |y''| of the line through its ends, and
-// y'' within the amplitude of its sine: most steps are seen to hold no peak by that.
+// In a step of length T, y is within T^2 / 8 max |y''| of the line through its ends, and |y''| does
+// not exceed the amplitude of its sine. This bound shows that most steps contain no peak.
 #include "jostle/spectrum.h"
 
 #include <assert.h>
@@ -55,7 +56,7 @@ struct value {
     double tau, y, dy, ddy, dddy;
 };
 
-// Terms after the last one kept are below 1e-18 of the first one for omega tau <= 1.
+// For omega tau <= 1, the omitted terms are below 1e-18 of the first term.
 enum { SERIES_TERMS = 22 };
 static const double SERIES_REACH = 1.0;
 
@@ -127,8 +128,8 @@ static struct value value_at(const struct oscillator *o, const struct step *s,
     return value_of(q, &c);
 }
 
-// The value where y' passes zero between two instants at which its signs differ. An error of
-// `tolerance` in time changes a peak by its square only.
+// The value of y at the zero of y' between two instants at which y' has different signs. An error
+// `tolerance` of the time changes a peak only by its square.
 static struct value turning_point(const struct oscillator *o, const struct step *s,
                                   const struct quantity *q, const struct value *from,
                                   const struct value *to) {
@@ -159,8 +160,8 @@ static void note_piece(const struct oscillator *o, const struct step *s, struct 
     q->peak = fmax(q->peak, fabs(to->y));
 }
 
-// Notes the peak of a step that may hold one. The damped sine in y is y'' / omega^2 in size; what
-// is left of y is a straight line, largest at an end.
+// Records the peak of a step that may contain one. The size of the damped sine in y is y'' /
+// omega^2. The rest of y is a straight line, which has its largest value at an end.
 static void search_step(const struct oscillator *o, const struct step *s, struct quantity *q,
                         const struct value *start, const struct value *end, double amplitude) {
     struct value at = *start;
@@ -229,7 +230,7 @@ static void respond(const struct signal *ground, double omega, double zeta, int 
     take_step(&o, &after, &free_vibration, n, q);
 }
 
-// What responds, from which the others follow.
+// The responses that are computed. The others follow from them.
 enum { DISPLACEMENT, VELOCITY, ACCELERATION, N_QUANTITY };
 
 static struct quantity quantity_of(int which, double omega, double zeta) {

@@ -49,7 +49,7 @@ static void note_caption(struct table *table, const struct lines *l) {
     }
 }
 
-// Steps to the line before the first row.
+// Goes to the line before the first row.
 static bool find_first_row(const struct record_text *t, struct table *out) {
     struct lines l;
     lines_init(&l, t);
@@ -65,8 +65,7 @@ static bool find_first_row(const struct record_text *t, struct table *out) {
     return false;
 }
 
-// True if the comma of a field must be a decimal comma. The comma of 1,234 need not: it may be
-// 1234.
+// True if the comma of a field must be a decimal comma. The comma of 1,234 may separate thousands.
 static bool is_decimal_comma(struct piece field, const char *comma) {
     const bool has_sign = field.text[0] == '+' || field.text[0] == '-';
     const char *whole = field.text + has_sign;

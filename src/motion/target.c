@@ -39,10 +39,10 @@ double target_at(const struct target *t, double period) {
                         : psa[-1] * pow(psa[0] / psa[-1], log(period / T[-1]) / log(T[0] / T[-1]));
 }
 
-// The factor f of a record makes the sum over the periods of (ln target - ln(f PSA))^2 least:
+// The factor f of a record minimises the sum over the periods of (ln target - ln(f PSA))^2:
 //     ln f = mean of ln(target / PSA)
 // (PEER 2010, Technical Report for the PEER Ground Motion Database Web Application, with equal
-// weights). What is left of the square, its root of the mean, is the misfit: a difference of shape.
+// weights). The misfit is the root of the mean square that remains: a difference of shape.
 
 static double psa(const struct spectra *s, int record, int period) {
     return spectra_at(s, record, 0, period)->value[SPECTRUM_PSA];

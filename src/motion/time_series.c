@@ -10,7 +10,7 @@
 
 enum { FILE_SIZE_MAX = 256 << 20, N_COLUMN = TIME_SERIES_COLUMNS };
 
-// A file being read.
+// A file in progress.
 struct file {
     struct record_text text;
     struct table table;
@@ -19,7 +19,7 @@ struct file {
     double *value[N_COLUMN];                  // (table.n_row) in SI
 };
 
-// A row of it.
+// A row of the file.
 struct series_row {
     size_t index;
     int line;
@@ -27,7 +27,7 @@ struct series_row {
     double printed[N_COLUMN];
 };
 
-// Takes the units from the caption, by their dimensions.
+// Reads the units from the caption. Their dimensions assign them to the columns.
 static int read_caption(struct file *f, struct error *e) {
     struct unit_system si;
     struct piece rest = f->table.caption;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Archivo estandar de aceleracion 2.0 of the Instituto de Ingenieria, UNAM, and other networks of
-// Mexico: channels side by side. A header of lines `KEY : value`, where values of several channels
-// stand behind slashes; these are read:
+// Mexico: channels side by side. The header has lines `KEY : value`. Slashes stand before the
+// values of the channels. These lines are read:
 //
 //     ARCHIVO ESTANDAR DE ACELERACION:              in one of the first lines
 //     VERSION DEL FORMATO                    : 2.0
@@ -14,9 +14,9 @@
 //     FACTOR DE DECIMACION                   : 1
 //     DATOS DE ACELERACION:                         then four lines, the third with the names,
 //
-// and a row of values for each time, as many as samples; files of 2004 repeat the last one. Refused
-// are files with a factor other than 1; with more than 6 channels, which have keys of their own;
-// and with values that touch, of 1000 gal and more.
+// A row of values for each time follows, as many as samples. Files of 2004 repeat the last row.
+// jostle refuses files with a factor other than 1, files with more than 6 channels, which have
+// other keys, and files with values that touch, of 1000 gal and more.
 //
 // Source: files of UNAM; the reader of gmprocess (USGS) for them.
 #include <math.h>
@@ -27,7 +27,7 @@
 
 enum { MARK_LINES = 16, HEADER_LINES_MAX = 200, CHANNELS = 6, NAMES = 3, RULE = 4 };
 
-static const double ROUNDING = 1e-6;  // of rate times step
+static const double ROUNDING = 1e-6;  // of rate times step, which should be 1
 
 static bool unam_matches(const struct record_text *t) {
     struct lines l;
@@ -40,7 +40,7 @@ static bool unam_matches(const struct record_text *t) {
     return false;
 }
 
-// Steps to the last line of the header and takes the names of the channels above it.
+// Goes to the last line of the header, and reads the names of the channels above it.
 static bool find_data(struct lines *l, struct piece *names) {
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
         if (!lines_contain(l->line, "DATOS DE ACELERACION:")) {
@@ -73,7 +73,7 @@ static int read_names(const struct header *h, struct piece names, struct channel
     return STATUS_OK;
 }
 
-// The entry of this key, and of its value what stands behind the slash of the channel.
+// The entry of this key. Its value is the text after the slash of the channel.
 static int find_entry(const struct header *h, const char *key, int channel,
                       struct header_entry *out, struct error *e) {
     const int status = header_text(h, key, out, e);
@@ -94,7 +94,7 @@ static int find_entry(const struct header *h, const char *key, int channel,
     return STATUS_OK;
 }
 
-// Refuses an entry that is not `wanted`, without which the values would mean something else.
+// An error if the entry is not `wanted`: the values would then have another meaning.
 static int check_entry(const struct header *h, const char *key, double wanted, struct error *e) {
     struct header_entry entry;
     double value;
@@ -105,7 +105,7 @@ static int check_entry(const struct header *h, const char *key, double wanted, s
                              lines_excerpt(entry.value).text, wanted);
 }
 
-// The time step, which the header tells twice.
+// The time step. The header gives it twice, as rate and as step.
 static int read_step(const struct header *h, int channel, struct record_content *out,
                      struct error *e) {
     struct header_entry entry;

@@ -9,10 +9,10 @@
 #include "core/arena.h"
 #include "motion/lines.h"
 
-// In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
+// In steps. Times of 256 samples a second with three printed decimals are 0.13 steps off.
 static const double TIME_ERROR_MAX = 0.2;
 
-// Of a file that is smaller than that, a day at 200 samples a second.
+// Largest number of values: a day at 200 samples a second.
 enum { VALUES_MAX = 17280000 };
 
 static size_t count_values(struct piece line, const char *separators) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volume 1 of networks that write it as Caltech did (volume1.h).
+// Volume 1 in Caltech's layout, which several networks use (volume1.h).
 #include "motion/volume1.h"
 
 #include <math.h>
@@ -11,7 +11,8 @@ enum { LINE_NAME = 7, LINE_POINTS = 11, LINE_UNITS = 12, HEADER_LINES = 27 };
 
 static const double DURATION_ROUNDING = 0.001;  // [s]
 
-// The line of this number in a channel, from 1; the file's last one if it ends before.
+// The line with this number in a channel, from 1; the last line of the file if the file ends
+// before.
 static struct lines line_of(struct lines title, int number) {
     for (int i = 1; i < number && lines_next(&title); i++) {
     }
@@ -35,7 +36,7 @@ bool volume1_next(const struct volume1 *v, struct lines *l, struct piece *name) 
     return false;
 }
 
-// The number of values and the time step.
+// Reads the number of values and the time step.
 static int read_sizes(const struct volume1 *v, const struct record_text *t, const struct lines *l,
                       double *n, struct record_content *out, struct error *e) {
     const struct header h = {.text = t};
@@ -67,7 +68,7 @@ static int read_sizes(const struct volume1 *v, const struct record_text *t, cons
     return STATUS_OK;
 }
 
-// The unit, and the peak by which the values are checked, which has a unit of its own.
+// Reads the unit, and the peak against which the values are checked. The peak has its own unit.
 static int read_unit(const struct record_request *request, const struct record_text *t,
                      const struct lines *l, struct record_content *out, struct error *e) {
     const struct header h = {.text = t};
@@ -92,7 +93,7 @@ static int read_unit(const struct record_request *request, const struct record_t
     return header_read_peak_of_unit(&h, &entry, value, peak.unit, out, e);
 }
 
-// The line `/&`, unless the file ends.
+// Goes over the line `/&`, unless the file ends.
 static int check_end(const struct record_text *t, struct lines l, size_t n, struct error *e) {
     while (lines_next(&l)) {
         if (l.line.n > 0) {

@@ -35,7 +35,7 @@ struct volume1 {
 
 bool volume1_matches(const struct volume1 *v, const struct record_text *t);
 
-// Steps to the first line of the next channel; false: there is none.
+// Goes to the first line of the next channel; false: there is no further channel.
 bool volume1_next(const struct volume1 *v, struct lines *l, struct piece *name);
 
 int volume1_read(const struct volume1 *v, struct arena *a, const struct record_request *request,

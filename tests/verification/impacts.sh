@@ -87,7 +87,5 @@ while IFS=';' read -r label law formula; do
     computed "$label" "$law" >>"$work/computed"
 done <"$work/laws"
 awk -v m=15384.615384615385 -v v0=0.5 -f $here/formulas.awk "$work/formulas" >"$work/closed"
-table -f $here/impacts.awk "$work/computed" "$work/closed"
-pick impacts 1 2 6 | awk -F '\t' -v OFS='\t' '!($1 in row) { row[$1] = n++ } { print $2, row[$1], $3, $1 }' \
-    >"$work/errors"
+table -v errors="$work/errors" -f $here/impacts.awk "$work/computed" "$work/closed"
 draw 560

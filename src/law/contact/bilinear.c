@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bilinear spring with hysteresis: k1 up to d = dy, then k2; it unloads with k1 down to the line k2
-// d, then along it to zero.
+// Bilinear spring with hysteresis. The force rises with k1 up to d = dy, then with k2. It unloads
+// with k1 down to the line k2 d, then along this line to zero.
 //
 //     F = k2 d + S,   S = (k1 - k2) (d - offset),   0 <= S <= (k1 - k2) dy.
 //
-// An approach renewed within one contact rises with k1 from where it is to the line of loading. The
-// offset follows by projecting S onto its limits, exactly for a path that does not turn within
-// the step; it is the largest penetration less dy while S > 0. An impact that reaches d_max > dy
-// loses (k1 - k2) dy (d_max - dy). The tangent is k1 or k2 and jumps between them.
+// The offset follows by limiting S, exactly if d does not reverse within the step. While S > 0, the
+// offset is the largest penetration minus dy. A renewed approach within one contact rises with k1
+// to the line of loading. An impact that reaches d_max > dy loses (k1 - k2) dy (d_max - dy). The
+// tangent is k1 or k2 and jumps between both.
 //
-// Muthukumar & DesRoches make k1, k2 and dy from a Hertz spring kh d^(3/2), e and an impact with
-// the velocity v0, which would reach dm by dm^(5/2) = 5 m v0^2 / (4 kh) and shall lose
-// E = (1 - e^2) m v0^2 / 2:
+// Muthukumar & DesRoches derive k1, k2 and dy from a Hertz spring kh d^(3/2), from e, and from the
+// velocity v0 of an impact. The Hertz spring reaches dm with dm^(5/2) = 5 m v0^2 / (4 kh). The
+// impact should lose E = (1 - e^2) m v0^2 / 2:
 //
 //     dy = a dm,   k1 = K + E / (a dm^2),   k2 = K - E / ((1 - a) dm^2),   K = kh sqrt(dm).
 //
-// That spring takes up more than m v0^2 / 2 on the way to dm, so the impact does not get there: an
-// e of 0.65 comes out as 0.758. With K = kh sqrt(dm) (1 + e^2) / (5/2) it does, and loses E:
-// -calibrate. k2 > 0 needs a < (3 + 2 e^2) / 5 as published, and a < 2 e^2 / (1 + e^2) then.
+// This bilinear spring needs more than m v0^2 / 2 up to dm, so the impact does not reach dm. An e
+// of 0.65 gives 0.758. With K = kh sqrt(dm) (1 + e^2) / (5/2) (-calibrate) the impact reaches dm
+// and loses E. k2 > 0 needs a < (3 + 2 e^2) / 5 as published, and a < 2 e^2 / (1 + e^2) with
+// -calibrate.
 #include <math.h>
 #include <string.h>
 
@@ -48,7 +49,7 @@ static const struct row rows[N_ROW] = {
            "yield over largest penetration, beside -kh; 0.1, or less where -calibrate needs it"},
 };
 
-// The given three of k1, k2, dy or of kh, e, v0.
+// True if the three values a, b and c are given.
 static bool given(const double *value, int a, int b, int c) {
     return !isnan(value[a]) && !isnan(value[b]) && !isnan(value[c]);
 }
@@ -81,7 +82,7 @@ static int check_a(const double *value, double limit, const char *formula, struc
                      value[A], value[E], formula, limit);
 }
 
-// Puts k1, k2 and dy in place of kh, e, v0 and a; `fit` is K over kh sqrt(dm).
+// Replaces kh, e, v0 and a by k1, k2 and dy. `fit` is K / (kh sqrt(dm)).
 static void apply_recipe(double *value, double m_eff, double fit) {
     double energy = 0.5 * m_eff * value[V0] * value[V0];
     double loss = energy * (1.0 - value[E]) * (1.0 + value[E]);

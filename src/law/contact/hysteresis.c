@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The family F = k d^n (1 + q v / v0): a spring with hysteresis damping, whose dashpot grows with
-// the penetration. Its six laws differ in n and in their relation between q = zeta v0 / k and e:
+// The family F = k d^n (1 + q v / v0): a spring with a dashpot that grows with the penetration. Its
+// six laws differ in n and in the relation between q = zeta v0 / k and e:
 //
 //     ye-kelvin           n = 1          q = 3 (1 - e) / (2 e)
 //     power               any n          1 + e = (1/q) ln((1 + q) / (1 - e q)), or elastic
 //     hertz-damp          n = 3/2 or any q = 3 (1 - e^2) / 4
-//     lankarani-nikravesh the same       the same
+//     lankarani-nikravesh n = 3/2 or any q = 3 (1 - e^2) / 4
 //     ye-hertz-damp       n = 3/2 or any q = 8 (1 - e) / (5 e)
 //     hunt-crossley       n = 1 or 3/2   1 + e = (1/q) ln((1 + q) / (1 - e q))
 //
-// The relation of hertz-damp is exact only near e = 1: 0.65 comes out as 0.7748. That of
-// ye-hertz-damp is close to the exact one for large e and too strong for small e: 0.65 comes out as
-// 0.6303, 0.4 as 0.3629; by that of ye-kelvin as 0.6457 and 0.3796. The last one is exact, and does
-// not depend on n. One review prints e in the denominator of zeta for hertz-damp, v^n in place of
-// d^n, and zeta v for the damping force of ye-kelvin.
+// The relation of power and hunt-crossley is exact for every n. The others deliver:
 //
-// The force starts and ends at zero, but is negative where the bodies part faster than v0 / q,
-// which happens only when other forces pull them. A velocity at closure below `vmin` counts as
-// vmin: else the dashpot of a gentle touch would grow without bound and glue the bodies together.
+//     requested e                 0.65     0.4
+//     hertz-damp                  0.7748           exact only near e = 1
+//     ye-hertz-damp               0.6303   0.3629  damping too strong for small e
+//     ye-kelvin                   0.6457   0.3796
+//
+// Misprints of one review: e in the denominator of zeta for hertz-damp, v^n in place of d^n, and
+// zeta v as the damping force of ye-kelvin.
+//
+// The force starts and ends at zero. It is negative if the bodies separate faster than v0 / q,
+// which needs other forces that pull them. A velocity at closure below `vmin` counts as vmin:
+// otherwise the dashpot of a gentle touch would have no limit and hold the bodies together.
 #include <math.h>
 
 #include "law/lists.h"
 #include "law/power.h"
 #include "law/restitution.h"
 
-// Rows, of the laws with any exponent in this order.
+// Rows of the laws with any exponent, in this order.
 enum { K, E, ZETA, VMIN, N, N_ROW };
 enum { STIFFNESS, EXPONENT, Q, LEAST_V0, N_CONSTANT };
 enum { DAMPING, N_HISTORY };  // q / v0 [T/L]
@@ -39,7 +43,7 @@ static const struct row rows[N_ROW] = {
     [N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
 
-// Without n, the last one.
+// Rows of ye-kelvin: all except n, the last one.
 static const struct row linear_rows[N] = {
     [K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN, "impact stiffness"},
     [E] = RESTITUTION_ROW,
@@ -82,7 +86,7 @@ static struct contact_response family_force(const double *constant, const double
     };
 }
 
-// What the descriptors have in common.
+// Members that all descriptors share.
 #define FAMILY                                                                                     \
     .n_constant = N_CONSTANT, .n_history = N_HISTORY,                                              \
     .traits = CONTACT_MAY_PULL | CONTACT_NEEDS_V0 | CONTACT_SMOOTH, .close = family_close,         \

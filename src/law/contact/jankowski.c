@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Jankowski's non-linear viscoelastic law: F = k d^(3/2) + c v while v > 0, F = k d^(3/2) after,
-// with c = 2 zeta sqrt(k sqrt(d) m), m the effective mass.
+// Jankowski's non-linear viscoelastic law: F = k d^(3/2) + c v while v > 0, F = k d^(3/2)
+// afterwards, with c = 2 zeta sqrt(k sqrt(d) m) and the effective mass m.
 //
-// The printed relation zeta(e) is (9 sqrt5 / 2) (1 - e^2) / (e (e (9 pi - 16) + 16)) (one paper
-// drops the leading e of the denominator); it delivers 0.647 for 0.65. c grows like d^(1/4): the
-// slope of the force is infinite at d = 0, and jumps at v = 0. An approach renewed within one
+// The published relation is zeta = (9 sqrt5 / 2) (1 - e^2) / (e (e (9 pi - 16) + 16)). One paper
+// omits the first e of the denominator. An e of 0.65 gives 0.647. c grows like d^(1/4), so the
+// slope of the force is infinite at d = 0. The slope jumps at v = 0. A renewed approach within one
 // contact is damped again.
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -36,7 +36,7 @@ static int jankowski_prepare(const double *value, double m_eff, double *constant
     return STATUS_OK;
 }
 
-// With the dashpot, for d > 0.
+// Force with the dashpot, for d > 0.
 LANES_INLINE struct contact_response damped(const double *c, double d, double v) {
     struct contact_response r = power_spring(c[STIFFNESS], 1.5, d);
     double dashpot = c[DASHPOT] * sqrt(sqrt(d));
@@ -70,7 +70,7 @@ LANES static void jankowski_lanes(const double *constant, const double *d, const
     in_lanes(without_branches, N_CONSTANT, constant, d, v, r);
 }
 
-// Without a closed form; e does not depend on k, m or v0.
+// There is no closed form. e does not depend on k, m or v0.
 static double exact_zeta(double e) {
     return calibrate_by_impact(&contact_jankowski, e, published_zeta(e));
 }

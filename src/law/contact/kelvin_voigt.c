@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kelvin-Voigt: linear spring and dashpot, F = k d + c v, c = 2 zeta sqrt(k m).
 //
-// The tension just before separation is kept, so that an isolated impact delivers exactly the e
-// that zeta was made from. The force jumps from 0 to c v0 at closure, and from its tension to 0 at
-// opening.
+// The contact keeps its tension just before separation. So an isolated impact delivers exactly the
+// e from which zeta was computed. The force jumps from 0 to c v0 at closure, and from tension to 0
+// at opening.
 #include "law/dashpot.h"
 #include "law/in_lanes.h"
 #include "law/lists.h"

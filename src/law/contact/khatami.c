@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Khatami's law: F = k d^(3/2) (1 + f) while v > 0, F = k d^(3/2) after, f = alpha e^beta v0 (1 -
-// e), implemented as printed.
+// Khatami's law: F = k d^(3/2) (1 + f) while v > 0, F = k d^(3/2) afterwards, f = alpha e^beta v0
+// (1 - e), as published.
 //
-// As printed, f has the dimension of a velocity; alpha is taken in s/m, so that decks in other
-// units give the same force. f is so small that next to nothing is dissipated: at 0.5 m/s an e of
-// 0.65 comes out as 0.9988. What would deliver e is f = (1 - e^2) / e^2: -calibrate, or -zeta. The
-// force jumps at v = 0.
+// The published f has the dimension of a velocity. jostle takes alpha in s/m, so that decks in
+// other units give the same force. f is so small that the law dissipates almost nothing: at 0.5 m/s
+// an e of 0.65 gives 0.9988. f = (1 - e^2) / e^2 delivers e: use -calibrate or -zeta. The force
+// jumps at v = 0.
 #include <math.h>
 
 #include "law/lists.h"

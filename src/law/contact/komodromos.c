@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kelvin-Voigt without tension: F = max(0, k d + c v), c = 2 zeta sqrt(k m).
 //
-// The bodies part when the force reaches zero, while d is still positive; the spring then relaxes
-// without force. Less energy is lost than with the tension kept: with the published zeta an e of
-// 0.65 comes out as 0.6748. The force jumps at closure; its slope jumps where it reaches zero.
+// The bodies separate when the force reaches zero, while d is still positive. The spring then
+// relaxes without force. The law dissipates less energy than kelvin-voigt: with the published zeta
+// an e of 0.65 gives 0.6748. The force jumps at closure. Its slope jumps where the force reaches
+// zero.
 #include "law/dashpot.h"
 #include "law/lists.h"
 #include "law/restitution.h"
@@ -30,7 +31,7 @@ static struct contact_response komodromos_force(const double *c, const double *h
         .force = force, .dfdd = c[DASHPOT_STIFFNESS], .dfdv = c[DASHPOT_COEFFICIENT]};
 }
 
-// Where the force comes to zero, or from it.
+// The force becomes zero or begins here.
 static double komodromos_kink(const double *c, const double *h, const struct contact_way *way) {
     (void)h;
     double force = with_tension(c, way->d, way->v);

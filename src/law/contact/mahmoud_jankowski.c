@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Linear spring with a dashpot during approach: F = k d + c v while v > 0, F = k d after, with
+// Linear spring with a dashpot during approach: F = k d + c v while v > 0, F = k d afterwards, with
 // c = 2 zeta sqrt(k m).
 //
-// The relation of 2011, zeta = (1 - e^2) / (e (e (pi - 2) + 2)), delivers 0.6538 for 0.65; that of
-// 2008, (1 - e^2) / (pi e), delivers 0.6848. The force jumps from 0 to c v0 at closure; its slope
-// jumps at v = 0. An approach renewed within one contact is damped again.
+// With the relation of 2011, zeta = (1 - e^2) / (e (e (pi - 2) + 2)), an e of 0.65 gives 0.6538.
+// With the relation of 2008, (1 - e^2) / (pi e), it gives 0.6848. The force jumps from 0 to c v0 at
+// closure. Its slope jumps at v = 0. A renewed approach within one contact is damped again.
 #include <gsl/gsl_math.h>
 #include <math.h>
 
@@ -12,7 +12,7 @@
 #include "law/lists.h"
 #include "law/restitution.h"
 
-// The rows of law/dashpot.h, and one more.
+// The rows of law/dashpot.h, and RELATION.
 enum { K = DASHPOT_K, E = DASHPOT_E, ZETA = DASHPOT_ZETA, RELATION = DASHPOT_ROWS, N_ROW };
 
 static const struct range relation_range = {.min = 2008, .max = 2011, .text = "2008 or 2011"};

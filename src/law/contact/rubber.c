@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rubber bumper: hardens as a power of the compression, is linear once it is used up, and gives
-// back less than it took:
+// A rubber bumper. Its force hardens as a power of the compression, is linear beyond the ultimate
+// compression du, and returns less energy than it took:
 //
 //     F = f(d)             while v >= 0,
 //     F = f(d) (1 + c v)   while v < 0, but not below 0,
 //     f = k d^n to d = du, then k du^n + ky (d - du).
 //
-// The form is that of Polycarpou, Komodromos & Polycarpou (2013): a power of the indentation with
+// This form is that of Polycarpou, Komodromos & Polycarpou (2013): a power of the indentation with
 // n > 1, damping on release only, and a stiffness ky beyond the ultimate compression of a bumper of
-// limited thickness. Only its abstract was at hand: the values of k, n and c that the authors give
-// for rubber were not checked, so none is a default. Chosen here: F is not below 0, ky goes on with
-// the slope at du where it is not given, and with -e c = q / v0, q from
+// limited thickness. Only the abstract was available. The authors' values of k, n and c for rubber
+// were not checked, so none is a default.
 //
-//     ln(1 - e q) + e q + q^2 / 2 = 0,
+// Our choices: F is not below 0. Without ky the slope continues at du. With -e, c = q / v0, where q
+// follows from the energies of the release, for any f:
 //
-// the energies of the release, which holds for any f. With -c the restitution falls with the
-// velocity. The force starts and ends at 0 and does not jump; its slopes do at v = 0 and d = du. An
-// approach renewed within one contact goes along f again; every release dissipates f c v^2.
+//     ln(1 - e q) + e q + q^2 / 2 = 0.
+//
+// With -c the restitution decreases with the velocity. The force starts and ends at 0 and does not
+// jump. Its slopes jump at v = 0 and d = du. A renewed approach within one contact follows f again.
+// Every release dissipates the power f c v^2.
 //
 // A bumper of thickness t in a clear distance g is a contact with the gap g - t.
 #include <math.h>
@@ -75,7 +77,7 @@ static double share_of(const double *h, double v) {
 }
 
 static struct contact_response rubber_force(const double *c, const double *h, double d, double v) {
-    // The force f of loading, and its slope.
+    // The loading force f and its slope.
     struct contact_response r = power_spring(c[STIFFNESS], c[EXPONENT], fmin(d, c[ULTIMATE]));
     if (d > c[ULTIMATE]) {
         r.force += c[BEYOND] * (d - c[ULTIMATE]);
@@ -95,7 +97,7 @@ static struct contact_response rubber_force(const double *c, const double *h, do
     };
 }
 
-// At du, and where parting bodies lose touch.
+// Kinks: at du, and where the force of separating bodies becomes 0.
 static double rubber_kink(const double *c, const double *h, const struct contact_way *way) {
     double share = share_of(h, way->v);
     double kink = share_of(h, way->v0) > 0.0 ? share : -share;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Newton's impact of rigid bodies: no force, but velocities that jump at the instant of closure, so
-// that the bodies part with e times the velocity with which they met and keep their momentum,
+// Newton's impact of rigid bodies. There is no force: the velocities jump at the instant of
+// closure. The bodies separate with e times their approach velocity, and the momentum does not
+// change:
 //     v1' = v1 - (1 + e) m2 (v1 - v2) / (m1 + m2),
 //     v2' = v2 + (1 + e) m1 (v1 - v2) / (m1 + m2).
 // One paper prints the relative momentum in place of the relative velocity.
 //
-// What happens where several contacts are struck at once, and where bounces become too small to
-// follow, is told in src/solve/event/impulse.c.
+// src/solve/event/impulse.c treats impacts of several contacts at one instant, and bounces that are
+// too short to follow.
 #include "law/lists.h"
 
 enum { E, N_ROW };

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured curve: the force L(d) along the loading branch while the penetration is the largest of
-// the contact, D, and below it the same share of L as at the same fraction of the curve's last
-// point (d_n, L_n):
+// A measured curve with a loading branch L(d) and an unloading branch U(d). D is the largest
+// penetration of the contact so far, and d_n the last penetration of the curve:
 //
 //     F = L(d)                                                d >= D
 //     F = L(d) s(d d_n / D),   s = U(d) / L(d) of the curve   d < D.
 //
-// Where L is a power of d this is similarity: the unloading branch shrinks to (D, L(D)). With D =
-// d_n it is the measured branch U. L and s are linear between the points; beyond the last one L
-// goes on with its last slope. An approach renewed within one contact goes up where it came down,
-// and meets the loading branch at D.
+// If L is a power of d, the unloading branch is the measured one scaled to (D, L(D)). With D = d_n
+// it is the measured branch U. L and s are linear between the points. Beyond the last point L
+// continues with its last slope. A renewed approach within one contact follows the unloading branch
+// back up to D.
 //
-// No cycle creates energy: s does not exceed 1 and does not fall, so the branch sinks as D grows.
-// Rates of loading do not count. The slope jumps at the points and where the branch changes.
+// No cycle creates energy: s <= 1, and s does not decrease with d, so the branch falls as D grows.
+// The force does not depend on v. The slope jumps at the points and where the branch changes.
 #include <math.h>
 #include <stddef.h>
 
 #include "law/lists.h"
 
 enum { FILE_ROW, UNITS, N_ROW };
-enum { N_POINT, N_CONSTANT };  // then the points: d, L and, for U, s
+enum { N_POINT, N_CONSTANT };  // the points follow: d, L and s
 enum { DEEPEST, N_HISTORY };
 enum { SHARE = CURVE_UNLOADING };
 
@@ -55,7 +54,7 @@ static void table_close(const double *c, double v0, double *history) {
     history[DEEPEST] = 0.0;
 }
 
-// The point at the start of the interval that d lies in; the last interval has no end.
+// The point at the start of the interval that contains d. The last interval has no end.
 static const double *interval(const double *c, double d) {
     const double *point = c + N_CONSTANT;
     int low = 0;
@@ -71,7 +70,7 @@ static const double *interval(const double *c, double d) {
     return point + (ptrdiff_t)low * CURVE_COLUMNS;
 }
 
-// A column of the curve at d, and its slope.
+// The value of a column of the curve at d, and its slope.
 static double column_at(const double *c, int column, double d, double *slope) {
     const double *p = interval(c, d);
     const double *q = p + CURVE_COLUMNS;
@@ -98,8 +97,8 @@ static struct contact_response table_force(const double *c, const double *h, dou
     return r;
 }
 
-// The next point of the curve in the direction of `way`, which is up to the last but one and down
-// to the second; where there is none, infinite.
+// The next point of the curve in the direction of `way`: upwards as far as the last but one,
+// downwards as far as the second. INFINITY: there is no such point.
 static double point_beyond(const double *c, double d, double way) {
     const double *p = interval(c, d);
     const double *first = c + N_CONSTANT;
@@ -112,7 +111,7 @@ static double point_beyond(const double *c, double d, double way) {
     return p > first ? p[CURVE_PENETRATION] : -INFINITY;
 }
 
-// At the points of L and, below D, at those of s and at D itself.
+// Kinks: the points of L; below D also the points of s, and D.
 static double table_kink(const double *c, const double *h, const struct contact_way *way) {
     double rise = way->d - way->d0;
     double kink = point_beyond(c, way->d0, rise);

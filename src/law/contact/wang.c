@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wang's law: F = k d^n + zeta d^n v while v >= 0; after that the spring is relaxed along
-//     F = f_e ((d - d_e) / (d_max - d_e))^n,   f_e = k d_max^n,   d_e = R d_max,
-// and there is no force below the residual penetration d_e.
+// Wang's law: F = k d^n + zeta d^n v while v >= 0. After this the spring relaxes along
+//     F = f_e ((d - d_e) / (d_max - d_e))^n,   f_e = k d_max^n,   d_e = R d_max.
+// Below the residual penetration d_e there is no force.
 //
-// As f_e / (d_max - d_e)^n = k / (1 - R)^n, only d_max is kept, the largest penetration of the
-// contact. With -e, zeta is q k / v0 with the q that delivers e: the approach leaves the share
-// 2 (q - ln(1 + q)) / q^2 of the energy in the spring (restitution_stored_q), of which the release
-// gives back 1 - R,
+// Only d_max, the largest penetration of the contact, is stored, because f_e / (d_max - d_e)^n = k
+// / (1 - R)^n. With -e, zeta is q k / v0. The approach stores the share 2 (q - ln(1 + q)) / q^2 of
+// the energy in the spring (restitution_stored_q), and the release returns 1 - R of this:
 //
 //     e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2,   so e^2 <= 1 - R.
 //
-// The slope of the force jumps at v = 0; the force itself does only where an approach is
-// renewed within one contact, which follows the first branch again.
+// The slope of the force jumps at v = 0. The force jumps only in a renewed approach within one
+// contact, which follows the first branch again.
 #include <math.h>
 
 #include "law/lists.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bilinear storey with kinematic hardening: an elastic spring R k beside an elastic, perfectly
-// plastic one of stiffness (1 - R) k and strength (1 - R) V_y; V_y is the storey shear at first
+// plastic spring of stiffness (1 - R) k and strength (1 - R) V_y. V_y is the storey shear at first
 // yield.
 //
 //     V = R k drift + S,   S = (1 - R) k (drift - plastic),   |S| <= (1 - R) V_y.
 //
-// The plastic drift follows by projecting the trial S onto its strength (return mapping, exact for
-// a path that does not turn within the step): Simo & Hughes (1998), Computational Inelasticity,
-// ch. 1. The tangent is k or R k and jumps between them. R = 0 is elastoplastic.
+// Return mapping gives the plastic drift: the trial S is limited to the strength (Simo & Hughes
+// 1998, Computational Inelasticity, chapter 1). It is exact if the drift does not reverse within a
+// step. The tangent is k or R k and jumps between both. R = 0 is elastoplastic.
 #include <math.h>
 
 #include "law/lists.h"

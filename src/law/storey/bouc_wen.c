@@ -3,18 +3,19 @@
 //
 //     V = R k drift + (1 - R) V_y z,   d_y dz/d drift = 1 - |z|^n (gamma + beta sgn(z d drift)),
 //
-// with d_y = V_y / k. The law does not depend on the rate: the increment of z follows from that of
-// the drift. With z counted positive in the direction of the drift and s the drift over d_y,
+// with d_y = V_y / k. The law does not depend on the rate: the change of z follows from the change
+// of the drift. Let z be positive in the direction of the drift, and s the drift over d_y. Then
 //
 //     dz/ds = 1 + m |z|^n for z < 0, m = beta - gamma;
 //     dz/ds = 1 - P z^n   for z > 0, P = beta + gamma.
 //
-// For n = 1 and n = 2 both have a closed form. For other n the classical Runge-Kutta method takes
-// steps of 0.02 d_y from the committed point, which end at z = 0, where the slope has a kink. Its
-// error is below 1e-8 V_y for n = 3 and below 2e-6 V_y for all n up to 20.
-// The tangent is dz/d drift at the end. beta >= |gamma| keeps the loops from creating energy
-// (Erlicher & Point 2004), so neither m nor P is negative. With the sum of beta and gamma 1, V_y is
-// the strength of the yielding part.
+// For n = 1 and n = 2 both equations have a closed form. For other n the classical Runge-Kutta
+// method integrates from the committed point in steps of 0.02 d_y. A step ends at z = 0, where the
+// slope has a kink. The error is below 1e-8 V_y for n = 3 and below 2e-6 V_y for all n up to 20.
+//
+// The tangent is dz/d drift at the end. With beta >= |gamma| neither m nor P is negative, and loops
+// create no energy (Erlicher & Point 2004). If beta + gamma = 1, the strength of the yielding part
+// is (1 - R) V_y.
 #include <math.h>
 #include <stdbool.h>
 
@@ -26,19 +27,19 @@ enum {
     BACK,
     STRENGTH,
     DRIFT_OF_YIELD,
-    SLOPE,  // of the yielding part at z = 0
+    SLOPE,  // slope of the yielding part at z = 0
     EXPONENT,
     PLUS,   // gamma + beta
     MINUS,  // gamma - beta
     ROOT_OF_PLUS,
-    ROOT_OF_MINUS,  // of -MINUS
+    ROOT_OF_MINUS,  // root of -MINUS
     N_CONSTANT
 };
 enum { DRIFT, Z, N_HISTORY };
 
-static const double STEP = 0.02;    // of the drift, in units of d_y
-static const double SHORT = 2e-3;   // of the square of a step, in those units, for a series
-static const double ENOUGH = 60.0;  // drift in units of d_y after which z does not change any more
+static const double STEP = 0.02;    // step of the drift, in units of d_y
+static const double SHORT = 2e-3;   // square of a step, in units of d_y^2: below, a series
+static const double ENOUGH = 60.0;  // drift in units of d_y after which z is constant
 
 static const struct range exponent_range = {.min = 1.0, .max = 20.0, .text = ">= 1 and <= 20"};
 
@@ -86,8 +87,8 @@ static double relax(double p, double z, double s) {
     return p != 0.0 ? z - (1.0 - p * z) * expm1(-p * s) / p : z + s;
 }
 
-// tanh(root s) / root, where p = root^2, which is s for p = 0. Most steps are short: then the
-// series is right to the last bits and costs a fraction of a call of tanh.
+// tanh(root s) / root with p = root^2; this is s for p = 0. Most steps are short. For these a
+// series has only rounding errors and is faster than tanh.
 static inline double tanh_over_root(double p, double root, double s) {
     const double y = p * s * s;
     if (y > SHORT) {
@@ -97,7 +98,7 @@ static inline double tanh_over_root(double p, double root, double s) {
     return s + s * y * (low + y * y * high);
 }
 
-// n = 2, z >= 0; `root` is that of p.
+// n = 2, z >= 0; `root` is the root of p.
 static inline double saturate(double p, double root, double z, double s) {
     const double t = tanh_over_root(p, root, s);
     return (z + t) / (1.0 + p * z * t);
@@ -109,7 +110,7 @@ static double return_to_zero(double m, double root, double z, double s) {
     return (z + t) / (1.0 - m * z * t);
 }
 
-// The drift from z < 0 to 0.
+// The drift from z < 0 to z = 0.
 static double way_of_relaxing(double m, double z) {
     return m > 0.0 ? log1p(-m * z) / m : -z;
 }
@@ -141,12 +142,12 @@ static double runge_kutta(const double *c, double z, double h) {
     return z + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
 }
 
-// The drift from z < 0 to 0, by Simpson's rule: the integral of dz / slope.
+// The drift from z < 0 to z = 0, as the integral of dz / slope by Simpson's rule.
 static double way_to_zero(const double *c, double z) {
     return -z / 6.0 * (1.0 / slope(c, z) + 4.0 / slope(c, z / 2.0) + 1.0);
 }
 
-// The same through z = 0, where the slope has a kink.
+// z after the drift s through z = 0, where the slope has a kink.
 static double through_zero(const double *c, double z, double h) {
     double end = runge_kutta(c, z, h);
     return z < 0.0 && end > 0.0 ? runge_kutta(c, 0.0, h - way_to_zero(c, z)) : end;
@@ -188,7 +189,8 @@ static struct storey_response bouc_wen_respond(const double *c, const double *h,
     };
 }
 
-// What the elastic spring holds, and the other one would give back at its initial stiffness.
+// Energy of the elastic spring, plus the energy of the other one in unloading at its initial
+// stiffness.
 static double bouc_wen_stored(const double *c, const double *h, double drift) {
     double sign;
     double z = z_at(c, h, drift, &sign);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takeda's storey with a bilinear backbone, for reinforced concrete that is cracked from the start:
-// unloading softens with the drift reached, reloading aims short of it (law/peak_oriented.h).
-// Takeda, Sozen & Nielsen's own backbone has a third line, from cracking to yield.
+// Takeda's storey with a bilinear backbone, for reinforced concrete that is cracked from the start.
+// The unloading stiffness decreases with the largest drift. Reloading aims at less than the largest
+// drift (law/peak_oriented.h). The backbone of Takeda, Sozen & Nielsen has a third line, from
+// cracking to yield.
 
 #include "law/lists.h"
 #include "law/peak_oriented.h"

@@ -3,13 +3,13 @@
 //
 // The local error comes from Taylor's expansion of the solution over the step (for the displacement
 // Zienkiewicz & Xie 1991, Earthquake Engng Struct. Dyn. 20, 871-887):
-//     of u:  (beta - 1/6) h^2 (a1 - a0) + h (error of v) / 2,
+//     of u:  (beta - 1/6) h^2 (a1 - a0) + h^4 a'' / 24,
 //     of v:  (gamma - 1/2) h (a1 - a0) + h^3 a'' / 12,
-// with a'' from the accelerations at three instants. At a corner of the forcing a has a kink, which
-// is none of the method's error: there a'' is that of the accelerations without the forcing's own.
-// After an impact begins or ends, and at the start, there is no third instant; forces may begin
-// with an infinite slope, and the error of v is taken as h (a1 - a0) / 4, what the trapezoidal rule
-// misses of t^(1/4) up to a fifth.
+// with a'' from the accelerations at three instants. At a breakpoint of the forcing a has a kink,
+// which is not an error of the method. So a'' is there that of the accelerations without the direct
+// part of the forcing. At the start, and after an impact begins or ends, there is no third instant,
+// and forces may begin with an infinite slope. Then h (a1 - a0) / 4 replaces h^3 a'' / 12: the
+// error of the trapezoidal rule for t^(1/4), up to a fifth.
 //
 // The largest of the errors, over the sizes of scale.h, stays below the tolerance. It grows like
 // h^3, so steps go with its cube root. They end at corners, in equal parts from one to the next;
