@@ -46,10 +46,10 @@ struct report_link {
 // How a run has collapsed (struct collapse).
 struct report_collapse {
     long happened;         // 1; 0: it has not
-    double time;           // [T] NAN: it has not
+    double time;           // [T] 0: it has not
     const char *building;  // "": it has not
     long storey;           // from 1; 0: it has not
-    double drift;          // [L] NAN: it has not
+    double drift;          // [L] with its sign; 0: it has not
 };
 
 // What a result file says apart from its histories.

@@ -77,7 +77,7 @@ static void get_attributes(struct result_file *f) {
         h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, r);
     }
     // Files of earlier versions do not tell.
-    r->collapse = (struct report_collapse){.time = NAN, .building = "", .drift = NAN};
+    r->collapse = (struct report_collapse){.building = ""};
     const bool tells = H5Aexists(f->root, layout_collapse.column[0].name) > 0;
     for (int c = 0; tells && c < layout_collapse.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->root, &layout_collapse, c, r);

@@ -76,7 +76,7 @@ static void link_fill(struct report_link *to, const struct report *r, const stru
 
 static void collapse_fill(struct report_collapse *to, const struct model *m,
                           const struct report *report, const struct collapse *c) {
-    *to = (struct report_collapse){.time = NAN, .building = "", .drift = NAN};
+    *to = (struct report_collapse){.building = ""};
     for (int k = 0; c && c->happened && k < m->n_building; k++) {
         const int floor = c->dof - m->building[k].first;
         if (floor >= 0 && floor < m->building[k].n_floor) {
