@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "model/parts.h"
-#include "model/storey_force.h"
 #include "solve/floors/chain.h"
 #include "solve/forcing.h"
 
@@ -94,9 +93,16 @@ void state_open_where(struct state *s, const struct model *m, state_question *op
 void state_storeys(struct state *s, const struct model *m, const struct building *g,
                    const double *from, double *after) {
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        const struct storey_response r = storey_respond(&m->storey[i], from, s->drift[i], after);
+        const struct storey *law = &m->storey[i];
+        const struct storey_response r = law->law->respond(
+            law->constant, from + law->history, s->drift[i], after ? after + law->history : NULL);
         s->shear[i] = r.shear;
         s->tangent[i] = r.tangent;
+    }
+    // As in storey_respond; it would take time in each storey without P-delta.
+    for (int i = g->first; g->pdelta && i < g->first + g->n_floor; i++) {
+        s->shear[i] -= m->storey[i].pdelta * s->drift[i];
+        s->tangent[i] -= m->storey[i].pdelta;
     }
 }
 

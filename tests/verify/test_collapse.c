@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "jostle/ensemble.h"
 #include "support/analysis.h"
 #include "support/support.h"
 
@@ -164,6 +165,39 @@ static void a_limit_at_the_peak_is_seen(void **state) {
     analysis_free(&a);
 }
 
+// Elastic storeys, in lockstep as alone: some of the runs collapse.
+static void runs_in_lockstep_collapse_as_alone(void **state) {
+    (void)state;
+    struct ensemble_member member[ENSEMBLE_MAX];
+    int n_collapsed = 0;
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        member[k] = (struct ensemble_member){
+            .model = analysis_model(
+                "building A -floors 4 -mass 1 -stiffness 400 -height 3\n"
+                "building B -floors 3 -mass 1 -stiffness 900 -height 3\ndamping A rayleigh 5%%\n"
+                "damping B rayleigh 5%%\npdelta A -leaning 3\ncollapse drift 0.05 -storeys A:1:3\n"
+                "contact A B -gap 0.01 -law kelvin-voigt -k 1e5 -e 0.6\n"
+                "ground record input/records/ELCENTRO_1940_NS.AT2 -scale %g\nduration 10\n"
+                "step fixed 0.001\n",
+                0.3 * (1 + k))};
+        assert_true(ensemble_suits(member[k].model));
+    }
+    ensemble_run(member, ENSEMBLE_MAX, NULL);
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        struct results *alone;
+        struct error e;
+        assert_int_equal(member[k].status, STATUS_OK);
+        assert_int_equal(analysis_run(member[k].model, NULL, &alone, &e), STATUS_OK);
+        analysis_assert_same(member[k].model, member[k].results, alone);
+        assert_memory_equal(&member[k].results->collapse, &alone->collapse, sizeof alone->collapse);
+        n_collapsed += alone->collapse.happened;
+        results_free(alone);
+        results_free(member[k].results);
+        model_free((struct model *)member[k].model);
+    }
+    assert_true(n_collapsed > 1 && n_collapsed < ENSEMBLE_MAX - 1);
+}
+
 // Steps that a negative tangent makes too long are cut: here M + beta h^2 K is not positive
 // definite at the step of the deck.
 static void long_steps_are_cut_where_tangents_are_negative(void **state) {
@@ -186,6 +220,7 @@ int main(void) {
         cmocka_unit_test(methods_agree_on_the_storey_and_the_time),
         cmocka_unit_test(a_limit_that_is_not_reached_changes_nothing),
         cmocka_unit_test(a_limit_at_the_peak_is_seen),
+        cmocka_unit_test(runs_in_lockstep_collapse_as_alone),
         cmocka_unit_test(long_steps_are_cut_where_tangents_are_negative),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

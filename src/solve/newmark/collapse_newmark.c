@@ -32,7 +32,8 @@ static int collapse_first(const struct run *r, double h, double *time) {
                                   sign * collapse_across(m, r->now->v, i), fabs(drift) - limit,
                                   sign * collapse_across(m, r->next->v, i), h};
         double rate;
-        const double at = crossing_find(&path, &rate);
+        // In lockstep a run may be beyond its limit already, and will be run again.
+        const double at = path.d0 < 0.0 ? crossing_find(&path, &rate) : h;
         if (at < *time) {
             first = i;
             *time = at;
