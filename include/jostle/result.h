@@ -23,6 +23,7 @@ struct report_building {
     const double *stiffness;              // [F/L]
     const double *height;                 // [L] 0 where not given
     const double *period;                 // [T] of the building alone, elastic, longest first
+    const double *axial, *theta;          // [F] and 1, as in struct building; NULL: no P-delta
     const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
     const double *peak_time[PEAK_COUNT];  // [T]
     const double *residual_drift;         // [L] of the storeys; NULL: none can yield

@@ -78,6 +78,7 @@ static void put_building(struct json *j, const struct report_building *b) {
     key(j, "floors");
     fprintf(j->to, "%d", b->n_floor);
     put_members(j, &layout_building, b, b->n_floor);
+    put_members(j, &layout_pdelta, b, b->n_floor);
     open_list(j, "envelope", '{');
     put_members(j, &layout_peak, b, b->n_floor);
     close_list(j, '}');

@@ -105,6 +105,7 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
     printer_head(&c);
     for (int i = 0; i < r->n_building; i++) {
         building(&buildings, &r->building[i], &layout_building);
+        building(&buildings, &r->building[i], &layout_pdelta);
         building(&buildings, &r->building[i], &layout_peak);
     }
     for (int i = 0; i < r->n_contact; i++) {

@@ -89,6 +89,14 @@ static const struct column building_column[] = {
 };
 const struct column_table layout_building = TABLE(building_column, report_building);
 
+static const struct column pdelta_column[] = {
+    FLOORS("gravity_load", axial, &dimension_force,
+           "gravity load that the storey below each floor carries, for P-delta"),
+    FLOORS("stability_coefficient", theta, NULL,
+           "gravity load times drift over shear times height of the storey, in the first mode"),
+};
+const struct column_table layout_pdelta = TABLE(pdelta_column, report_building);
+
 // A peak and its time.
 #define PEAK(name, number, dimension, long_name)                                                   \
     FLOORS(name, peak[number], dimension, long_name),                                              \

@@ -32,6 +32,7 @@ extern const struct column_table layout_totals;     // the same; of a study: /to
 extern const struct column_table layout_collapse;   // the same, which earlier versions do not have
 extern const struct column_table layout_energy;     // of struct report: /energy
 extern const struct column_table layout_building;   // of struct report_building: /buildings/*
+extern const struct column_table layout_pdelta;     // the same, of a run alone with P-delta
 extern const struct column_table layout_peak;       // the same: /buildings/*/envelope
 extern const struct column_table layout_link;       // of struct report_link: /contacts and /links
 extern const struct column_table layout_level;      // the same, where layout_has_levels

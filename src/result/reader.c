@@ -110,6 +110,9 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
         }
         if (f->reading == READ_VALUES) {
             get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
+            if (building.own >= 0 && h5_has(&f->h, building.own, layout_pdelta.column[0].name)) {
+                get_columns(f, &building, &layout_pdelta, b, (size_t)b->n_floor);
+            }
             // Residual drifts are not there where no storey can yield; of a run of a study, an
             // attribute says so.
             const struct spot envelope = open_spot(f, &building, "envelope");

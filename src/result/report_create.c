@@ -27,6 +27,8 @@ static void building_fill(struct report_building *to, struct arena *a, const str
     to->stiffness = copy(a, b->stiffness, n);
     to->height = copy(a, b->height, n);
     to->period = period;
+    to->axial = b->axial ? copy(a, b->axial, n) : NULL;
+    to->theta = b->theta ? copy(a, b->theta, n) : NULL;
     for (size_t i = 0; period && i < n; i++) {
         period[i] = 2 * acos(-1.0) / b->omega[i];
     }

@@ -77,6 +77,9 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
         h5_put_long(w->h, g.group, "yields", !model->elastic);
     }
     put_columns(w, &g, &layout_building, b, n);
+    if (b->axial && !w->place) {
+        put_columns(w, &g, &layout_pdelta, b, n);
+    }
     for (int f = 0; f < FLOOR_FIELD_COUNT; f++) {
         if (w->report->fields >> f & 1) {
             const struct stream s = {
