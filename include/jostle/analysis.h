@@ -114,15 +114,17 @@ struct collapse {
 };
 
 struct results {
-    struct arena *arena;            // owns the arrays
-    double *peak[PEAK_COUNT];       // (n_dof)
-    double *peak_time[PEAK_COUNT];  // (n_dof) [T]
-    double *drift_rate;             // (n_dof) [L/T] largest at the rows that are observed
-    double *residual_drift;         // (n_dof) [L] where the storeys have no shear after the end
-    double *deepest;                // (n_link) [L] largest penetration of each link so far,
-    double *deepest_time;           // (n_link) [T] and when
-    struct link_peak *link;         // (n_link) contacts first
-    struct impact *impact;          // (n_impact) in order of t_start; malloc'd
+    struct arena *arena;                        // owns the arrays
+    double *peak[PEAK_COUNT];                   // (n_dof)
+    double *peak_time[PEAK_COUNT];              // (n_dof) [T]
+    double *founded_peak[2], *founded_time[2];  // (n_dof) largest deformations and shears of
+                                                // storeys of buildings with a foundation, and when
+    double *drift_rate;      // (n_dof) [L/T] largest at the rows that are observed
+    double *residual_drift;  // (n_dof) [L] where the storeys have no shear after the end
+    double *deepest;         // (n_link) [L] largest penetration of each link so far,
+    double *deepest_time;    // (n_link) [T] and when
+    struct link_peak *link;  // (n_link) contacts first
+    struct impact *impact;   // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;
     struct collapse collapse;
     double energy[ENERGY_COUNT];  // at the end

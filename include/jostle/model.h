@@ -19,13 +19,23 @@ JOSTLE_C_BEGIN
 enum { FLOORS_MAX = 1000 };  // of one building
 enum { WALL = -1 };          // in place of a building or degree of freedom
 
+// A rigid slab below a building, on springs and dashpots against the ground.
+struct foundation {
+    double mass, inertia;                  // [M] [M L^2] of the slab
+    double sway, rocking;                  // [F/L] [F L] stiffness
+    double sway_dashpot, rocking_dashpot;  // [F T/L] [F L T]
+};
+
 // A building: shear storeys, and parts that couple them. Floors are numbered from 1; array index 0
 // is floor 1, storey i is below floor i.
 struct building {
     const char *name;
-    int n_floor;
-    int first;           // index of floor 1 among all degrees of freedom
-    const double *mass;  // [M] (n_floor)
+    int n_floor;  // degrees of freedom: the floors, then sway and rocking of a foundation
+    int n_level;  // floors
+    int first;    // index of floor 1 among all degrees of freedom
+    const struct building *fixed;         // the same without its foundation; NULL: it has none
+    const struct foundation *foundation;  // NULL: none
+    const double *mass;                   // [M] (n_floor)
     const double
         *stiffness;        // [F/L] (n_floor) initial, of the storey below each floor, all its parts
                            // together: its shear over its drift where no other storey drifts
@@ -104,6 +114,7 @@ struct link {
     bool within;             // both ends are in building[0]
     int dof[2];              // left, right; WALL; of a row, its first entry
     struct link_row row[2];  // left, right
+    int column[2];           // index into model.column of the column that the end strikes; -1: none
     double gap;              // [L]; 0 for bilateral links
     double mass;             // [M] effective mass m*
     bool bilateral;          // acts whatever the sign of delta
@@ -115,6 +126,27 @@ struct link {
     int history;              // offset of its values in the state's link history
     bool moving_ground;       // the grounds of its ends move differently
     const struct word *word;  // that names it in its statement, for messages
+};
+
+// A column that is struck between the floors of its storey. The struck point has a mass and one
+// degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
+// the floors below and above: the column is clamped in both, and the rotation of its point has no
+// inertia. The storey keeps the stiffness of all its columns.
+struct struck_column {
+    const char *name;
+    int building;      // index into model.building
+    int floor;         // above the point, from 1
+    double level;      // [L] of the point above the ground of its building
+    double height;     // [L] of the storey
+    double below;      // [L] from the floor below to the point
+    double weight;     // of the floor above in the displacement of a point without force; the floor
+                       // below has the rest
+    double mass;       // [M] of the point
+    double bending;    // [F L^2] E I of all columns that are struck together
+    double stiffness;  // [F/L] of the point, the floors at rest
+    double dashpot;    // [F T/L]
+    double n;          // columns that are struck together
+    double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
 };
 
 // The ground acceleration under some buildings: the sum of the signals.
@@ -164,14 +196,18 @@ struct step_control {
 
 struct model {
     struct deck *deck;  // owned: texts and units live there
-    int n_building, n_dof, n_contact, n_link, n_ground, n_load;
-    const struct building *building;  // (n_building) from left to right
-    const double *mass;               // [M] (n_dof)
-    struct chain chain;               // the same floors
-    const struct storey *storey;      // (n_dof) the storey below each floor
-    bool elastic;                     // every building is
-    const double *collapse;           // [L] (n_dof) drift of the storey below each floor at which a
-                             // run ends, collapsed; infinite: none. NULL: no storey has one
+    int n_building, n_dof, n_contact, n_link, n_ground, n_load, n_column;
+    int n_body;                       // the buildings, then the struck points of the columns
+    const struct building *building;  // (n_body) from left to right; a struck point is a free body
+                                      // of one floor
+    const struct struck_column *column;  // (n_column); its spring is link n_link - n_column + i
+    const double *mass;                  // [M] (n_dof)
+    struct chain chain;                  // the same floors
+    const struct storey *storey;         // (n_dof) the storey below each floor
+    bool elastic;                        // every building is
+    bool founded;                        // some building has a foundation
+    const double *collapse;       // [L] (n_dof) drift of the storey below each floor at which a run
+                                  // ends, collapsed; infinite: none. NULL: no storey has one
     const struct link *link;      // (n_link) contacts first (n_contact), then bilateral links
     const struct ground *ground;  // (n_ground)
     const struct load *load;      // (n_load)

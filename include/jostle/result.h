@@ -92,8 +92,9 @@ bool report_link_joins(const struct report_link *c, const char *building, int fl
 // How tables explain the mark of such a floor, and how legends name it.
 extern const char report_hit_note[], report_hit_name[];
 
-// Writes the summary an engineer reads, at most 100 columns wide. Errors of `to` are the caller's.
-void report_print(const struct report *r, FILE *to);
+// Writes the summary an engineer reads, at most 100 columns wide. Errors: STATUS_SYSTEM (no
+// memory); those of `to` are the caller's.
+int report_print(const struct report *r, FILE *to, struct error *e);
 
 // What to do where the file exists.
 enum result_existing { RESULT_KEEP, RESULT_REPLACE };

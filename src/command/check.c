@@ -9,13 +9,14 @@
 #include "command/printer.h"
 #include "command/sweeps.h"
 #include "core/safe.h"
+#include "model/foundation.h"
 
 static int check_command(int argc, char **argv);
 
 const struct command command_check = {
     .name = "check",
     .usage = "DECK [-D NAME=VALUE]...",
-    .summary = "reads and checks a deck, prints the model",
+    .summary = "checks a deck and prints its model and the step that it needs",
     .run = check_command,
 };
 
@@ -48,13 +49,14 @@ static const struct printer_column link_columns[] = {
     COLUMN_TEXT("law", 0)};
 
 // The last of the storeys from `first` on that are like it.
-static int last_alike(const struct model *m, const struct building *g, int first) {
-    const struct storey_law *law = m->storey[g->first + first].law;
+static int last_alike(const struct model *m, const struct building *g, const struct building *own,
+                      int first) {
+    const struct storey_law *law = foundation_storey(m, g, first)->law;
     int last = first;
-    while (last + 1 < g->n_floor && g->mass[last + 1] == g->mass[first] &&
-           g->stiffness[last + 1] == g->stiffness[first] &&
+    while (last + 1 < g->n_level && own->mass[last + 1] == own->mass[first] &&
+           own->stiffness[last + 1] == own->stiffness[first] &&
            (!g->height || g->height[last + 1] == g->height[first]) &&
-           m->storey[g->first + last + 1].law == law) {
+           foundation_storey(m, g, last + 1)->law == law) {
         last++;
     }
     return last;
@@ -62,17 +64,18 @@ static int last_alike(const struct model *m, const struct building *g, int first
 
 static int print_storeys(const struct model *m, const struct building *g) {
     struct printer t = {.to = stdout, .units = &m->deck->units, .at_head = UNITS_BELOW_BARE};
+    const struct building *own = g->fixed ? g->fixed : g;
     PRINTER_ADD(&t, storey_columns);
     printer_head(&t);
-    for (int i = 0, last; i < g->n_floor; i = last + 1) {
+    for (int i = 0, last; i < g->n_level; i = last + 1) {
         char floors[32];
-        last = last_alike(m, g, i);
+        last = last_alike(m, g, own, i);
         snprintf(floors, sizeof floors, last > i ? "%d:%d" : "%d", i + 1, last + 1);
         printer_text(&t, floors);
-        printer_number(&t, g->mass[i]);
-        printer_number(&t, g->stiffness[i]);
+        printer_number(&t, own->mass[i]);
+        printer_number(&t, own->stiffness[i]);
         printer_number(&t, g->height ? g->height[i] : (double)NAN);
-        printer_text(&t, m->storey[g->first + i].law->name);
+        printer_text(&t, foundation_storey(m, g, i)->law->name);
         printer_line(&t);
     }
     return printer_close(&t);
@@ -81,7 +84,7 @@ static int print_storeys(const struct model *m, const struct building *g) {
 // The loads of P-delta at the base, and how far the building is from buckling under them.
 static void print_pdelta(const struct building *g, const struct unit_texts *t) {
     int most = 0;
-    for (int i = 1; i < g->n_floor; i++) {
+    for (int i = 1; i < g->n_level; i++) {
         most = g->theta[i] > g->theta[most] ? i : most;
     }
     safe_line(stdout,
@@ -93,7 +96,7 @@ static void print_pdelta(const struct building *g, const struct unit_texts *t) {
 // The drifts at which a run ends.
 static void print_collapse(const struct model *m, const struct building *g) {
     double least = INFINITY, most = 0.0;
-    for (int i = g->first; m->collapse && i < g->first + g->n_floor; i++) {
+    for (int i = g->first; m->collapse && i < g->first + g->n_level; i++) {
         least = fmin(least, m->collapse[i]);
         most = isinf(m->collapse[i]) ? most : fmax(most, m->collapse[i]);
     }
@@ -106,15 +109,25 @@ static void print_collapse(const struct model *m, const struct building *g) {
     }
 }
 
+static void print_foundation(const struct model *m, const struct foundation *f) {
+    const struct unit_system *u = &m->deck->units;
+    char mass[UNIT_TEXT], sway[UNIT_TEXT], rocking[UNIT_TEXT];
+    unit_text(u, dimension_mass, mass, sizeof mass);
+    unit_text(u, dimension_stiffness, sway, sizeof sway);
+    unit_text(u, dimension_energy, rocking, sizeof rocking);
+    safe_line(stdout, "  foundation: mass %.6g %s, sway %.6g %s, rocking %.6g %s", f->mass, mass,
+              f->sway, sway, f->rocking, rocking);
+}
+
 static int print_building(const struct model *m, const struct building *g,
                           const struct unit_texts *t) {
     double mass = 0.0;
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_level; i++) {
         mass += g->mass[i];
     }
     fputc('\n', stdout);
-    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
-              g->n_floor == 1 ? "" : "s", mass, t->mass);
+    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_level,
+              g->n_level == 1 ? "" : "s", mass, t->mass);
     // Periods and damping ratios of the first modes.
     for (int k = 0; k < g->n_floor && k < MODES_SHOWN; k++) {
         double ratio = building_damping_ratio(g, k + 1);
@@ -132,9 +145,13 @@ static int print_building(const struct model *m, const struct building *g,
         print_pdelta(g, t);
     }
     print_collapse(m, g);
-    for (int i = 0; i < g->n_part; i++) {
-        safe_line(stdout, "  %s: %d x %d from %s", g->part[i].name, g->n_floor, g->n_floor,
-                  g->part[i].source);
+    const struct building *own = g->fixed ? g->fixed : g;
+    for (int i = 0; i < own->n_part; i++) {
+        safe_line(stdout, "  %s: %d x %d from %s", own->part[i].name, g->n_level, g->n_level,
+                  own->part[i].source);
+    }
+    if (g->foundation) {
+        print_foundation(m, g->foundation);
     }
     return print_storeys(m, g);
 }
@@ -265,6 +282,9 @@ static int check(void *options, const struct model *m) {
         const struct building *g = m->building;
         while (load->dof >= g->first + g->n_floor) {
             g++;
+        }
+        if (load->dof - g->first >= g->n_level) {
+            continue;  // it belongs to a foundation
         }
         fputs(i ? "" : "\n", stdout);
         safe_line(stdout, "load on %s:%d: %s, peak %.4g %s", g->name, load->dof - g->first + 1,

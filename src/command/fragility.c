@@ -324,9 +324,9 @@ static int use(void *request, struct arena *a, const struct words *operand) {
 static const struct option_row rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
-     .doc = "what it is not to exceed: 20mm, 0.5%, 2MN; without a unit, in those of the deck"},
+     .doc = "limits of the demand: 20mm, 0.5%, 2MN; default unit: that of the deck"},
     {"collapse", .kind = OPTION_SET, .at = AT(collapse), .set = 1,
-     .doc = "of collapse (statement collapse), in place of a demand and a limit"},
+     .doc = "fits collapse (statement collapse), in place of a demand and a limit"},
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers)"},
@@ -334,7 +334,7 @@ static const struct option_row rows[] = {
 
 static const struct option_row form_rows[] = {
     {"method", 0, "counts|ida", OPTION_CHOICE, 0, AT(method),
-     .doc = "from the counts at each intensity (the default), or from the intensity at which each "
+     .doc = "fits the counts at each intensity (the default), or the intensity at which each "
             "sample first exceeds the limit"},
     {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
      .doc = "a line for each limit and intensity, separated by tabs"},
@@ -349,10 +349,9 @@ static int fragility_command(int argc, char **argv) {
         {.row = option_help},
         {.print = suite_options_print_edps},
         {.text =
-             "\nThe median and the dispersion are those of largest likelihood for the counts "
-             "(Baker\n2015, Earthquake Spectra 31, 579-599), or for the first exceedances and the "
-             "samples that have\nnone. A value equal to the limit does not exceed it. Standard "
-             "errors are those of\nindependent runs, or samples.\n"},
+             "\nThe median and the dispersion maximise the likelihood of the counts (Baker 2015, "
+             "Earthquake Spectra\n31, 579-599), or of the first exceedances. A value equal to the "
+             "limit does not exceed it.\nStandard errors hold for independent runs or samples.\n"},
         {0}};
     static const struct option_list list = {&command_fragility, parts, .operand = "result file",
                                             .use = use};

@@ -24,8 +24,9 @@ static double mass_share(const struct building *g, const double *phi) {
     double excited = 0.0;
     double modal = 0.0;
     for (int i = 0; i < g->n_floor; i++) {
-        total += g->mass[i];
-        excited += g->mass[i] * phi[i];
+        const bool turns = g->fixed && i + 1 == g->n_floor;  // the ground does not turn
+        total += turns ? 0.0 : g->mass[i];
+        excited += turns ? 0.0 : g->mass[i] * phi[i];
         modal += g->mass[i] * phi[i] * phi[i];
     }
     return excited * excited / modal / total;
@@ -86,7 +87,11 @@ static int print_shapes(const struct building *g, int first, int last) {
     printf("\n");
     printer_head(&t);
     for (int i = g->n_floor - 1; i >= 0; i--) {
-        printer_whole(&t, i + 1);
+        if (i < g->n_level) {
+            printer_whole(&t, i + 1);
+        } else {
+            printer_text(&t, i == g->n_level ? "sway" : "rock");
+        }
         for (int m = first; m < last; m++) {
             printer_number(&t, shape_of(g, m)[i]);
         }
@@ -105,7 +110,7 @@ static int print_pdelta(const struct model *m, const struct building *g) {
     printf("\nP-delta: buckling factor %.4g; stability coefficient in mode 1\n", g->buckling);
     PRINTER_ADD(&t, columns);
     printer_head(&t);
-    for (int i = g->n_floor - 1; i >= 0; i--) {
+    for (int i = g->n_level - 1; i >= 0; i--) {
         printer_whole(&t, i + 1);
         printer_number(&t, g->axial[i]);
         printer_number(&t, g->theta[i]);
@@ -116,7 +121,7 @@ static int print_pdelta(const struct model *m, const struct building *g) {
 
 static int print_building(const struct model *m, const struct building *g) {
     struct printer t;
-    safe_line(stdout, "building %s, %d floor%s", g->name, g->n_floor, g->n_floor == 1 ? "" : "s");
+    safe_line(stdout, "building %s, %d floor%s", g->name, g->n_level, g->n_level == 1 ? "" : "s");
     fputc('\n', stdout);
     open_table(&t, m, FORM_TEXT);
     for (int k = 0; k < g->n_floor; k++) {
@@ -142,8 +147,8 @@ static int print_modes(void *options, const struct model *m) {
         open_table(&t, m, o->form);
         for (int k = 0; k < m->n_building; k++) {
             const struct building *g = &m->building[k];
-            for (int i = 0; i < g->n_floor * g->n_floor; i++) {
-                print_mode(&t, g, i / g->n_floor, i % g->n_floor);
+            for (int i = 0; i < g->n_floor * g->n_level; i++) {
+                print_mode(&t, g, i / g->n_level, i % g->n_level);
             }
         }
         return printer_close(&t);

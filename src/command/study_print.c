@@ -4,10 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/choice.h"
 #include "command/sweeps.h"
 #include "core/safe.h"
 #include "core/text.h"
-#include "result/choice.h"
 #include "result/layout.h"
 #include "study/edp.h"
 

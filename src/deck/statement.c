@@ -12,15 +12,14 @@
 const struct deck_statement deck_statements[] = {
     {"title", "title \"TEXT\"", "title of the analysis"},
     {"units", "units FORCE LENGTH TIME",
-     "the deck's units, N m s if not given; mass is FORCE*TIME^2/LENGTH"},
-    {"gravity", "gravity G", "acceleration of gravity, 9.80665 m/s^2 if not given"},
-    {"param", "param NAME VALUE", "a parameter; -D NAME=VALUE overrides it"},
+     "units of the deck, default N m s; the unit of mass is FORCE*TIME^2/LENGTH"},
+    {"gravity", "gravity G", "acceleration of gravity; default: 9.80665 m/s^2"},
+    {"param", "param NAME VALUE", "a named value; -D NAME=VALUE replaces it"},
     {"sweep", sweep_usage,
-     "a parameter that takes one value after another, in place of that of its param if there is "
-     "one; sweeps multiply, but those with the same -as are paired, value by value, and so do "
-     "random "
-     "ones without: normal MEAN SD, lognormal MEDIAN DISPERSION or uniform LOW HIGH"},
-    {"include", "include FILE", "reads another deck here"},
+     "a parameter that takes one value after another; it replaces a param of the same name. Sweeps "
+     "multiply. Sweeps with the same -as are paired, and so are random sweeps. Distributions: "
+     "normal MEAN SD, lognormal MEDIAN DISPERSION, uniform LOW HIGH"},
+    {"include", "include FILE", "reads another deck at this position"},
 };
 const int n_deck_statement = sizeof deck_statements / sizeof deck_statements[0];
 

@@ -50,6 +50,7 @@ struct building_draft {
     struct word *storey_word;           // (n_floor) the word that gives the law; text NULL: elastic
     double *displacement, *velocity;    // (n_floor)
     struct word *initial;               // (n_floor) the word that gives them; text NULL: at rest
+    const struct foundation *foundation;  // NULL: none
 };
 
 // The scaling of a record to a pseudo-spectral acceleration, which needs the periods of the
@@ -95,11 +96,16 @@ struct collapse_draft {
     struct word word;
 };
 
+struct struck_draft {
+    struct struck_column column;
+    struct word word;  // for messages
+};
+
 struct builder {
     struct deck *deck;
     struct arena *arena;  // of the deck
     struct record_cache *records;
-    struct list buildings, grounds, links, loads;
+    struct list buildings, grounds, links, loads, columns;
     struct list collapses;  // of struct collapse_draft
     struct name_index building_index;
 

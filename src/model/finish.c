@@ -2,6 +2,8 @@
 // From drafts to the const model: what the deck as a whole must have, and the order of the stages.
 #include "model/finish.h"
 
+#include "model/struck_column.h"
+
 static int has_errors(const struct builder *b, struct error *e) {
     const struct diagnostics *found = &b->deck->diagnostics;
     if (arena_failed(b->arena) || found->out_of_memory) {
@@ -36,6 +38,7 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
     }
     int status = has_errors(b, e);
     if (status == STATUS_OK) {
+        struck_column_finish(b);
         status = finish_buildings(b, m, e);
     }
     if (status != STATUS_OK) {

@@ -7,9 +7,11 @@
 #include "core/lanes.h"
 #include "law/lists.h"
 #include "model/finish.h"
+#include "model/foundation.h"
 #include "model/modes.h"
 #include "model/parts.h"
 #include "model/pdelta.h"
+#include "model/struck_column.h"
 
 // An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
 static const struct building *twin(const struct building *first, int n, const struct building *of) {
@@ -101,8 +103,8 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     g->elastic = true;
     for (int i = 0; i < g->n_floor; i++) {
         struct storey *s = &storey[g->first + i];
-        *s = d->storey[i];
-        s->pdelta = g->pdelta ? g->pdelta[i] : 0.0;
+        *s = g->fixed ? (struct storey){0} : d->storey[i];  // else they are in its part
+        s->pdelta = g->pdelta && !g->fixed ? g->pdelta[i] : 0.0;
         if (!s->law || (s->law == &storey_elastic && s->pdelta != 0.0)) {
             double *constant =
                 arena_alloc(b->arena, (size_t)storey_elastic.n_constant, sizeof *constant);
@@ -135,7 +137,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
 static int count_floors(struct builder *b) {
     int n = 0;
     for (int i = 0; i < b->buildings.n; i++) {
-        n += builder_draft(b, i)->n_floor;
+        n += builder_draft(b, i)->n_floor + (builder_draft(b, i)->foundation ? 2 : 0);
     }
     return n;
 }
@@ -143,9 +145,11 @@ static int count_floors(struct builder *b) {
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     assert(b->buildings.n > 0);
     size_t n = (size_t)(m->n_dof = count_floors(b));
-    m->n_building = b->buildings.n;
+    m->n_body = b->buildings.n;
+    m->n_column = b->columns.n;
+    m->n_building = m->n_body - m->n_column;
     m->elastic = true;
-    struct building *building = arena_alloc(b->arena, (size_t)m->n_building, sizeof *building);
+    struct building *building = arena_alloc(b->arena, (size_t)m->n_body, sizeof *building);
     struct storey *storey = arena_alloc(b->arena, n, sizeof *storey);
     double *mass = arena_alloc(b->arena, n, sizeof *mass);
     double *displacement = arena_alloc(b->arena, n, sizeof *displacement);
@@ -153,10 +157,11 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     if (arena_failed(b->arena)) {
         return error_no_memory(e);
     }
-    for (int i = 0, first = 0; i < m->n_building; i++) {
+    for (int i = 0, first = 0; i < m->n_body; i++) {
         const struct building_draft *d = builder_draft(b, i);
         building[i] = (struct building){.name = d->name,
                                         .n_floor = d->n_floor,
+                                        .n_level = d->n_floor,
                                         .first = first,
                                         .mass = d->mass,
                                         .stiffness = d->stiffness,
@@ -164,19 +169,31 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
                                         .height = d->height};
         finish_parts(b, m, &building[i], d);
         int status = arena_failed(b->arena) ? error_no_memory(e) : finish_modes(b, building, i, e);
+        if (status == STATUS_OK && d->foundation) {
+            const struct building fixed = building[i];
+            m->founded = true;
+            status = foundation_put(b, d, &fixed, &m->n_storey_history, &building[i], e);
+            pdelta_check_founded(b, d, &building[i]);
+        }
         if (status != STATUS_OK) {
             return status;
         }
         finish_storeys(b, m, &building[i], d, storey);
         const struct building *g = &building[i];
-        size_t bytes = (size_t)g->n_floor * sizeof *mass;
-        memcpy(mass + g->first, d->mass, bytes);
+        size_t bytes = (size_t)d->n_floor * sizeof *mass;
+        memcpy(mass + g->first, g->mass, (size_t)g->n_floor * sizeof *mass);
         memcpy(displacement + g->first, d->displacement, bytes);
         memcpy(velocity + g->first, d->velocity, bytes);
-        first += d->n_floor;
+        first += g->n_floor;
     }
-    assert(building[m->n_building - 1].first + building[m->n_building - 1].n_floor == m->n_dof);
+    assert(building[m->n_body - 1].first + building[m->n_body - 1].n_floor == m->n_dof);
     finish_grounds(b, m, building);
+    struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
+    for (int i = 0; column && i < m->n_column; i++) {
+        column[i] = struck_column_draft(b, i)->column;
+        building[m->n_building + i].ground = building[column[i].building].ground;
+    }
+    m->column = column;
     m->building = building;
     m->storey = storey;
     m->mass = mass;
@@ -204,7 +221,7 @@ void finish_chain(struct builder *b, struct model *m) {
         .damping = x[OWN],
         .damping_above = x[ABOVE],
     };
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         for (int i = 0; i < g->n_floor; i++) {
             int j = g->first + i;

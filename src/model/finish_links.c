@@ -7,6 +7,7 @@
 #include "core/arena.h"
 #include "core/text.h"
 #include "model/finish.h"
+#include "model/foundation.h"
 #include "model/link_end.h"
 
 // True if the law uses -vmin as v0 for a contact that is closed at rest, and the force at the
@@ -132,14 +133,14 @@ static void finish_ends(const struct model *m, struct link *l) {
     int ground[2] = {WALL, WALL};
     for (int i = 0; i < 2; i++) {
         if (l->building[i] != WALL) {
+            l->building[i] = l->column[i] < 0 ? l->building[i] : m->n_building + l->column[i];
             const struct building *g = &m->building[l->building[i]];
-            l->dof[i] = l->row[i].n > 0 ? l->dof[i] : g->first + l->floor[i] - 1;
+            const int floor = l->column[i] < 0 ? l->floor[i] : 1;
+            l->dof[i] = l->row[i].n > 0 ? l->dof[i] : g->first + floor - 1;
             ground[i] = g->ground;
         }
     }
     assert(l->dof[0] < m->n_dof && l->dof[1] < m->n_dof);
-    assert(l->within || l->building[0] == WALL || l->building[1] == WALL ||
-           l->building[0] < l->building[1]);
     l->moving_ground = ground[0] != WALL && ground[1] != WALL && ground[0] != ground[1];
 }
 
@@ -168,12 +169,13 @@ void finish_links(struct builder *b, struct model *m) {
 
 void finish_loads(struct builder *b, struct model *m) {
     const struct load_draft *draft = b->loads.item;
-    struct load *load = arena_alloc(b->arena, (size_t)b->loads.n, sizeof *load);
+    const size_t n = (size_t)(b->loads.n + foundation_n_load(m));
+    struct load *load = arena_alloc(b->arena, n, sizeof *load);
     for (int i = 0; load && i < b->loads.n; i++) {
         load[i].dof = m->building[draft[i].building].first + draft[i].floor - 1;
         assert(load[i].dof >= 0 && load[i].dof < m->n_dof);
         load[i].signal = draft[i].signal;
     }
-    m->n_load = load ? b->loads.n : 0;
+    m->n_load = load ? b->loads.n + foundation_loads(b, m, load + b->loads.n) : 0;
     m->load = load;
 }

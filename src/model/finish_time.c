@@ -77,7 +77,7 @@ static double most_at_a_floor(const struct model *m, int i, enum bilateral_row w
 // stability.c derives the bound. It has no contacts, because the solver rejects steps that are too
 // long for a contact.
 double model_fastest(const struct model *m, int i) {
-    assert(i >= 0 && i < m->n_building);
+    assert(i >= 0 && i < m->n_body);
     const struct building *g = &m->building[i];
     return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + most_at_a_floor(m, i, BILATERAL_STIFFNESS));
 }
@@ -91,7 +91,7 @@ static double stable(const struct model *m) {
 static void check_stability(struct builder *b, struct model *m) {
     double limit = stable(m);
     const char *unit = b->deck->units.time_name;
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; i < m->n_body; i++) {
         const struct building *g = &m->building[i];
         double omega = model_fastest(m, i);
         if (omega * m->dt > limit) {
@@ -107,7 +107,7 @@ static void check_stability(struct builder *b, struct model *m) {
 
 // Reports a building that needs too many steps of Dormand & Prince's method.
 static void limit_explicit_steps(struct builder *b, struct model *m) {
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; i < m->n_body; i++) {
         const struct building *g = &m->building[i];
         struct stability stability = stability_of(g);
         double spring = most_at_a_floor(m, i, BILATERAL_STIFFNESS);
@@ -184,7 +184,7 @@ void finish_time(struct builder *b, struct model *m) {
             limit_explicit_steps(b, m);
         } else {
             // The longest adaptive step of Newmark's method is the longest stable one.
-            for (int i = 0; i < m->n_building; i++) {
+            for (int i = 0; i < m->n_body; i++) {
                 double omega = model_fastest(m, i);
                 m->control.longest = fmin(m->control.longest, stable(m) / omega);
             }

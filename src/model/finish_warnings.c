@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "model/finish.h"
+#include "model/struck_column.h"
 
 static const double ROUNDING = 1e-9;
 static const double STEPS_PER_CYCLE = 10.0;  // fewer steps do not resolve a vibration
@@ -256,8 +257,9 @@ static void check_between(struct builder *b, const struct model *m, const struct
     if (l->building[0] == WALL || l->building[1] == WALL) {
         return;
     }
-    for (int k = l->building[0] + 1; k < l->building[1]; k++) {
-        if (m->building[k].n_floor >= l->floor[0] && m->building[k].n_floor >= l->floor[1]) {
+    const int right = struck_column_host(m, l->building[1]);
+    for (int k = struck_column_host(m, l->building[0]) + 1; k < right; k++) {
+        if (m->building[k].n_level >= l->floor[0] && m->building[k].n_level >= l->floor[1]) {
             deck_warning(b->deck, &d->word, "building %s is between the floors of contact %s",
                          m->building[k].name, l->name);
         }

@@ -145,7 +145,7 @@ static int add_mode(const struct model *m, const struct building *g, int number,
 
 int floor_velocity(const struct model *m, int i, double *velocity, double *drift_rate,
                    struct error *e) {
-    assert(i >= 0 && i < m->n_building && velocity && drift_rate);
+    assert(i >= 0 && i < m->n_body && velocity && drift_rate);
     const struct building *g = &m->building[i];
     struct arena *scratch = arena_create();
     int status = scratch ? STATUS_OK : error_no_memory(e);

@@ -24,6 +24,7 @@
 #include "core/text.h"
 #include "law/isolated.h"
 #include "model/link_end.h"
+#include "model/struck_column.h"
 
 // Computes the velocities of the floors of all buildings with contacts. `rate` is scratch.
 static int find_velocities(const struct model *m, int n_contact, double *velocity, double *rate,
@@ -32,11 +33,18 @@ static int find_velocities(const struct model *m, int n_contact, double *velocit
         const struct building *g = &m->building[i];
         bool hit = false;
         for (int k = 0; k < n_contact; k++) {
-            hit |= m->link[k].building[0] == i || m->link[k].building[1] == i;
+            const int *at = m->link[k].building;
+            hit |= struck_column_host(m, at[0]) == i || struck_column_host(m, at[1]) == i;
         }
         if (hit && floor_velocity(m, i, velocity + g->first, rate, e) != STATUS_OK) {
             return e->status;
         }
+    }
+    for (int i = 0; i < m->n_column; i++) {
+        const struct struck_column *c = &m->column[i];
+        const double *floor = velocity + m->building[c->building].first + c->floor - 1;
+        velocity[m->building[m->n_building + i].first] =
+            c->weight * floor[0] + (c->floor > 1 ? (1.0 - c->weight) * floor[-1] : 0.0);
     }
     return STATUS_OK;
 }
@@ -145,7 +153,7 @@ int guidance_find(const struct model *m, struct guidance *out, struct error *e) 
     if (status != STATUS_OK) {
         return status;
     }
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; i < m->n_body; i++) {
         out->period = fmin(out->period, 2.0 * M_PI / model_fastest(m, i));
     }
     for (int i = 0; i < m->n_ground; i++) {

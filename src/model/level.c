@@ -14,6 +14,7 @@
 #include "core/arena.h"
 #include "core/text.h"
 #include "model/link_end.h"
+#include "model/struck_column.h"
 
 // A level nearer to a floor than this share of the height of the roof is that floor.
 static const double SAME_LEVEL = 1e-9;
@@ -118,8 +119,13 @@ static int first_of(struct builder *b, int building) {
     return first;
 }
 
-// The position of the level of an end in its storey, as a share of the storey height.
-static double share_of(struct builder *b, const struct link *l, int side) {
+double level_weight(struct builder *b, const struct link *l, int side) {
+    if (isnan(l->level[side])) {
+        return NAN;
+    }
+    if (l->column[side] >= 0) {
+        return struck_column_draft(b, l->column[side])->column.weight;
+    }
     const double *height = builder_draft(b, l->building[side])->height;
     const int floor = l->floor[side];
     double below = 0.0;
@@ -174,11 +180,8 @@ static void set_row(struct builder *b, struct link *l, int side, const struct li
 
 bool level_rows(struct builder *b, struct link *l, const struct word *w) {
     struct link_entry entry[ENTRIES_MAX];
-    for (int i = 0; i < 2; i++) {
-        l->weight[i] = isnan(l->level[i]) ? NAN : share_of(b, l, i);
-    }
     for (int i = 0; i < 2 && !l->within; i++) {
-        if (!isnan(l->level[i])) {
+        if (!isnan(l->level[i]) && l->column[i] < 0) {
             set_row(b, l, i, entry, add_end(b, l, i, 1.0, entry, 0));
         }
     }
@@ -202,6 +205,10 @@ double level_effective_mass(struct builder *b, const struct link *l) {
         const struct building_draft *d =
             l->building[i] == WALL ? NULL : builder_draft(b, l->building[i]);
         const int first = l->row[i].n > 0 ? first_of(b, l->building[i]) : 0;
+        if (l->column[i] >= 0) {
+            inverse += 1.0 / struck_column_draft(b, l->column[i])->column.mass;
+            continue;
+        }
         for (int k = 0; d && d->mass && k < l->row[i].n; k++) {
             const struct link_entry *e = &l->row[i].entry[k];
             inverse += e->weight * e->weight / d->mass[e->dof - first];

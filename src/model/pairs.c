@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "model/struck_column.h"
 
 static bool check_order(struct builder *b, struct pairs *p, enum wall_use walls) {
     int left = p->building[0];
@@ -62,8 +63,9 @@ static bool match_floors(struct builder *b, struct selection side[2], const stru
 }
 
 // A side needs a selection if the other side is a level or in the same building.
-static bool check_named(struct builder *b, const struct pairs *p, const struct selection side[2]) {
-    const bool level = !isnan(p->level[0]) || !isnan(p->level[1]);
+static bool check_named(struct builder *b, const struct pairs *p, const struct selection side[2],
+                        const double of[2]) {
+    const bool level = !isnan(of[0]) || !isnan(of[1]);
     for (int i = 0; i < 2; i++) {
         if (side[i].all && (level || p->within) && side[1 - i].building != WALL) {
             deck_error(b->deck, &p->word[i], "name the floor of building %s that %s joins",
@@ -86,14 +88,15 @@ static bool read_side(struct builder *b, struct word *w, enum wall_use walls,
 bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
                 struct pairs *out) {
     struct selection side[2];
+    double of[2];
     *out = (struct pairs){.word = &s->word[1]};
     bool good = true;
     for (int i = 0; i < 2; i++) {
         struct word w = s->word[1 + i];
-        good &= read_side(b, &w, walls, &side[i], &out->level[i]);
+        good &= read_side(b, &w, walls, &side[i], &of[i]);
         out->building[i] = side[i].building;
     }
-    if (!(good && check_order(b, out, walls) && check_named(b, out, side) &&
+    if (!(good && check_order(b, out, walls) && check_named(b, out, side, of) &&
           match_floors(b, side, out->word))) {
         return false;
     }
@@ -118,11 +121,85 @@ bool pairs_read(struct builder *b, const struct statement *s, enum wall_use wall
     out->named = side[0].named && side[1].named;
     out->n = side[0].building == WALL ? side[1].n_floor : side[0].n_floor;
     for (int i = 0; i < 2; i++) {
+        double *level = arena_alloc(b->arena, (size_t)out->n, sizeof *level);
+        for (int k = 0; level && k < out->n; k++) {
+            level[k] = of[i];
+        }
+        out->level[i] = level;
         out->floor[i] = side[i].building == WALL
                             ? arena_alloc(b->arena, (size_t)out->n, sizeof(int))
                             : side[i].floor;
     }
-    return out->floor[0] && out->floor[1];
+    return out->floor[0] && out->floor[1] && out->level[0] && out->level[1];
+}
+
+// The levels of the floors of both buildings, from 0 for the ground; false after a report.
+static bool find_levels(struct builder *b, const struct pairs *p, double *level[2]) {
+    for (int i = 0; i < 2; i++) {
+        const struct building_draft *d = builder_draft(b, p->building[i]);
+        if (!d->height) {
+            deck_error(b->deck, &p->word[i],
+                       "-by-level needs the heights of the storeys; building %s has no -height",
+                       d->name);
+            return false;
+        }
+        level[i] = arena_alloc(b->arena, (size_t)d->n_floor + 1, sizeof *level[i]);
+        for (int k = 0; level[i] && k < d->n_floor; k++) {
+            level[i][k + 1] = level[i][k] + d->height[k];
+        }
+    }
+    return level[0] && level[1];
+}
+
+// Adds the pair of floors, or of floor `at[side]` and the level of the other building there.
+static void add_pair(struct pairs *p, int *floor[2], double *level[2], const int at[2],
+                     const double *of[2], int only) {
+    for (int i = 0; i < 2; i++) {
+        floor[i][p->n] = at[i];
+        level[i][p->n] = only >= 0 && only != i ? of[only][at[only]] : (double)NAN;
+    }
+    p->n++;
+}
+
+bool pairs_by_level(struct builder *b, const struct statement *s, double depth, struct pairs *out) {
+    *out = (struct pairs){.word = &s->word[1], .named = true, .by_level = true};
+    int n[2];
+    for (int i = 0; i < 2; i++) {
+        const struct word *w = &s->word[1 + i];
+        if (strpbrk(w->text, ":@") || strcmp(w->text, "wall") == 0) {
+            deck_error(b->deck, w, "-by-level needs two buildings, without floors");
+            return false;
+        }
+        out->building[i] = builder_building(b, w);
+        if (out->building[i] < 0) {
+            return false;
+        }
+        n[i] = builder_draft(b, out->building[i])->n_floor;
+    }
+    double *of[2];
+    if (!check_order(b, out, WALL_ALLOWED) || n[0] == 0 || n[1] == 0 || !find_levels(b, out, of)) {
+        return false;
+    }
+    const size_t most = (size_t)n[0] + (size_t)n[1];
+    int *floor[2], at[2] = {1, 1};
+    double *level[2];
+    for (int i = 0; i < 2; i++) {
+        out->floor[i] = floor[i] = arena_alloc(b->arena, most, sizeof *floor[i]);
+        out->level[i] = level[i] = arena_alloc(b->arena, most, sizeof *level[i]);
+    }
+    if (arena_failed(b->arena)) {
+        return false;
+    }
+    const double *const known[2] = {of[0], of[1]};
+    const double *levels[2] = {known[0], known[1]};
+    while (at[0] <= n[0] && at[1] <= n[1]) {
+        const double apart = of[0][at[0]] - of[1][at[1]];
+        const bool meet = fabs(apart) < depth;
+        add_pair(out, floor, level, at, levels, meet ? -1 : apart > 0.0);
+        at[0] += meet || apart <= 0.0;
+        at[1] += meet || apart > 0.0;
+    }
+    return true;
 }
 
 static const char *end_name(struct builder *b, const struct link *l, int side) {
@@ -135,13 +212,14 @@ static const char *end_name(struct builder *b, const struct link *l, int side) {
                                                 b->deck->units.length_name);
 }
 
-static const char *link_name(struct builder *b, const struct pairs *p, const struct link *l,
+static const char *link_name(struct builder *b, const struct pairs *p, const struct link *l, int k,
                              const char *name) {
     if (name && p->n == 1) {
         return name;
     }
     if (name) {
-        return arena_format(b->arena, "%s:%d", name, l->floor[l->building[0] == WALL]);
+        const int number = p->by_level ? k + 1 : l->floor[l->building[0] == WALL];
+        return arena_format(b->arena, "%s:%d", name, number);
     }
     const char *left = end_name(b, l, 0);
     const char *right = end_name(b, l, 1);
@@ -155,10 +233,20 @@ struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k,
     for (int i = 0; i < 2; i++) {
         link.building[i] = p->building[i];
         link.floor[i] = p->floor[i][k];
-        link.level[i] = p->level[i];
+        link.level[i] = p->level[i][k];
+        link.column[i] = struck_column_at(b, p->building[i], link.level[i]);
         link.dof[i] = WALL;
     }
-    link.name = link_name(b, p, &link, name);
+    if (p->within && (link.column[0] >= 0 || link.column[1] >= 0)) {
+        const int end = link.column[0] < 0;
+        deck_error(b->deck, &p->word[end],
+                   "column %s is at this level; a link within a building cannot end there",
+                   struck_column_draft(b, link.column[end])->column.name);
+        return NULL;
+    }
+    link.weight[0] = level_weight(b, &link, 0);
+    link.weight[1] = level_weight(b, &link, 1);
+    link.name = link_name(b, p, &link, k, name);
     if (!link.name || !level_rows(b, &link, &p->word[1])) {
         return NULL;
     }

@@ -10,9 +10,10 @@ struct pairs {
     int building[2];          // left, right; WALL
     int n;                    // pairs of ends
     const int *floor[2];      // (n) left, right; 0 on a wall; of a level, the floor above
-    double level[2];          // [L] left, right: between two floors; NAN: at floors or a wall
+    const double *level[2];   // [L] (n) left, right: between two floors; NAN: at a floor or a wall
     bool within;              // both sides are one building
-    bool named;               // both sides name their floors by numbers
+    bool named;               // both sides name their floors by numbers, or their levels meet
+    bool by_level;            // from pairs_by_level
     const struct word *word;  // (2) LEFT and RIGHT
 };
 
@@ -20,6 +21,11 @@ struct pairs {
 // do not pair up. With GROUND_ALLOWED only, both sides may be in the same building.
 bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
                 struct pairs *out);
+
+// Pairs all floors of the buildings LEFT and RIGHT by their levels: floors whose levels differ by
+// less than `depth` [L] face each other. A floor that faces none faces the level of the other
+// building at its height, if that is not above the roof. False after a report.
+bool pairs_by_level(struct builder *b, const struct statement *s, double depth, struct pairs *out);
 
 // Appends link k of the pairs to the builder, with its ends, effective mass and name. The name is
 // made from `name`, or from the ends if it is NULL. NULL after a report.
@@ -45,8 +51,13 @@ enum end_kind level_kind(struct builder *b, struct word *w);
 // floor is at this level to rounding, `out` is that floor and *level is NAN. False after a report.
 bool level_read(struct builder *b, const struct word *w, struct selection *out, double *level);
 
-// Sets the rows of the ends of a link from its buildings, floors and levels. False after a report
-// at `w` that both ends are the same.
+// The weight of the floor above in the displacement of an end at a level: the position in the
+// storey as a share of its height; of a column, that of a point without force. NAN: the end is at a
+// floor.
+double level_weight(struct builder *b, const struct link *l, int side);
+
+// Sets the rows of the ends of a link from its buildings, floors, levels and weights. The end at a
+// column has none. False after a report at `w` that both ends are the same.
 bool level_rows(struct builder *b, struct link *l, const struct word *w);
 
 // The effective mass of a link, from the masses of its buildings in the builder.

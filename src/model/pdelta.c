@@ -112,3 +112,11 @@ int pdelta_apply(struct builder *b, const struct building_draft *d, struct build
     g->spring = spring;
     return modes_solve(g->n_floor, g->mass, spring, g->part_stiffness, omega, shape, e);
 }
+
+void pdelta_check_founded(struct builder *b, const struct building_draft *d,
+                          const struct building *g) {
+    if (g->axial && g->omega[0] == 0.0) {
+        deck_error(b->deck, &d->pdelta,
+                   "building %s buckles on its foundation under its gravity loads", g->name);
+    }
+}

@@ -13,4 +13,8 @@
 int pdelta_apply(struct builder *b, const struct building_draft *d, struct building *g,
                  double *omega, double *shape, struct error *e);
 
+// Reports a building with P-delta that buckles on its foundation.
+void pdelta_check_founded(struct builder *b, const struct building_draft *d,
+                          const struct building *g);
+
 #endif

@@ -132,6 +132,21 @@ bool runs_have(const struct runs *s, unsigned fields) {
     return true;
 }
 
+int runs_lack(const struct runs *s, const char *what, struct error *e) {
+    return error_set(e, STATUS_INPUT, "%s%s%s has no %s", s->r[0]->file, s->n > 1 ? " or " : "",
+                     s->n > 1 ? s->r[1]->file : "", what);
+}
+
+int runs_need(const struct runs *s, unsigned fields, const char *what, struct error *e) {
+    char text[96];
+    snprintf(text, sizeof text, "%s; see output -fields", what);
+    return runs_have(s, fields) ? STATUS_OK : runs_lack(s, text, e);
+}
+
+int runs_lack_contacts(const struct runs *s, struct error *e) {
+    return runs_lack(s, s->n > 1 ? "contacts; name the run that has them first" : "contacts", e);
+}
+
 // How hard something is hit. Rigid impacts have no force, which is NAN then.
 struct blow {
     double force, impulse;

@@ -6,6 +6,7 @@
 
 #include "core/arena.h"
 #include "jostle/result.h"
+#include "model/struck_column.h"
 
 static const char *const wall = "wall";
 
@@ -19,12 +20,13 @@ static const double *copy(struct arena *a, const double *from, size_t n) {
 
 static void building_fill(struct report_building *to, struct arena *a, const struct building *b,
                           const struct results *r) {
-    const size_t n = (size_t)b->n_floor;
+    const size_t n = (size_t)b->n_level;
+    const struct building *own = b->fixed ? b->fixed : b;  // storeys without the foundation
     double *period = arena_alloc(a, n, sizeof *period);
     to->name = arena_text(a, b->name, strlen(b->name));
-    to->n_floor = b->n_floor;
-    to->mass = copy(a, b->mass, n);
-    to->stiffness = copy(a, b->stiffness, n);
+    to->n_floor = b->n_level;
+    to->mass = copy(a, own->mass, n);
+    to->stiffness = copy(a, own->stiffness, n);
     to->height = copy(a, b->height, n);
     to->period = period;
     to->axial = b->axial ? copy(a, b->axial, n) : NULL;
@@ -53,12 +55,18 @@ static const char *constants_text(struct arena *a, const struct link *l) {
     return text;
 }
 
-static void link_fill(struct report_link *to, const struct report *r, const struct link *l) {
-    const int right = l->building[l->within ? 0 : 1];
+// The name of the building at an end, which may be a column of that building; or "wall".
+static const char *end_name(const struct model *m, const struct report *r, int building) {
+    const int own = struck_column_host(m, building);
+    return own == WALL ? wall : r->building[own].name;
+}
+
+static void link_fill(struct report_link *to, const struct report *r, const struct model *m,
+                      const struct link *l) {
     *to = (struct report_link){
         .name = arena_text(r->arena, l->name, strlen(l->name)),
-        .left = l->building[0] == WALL ? wall : r->building[l->building[0]].name,
-        .right = right == WALL ? wall : r->building[right].name,
+        .left = end_name(m, r, l->building[0]),
+        .right = end_name(m, r, l->building[l->within ? 0 : 1]),
         .law = l->law->name,
         .constants = constants_text(r->arena, l),
         .left_floor = l->floor[0],
@@ -81,7 +89,7 @@ static void collapse_fill(struct report_collapse *to, const struct model *m,
     *to = (struct report_collapse){.building = ""};
     for (int k = 0; c && c->happened && k < m->n_building; k++) {
         const int floor = c->dof - m->building[k].first;
-        if (floor >= 0 && floor < m->building[k].n_floor) {
+        if (floor >= 0 && floor < m->building[k].n_level) {
             *to =
                 (struct report_collapse){1, c->time, report->building[k].name, floor + 1, c->drift};
         }
@@ -152,7 +160,7 @@ static void model_fill(struct report *to, const struct model *m, const struct re
     }
     for (int i = 0; i < m->n_link; i++) {
         struct report_link *l = i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
-        link_fill(l, to, &m->link[i]);
+        link_fill(l, to, m, &m->link[i]);
     }
     collapse_fill(&to->collapse, m, to, r ? &r->collapse : NULL);
     if (r) {

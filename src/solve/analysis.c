@@ -10,6 +10,7 @@
 #include "core/arena.h"
 #include "core/number.h"
 #include "core/wall.h"
+#include "model/foundation.h"
 #include "solve/account/peaks.h"
 #include "solve/event/rest.h"
 #include "solve/run.h"
@@ -35,6 +36,19 @@ int analysis_note_energies(struct run *r) {
     return STATUS_OK;
 }
 
+// Storey deformations and shears of a row, where some building has a foundation.
+static void analysis_row_founded(struct run *r, const struct state *s) {
+    const size_t size = (size_t)r->model->n_dof * sizeof(double);
+    memcpy(r->row_drift, s->drift, size);
+    memcpy(r->row_shear, s->shear, size);
+    for (int k = 0; k < r->model->n_building; k++) {
+        const struct building *g = &r->model->building[k];
+        if (g->fixed) {
+            foundation_storeys(g, r->row_drift + g->first, r->row_shear + g->first);
+        }
+    }
+}
+
 // Takes the present state into the results, and shows it to the observer.
 static int analysis_show_row(struct run *r) {
     const struct observer *o = r->observer;
@@ -50,6 +64,9 @@ static int analysis_show_row(struct run *r) {
     if (status != STATUS_OK || !o || !o->row) {
         return status;
     }
+    if (r->model->founded) {
+        analysis_row_founded(r, s);
+    }
     for (int k = 0; k < r->model->n_link; k++) {
         r->row_force[k] = s->link[k].force;
     }
@@ -58,8 +75,8 @@ static int analysis_show_row(struct run *r) {
         .displacement = s->u,
         .velocity = s->v,
         .acceleration = s->total,
-        .drift = s->drift,
-        .storey_shear = s->shear,
+        .drift = r->model->founded ? r->row_drift : s->drift,
+        .storey_shear = r->model->founded ? r->row_shear : s->shear,
         .force = r->row_force,
         .penetration = s->delta,
         .ground = s->ground_a,
@@ -150,6 +167,8 @@ static bool analysis_alloc(struct run *r, struct arena *a) {
     r->now = &r->store[0];
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
+    r->row_drift = arena_alloc(a, m->founded ? (size_t)m->n_dof : 0, sizeof *r->row_drift);
+    r->row_shear = arena_alloc(a, m->founded ? (size_t)m->n_dof : 0, sizeof *r->row_shear);
     return fields_alloc(&energy_fields, m, &r->energy, a) && state_alloc(r->now, m, a) &&
            impacts_alloc(&r->impacts, m, r->results, &r->energy, a) &&
            peaks_alloc(r->results, m, a) && r->method->alloc(r, a);

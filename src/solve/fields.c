@@ -16,7 +16,7 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
     const int n[] = {
         [FIELD_ONE] = 1,
         [FIELD_AT] = 1,
-        [FIELD_BUILDINGS] = m->n_building,
+        [FIELD_BUILDINGS] = m->n_body,
         [FIELD_BUILDING_FLOORS] = m->building[k].n_floor,
         [FIELD_FLOORS] = m->n_dof,
         [FIELD_LINKS] = m->n_link,

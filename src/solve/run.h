@@ -85,8 +85,9 @@ struct run {
     // Scratch.
     struct state store[2];  // which `now` and `next` point to
     struct flight flight;
-    double *row_force;        // [F] (n_link) of a row
-    struct meeting *meeting;  // (n_contact) of rigid impacts
+    double *row_force;              // [F] (n_link) of a row
+    double *row_drift, *row_shear;  // [L] [F] (n_dof) the same of storeys, with any foundation
+    struct meeting *meeting;        // (n_contact) of rigid impacts
 };
 
 // In analysis.c.

@@ -39,7 +39,7 @@ void scale_expect(struct scales *s, const struct model *m) {
         acceleration =
             fmax(acceleration, signal_peak(&m->load[k].signal) / m->mass[m->load[k].dof]);
     }
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         time = fmin(time, 1.0 / m->building[k].omega[0]);
     }
     s->most_a = acceleration;
@@ -84,7 +84,7 @@ void scale_update(struct scales *s, const struct model *m, const struct results 
         s->most_v = v[i] > s->most_v ? v[i] : s->most_v;
     }
     s->noisy = -1;
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         double of_u = scale_over(fmax(scale_largest_of(u, g), SHARE * s->most_u));
         double of_v = scale_over(fmax(scale_largest_of(v, g), SHARE * s->most_v));

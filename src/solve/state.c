@@ -108,7 +108,7 @@ void state_storeys(struct state *s, const struct model *m, const struct building
 
 void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
                        double *after) {
-    for (int k = 0; m->chain.full_damping && k < m->n_building; k++) {
+    for (int k = 0; m->chain.full_damping && k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->damping_full) {
             building_damping_force(g, v + g->first, s->damping_force + g->first);
@@ -126,7 +126,7 @@ void state_full_forces(struct state *s, const struct model *m, const double *v, 
 static void state_forces_from(struct state *s, const struct model *m, const double *from,
                               double *after) {
     chain_forces(&m->chain, s->u, s->v, s->drift, s->shear, s->damping_force);
-    for (int k = 0; !m->elastic && k < m->n_building; k++) {
+    for (int k = 0; !m->elastic && k < m->n_body; k++) {
         if (!m->building[k].elastic) {
             state_storeys(s, m, &m->building[k], from, after);
         }

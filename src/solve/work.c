@@ -65,7 +65,7 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
         .ahead.from = -FORCING_AHEAD,
         .held = -1,
     };
-    size_t n = (size_t)m->n_building;
+    size_t n = (size_t)m->n_body;
     w->home = arena_alloc(a, n, sizeof *w->home);
     w->other = arena_alloc(a, n, sizeof *w->other);
     w->effective = w->home;
@@ -74,8 +74,8 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
     }
     work_fill_links(w, m, a);
     w->most_links = work_most_links(m, w->correction);
-    return effective_alloc(w->home, m->building, m->n_building, EFFECTIVE_LONG, a) &&
-           effective_alloc(w->other, m->building, m->n_building, EFFECTIVE_BRIEFLY, a);
+    return effective_alloc(w->home, m->building, m->n_body, EFFECTIVE_LONG, a) &&
+           effective_alloc(w->other, m->building, m->n_body, EFFECTIVE_BRIEFLY, a);
 }
 
 // Factorises building k of `e` unless it is there for b, g and the tangents last used. Parts that
@@ -101,7 +101,7 @@ void work_resume(struct work *w) {
     lanes_assert(w->correction, w->model->n_dof);
     const double h = w->h;
     const long factors = w->factors;
-    for (int k = 0; k < w->model->n_building; k++) {
+    for (int k = 0; k < w->model->n_body; k++) {
         effective_resume(&w->home[k]);
     }
     for (int k = 0; k < w->model->n_link; k++) {
@@ -127,7 +127,7 @@ int work_factor(struct work *w, double h) {
     w->g = w->model->gamma * h;
     w->per_b = 1.0 / w->b;
     w->per_g = 1.0 / w->g;
-    for (int k = 0; k < w->model->n_building; k++) {
+    for (int k = 0; k < w->model->n_body; k++) {
         int status = work_refactor(w, e, k);
         if (status != STATUS_OK) {
             return status;

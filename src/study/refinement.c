@@ -83,15 +83,15 @@ static double all_impacts(const struct model *m, const struct results *r, int i)
 
 static double roof_displacement(const struct model *m, const struct results *r, int i) {
     const struct building *g = &m->building[i];
-    return r->peak[PEAK_DISPLACEMENT][g->first + g->n_floor - 1];
+    return r->peak[PEAK_DISPLACEMENT][g->first + g->n_level - 1];
 }
 
 static double drift(const struct model *m, const struct results *r, int i) {
-    return largest(r->peak[PEAK_DRIFT] + m->building[i].first, m->building[i].n_floor);
+    return largest(r->peak[PEAK_DRIFT] + m->building[i].first, m->building[i].n_level);
 }
 
 static double acceleration(const struct model *m, const struct results *r, int i) {
-    return largest(r->peak[PEAK_ACCELERATION] + m->building[i].first, m->building[i].n_floor);
+    return largest(r->peak[PEAK_ACCELERATION] + m->building[i].first, m->building[i].n_level);
 }
 
 static double base_shear(const struct model *m, const struct results *r, int i) {

@@ -154,6 +154,27 @@ static void parts_beside_yielding_storeys_agree(void **state) {
     analysis_free(&b);
 }
 
+// A rigid building on a slab that rocks is a pendulum upside down: J theta'' = -(K - W h) theta. It
+// leans with its foundation, so that P-delta acts on that, too.
+static void a_rigid_building_rocks_as_a_pendulum(void **state) {
+    (void)state;
+    static const char deck[] = "building A -floors 1 -mass 1000 -stiffness 1e9 -height 3\n%s%s"
+                               "foundation A -mass 100 -inertia 1 -sway 1e9 -rocking %s\n" STEP;
+    static const char pdelta[] = "pdelta A\n", yields[] = "storey A bilinear -yield 1e8 "
+                                                          "-hardening 0.1\n";
+    for (int i = 0; i < 2; i++) {
+        struct model *m = analysis_model(deck, pdelta, i ? yields : "", "2e6");
+        const double omega = sqrt((2e6 - 1000 * 9.80665 * 3) / (1000 * 9 + 1));
+        assert_close(m->building[0].omega[0], omega, 3e-4);
+        // Far nearer where it matters: the difference that P-delta makes.
+        struct model *without = analysis_model(deck, "", i ? yields : "", "2e6");
+        const double before = sqrt(2e6 / (1000 * 9 + 1));
+        assert_close(without->building[0].omega[0] / m->building[0].omega[0], before / omega, 1e-5);
+        model_free(m);
+        model_free(without);
+    }
+}
+
 // Damping is that of the building without P-delta.
 static void damping_stays(void **state) {
     (void)state;
@@ -182,6 +203,7 @@ int main(void) {
         cmocka_unit_test(yielding_storeys_agree_at_fixed_steps),
         cmocka_unit_test(yielding_storeys_agree_in_adaptive_steps),
         cmocka_unit_test(parts_beside_yielding_storeys_agree),
+        cmocka_unit_test(a_rigid_building_rocks_as_a_pendulum),
         cmocka_unit_test(damping_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

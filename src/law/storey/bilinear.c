@@ -57,7 +57,7 @@ static double bilinear_stored(const double *c, const double *h, double drift) {
 
 const struct storey_law storey_bilinear = {
     .name = "bilinear",
-    .summary = "bilinear with kinematic hardening; elastoplastic with -hardening 0",
+    .summary = "bilinear with kinematic hardening; elastic-plastic with -hardening 0",
     .formula = "V = R k drift + S, S = (1 - R) k (drift - plastic), |S| <= (1 - R) V_y",
     .source = "Simo & Hughes (1998), Computational Inelasticity, section 1.4",
     .row = rows,

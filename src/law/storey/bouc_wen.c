@@ -48,7 +48,8 @@ static const struct row rows[N_ROW] = {
     [HARDENING] = HARDENING_ROW,
     [N] = {"n", ROW_NUMBER, 0, OF_NONE, &exponent_range, 2.0, "sharpness of the yielding"},
     [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &range_positive, 0.5, "shape of the loops"},
-    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, NULL, 0.5, "shape of the loops, of size <= beta"},
+    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, NULL, 0.5,
+               "shape of the loops; its size is at most beta"},
 };
 
 static int bouc_wen_prepare(const double *value, double stiffness, double *constant,

@@ -10,7 +10,7 @@ enum { UNIT, N_ROW };
 
 static const struct row rows[N_ROW] = {
     [UNIT] = {"unit", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-              "unit of the values: N/m, kN/mm, kip/in ...; the deck's if not given"},
+              "unit of the values, such as kN/mm or kip/in; default: that of the deck"},
 };
 
 static void matrix_respond(const struct part *p, const double *history, const double *drift,
@@ -133,8 +133,8 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_matrix = {
     .name = "matrix",
     .usage = "BUILDING FILE [-unit U]",
-    .summary = "stiffness of a building on its floor displacements, from a file; adds to its "
-               "storeys' and to other matrices",
+    .summary = "stiffness matrix of a building on its floor displacements, from a file; it adds to "
+               "the storeys and to other matrices",
     .example = "matrix A frame.txt -unit kN/m",
     .row = rows,
     .n_row = N_ROW,

@@ -50,7 +50,7 @@ struct energy_sums energy_sums_of(const struct energy_account *a, const struct m
     for (int i = 0; i < m->n_dof; i++) {
         kinetic_2x += m->mass[i] * s->v[i] * s->v[i];
     }
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             const struct storey *law = &m->storey[i];

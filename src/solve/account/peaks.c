@@ -3,9 +3,11 @@
 #include "solve/account/peaks.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/lanes.h"
 #include "core/number.h"
+#include "model/foundation.h"
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
@@ -21,6 +23,10 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct results, peak_time[PEAK_ACCELERATION], FIELD_FLOORS),
     FIELD_ARRAY(struct results, peak_time[PEAK_DRIFT], FIELD_FLOORS),
     FIELD_ARRAY(struct results, peak_time[PEAK_SHEAR], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, founded_peak[0], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, founded_peak[1], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, founded_time[0], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, founded_time[1], FIELD_FLOORS),
     FIELD_ARRAY(struct results, drift_rate, FIELD_FLOORS),
     FIELD_ARRAY(struct results, residual_drift, FIELD_FLOORS),
     FIELD_ARRAY(struct results, deepest, FIELD_LINKS),
@@ -51,7 +57,39 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     return true;
 }
 
+static const enum peak founded_quantity[] = {PEAK_DRIFT, PEAK_SHEAR};
+
+void peaks_founded(struct results *r, const struct model *m, const struct state *s) {
+    double drift[FLOORS_MAX], shear[FLOORS_MAX];
+    const double *const value[] = {drift, shear};
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        const size_t size = (size_t)g->n_floor * sizeof *drift;
+        if (!g->fixed) {
+            continue;
+        }
+        memcpy(drift, s->drift + g->first, size);
+        memcpy(shear, s->shear + g->first, size);
+        foundation_storeys(g, drift, shear);
+        for (int q = 0; q < 2; q++) {
+            for (int i = 0; i < g->n_level; i++) {
+                peak_larger(fabs(value[q][i]), s->time, &r->founded_peak[q][g->first + i],
+                            &r->founded_time[q][g->first + i]);
+            }
+        }
+    }
+}
+
 void peaks_finish(struct results *r, const struct model *m) {
+    for (int k = 0; m->founded && k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        const size_t size = g->fixed ? (size_t)g->n_level * sizeof(double) : 0;
+        for (int q = 0; q < 2; q++) {
+            const enum peak p = founded_quantity[q];
+            memcpy(r->peak[p] + g->first, r->founded_peak[q] + g->first, size);
+            memcpy(r->peak_time[p] + g->first, r->founded_time[q] + g->first, size);
+        }
+    }
     for (int k = 0; k < m->n_link; k++) {
         r->link[k].penetration = r->deepest[k];
         r->link[k].penetration_time = r->deepest_time[k];
@@ -92,6 +130,9 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
         }
     }
     peaks_speed(r, m->n_dof);
+    if (m->founded) {
+        peaks_founded(r, m, s);
+    }
     for (int k = 0; k < m->n_contact; k++) {
         peaks_penetration(r, k, s->delta[k], s->time);
     }

@@ -24,6 +24,9 @@ void residual_drifts(const struct model *m, const struct state *s, double *out);
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
 
+// Takes storey deformations and shears of buildings with a foundation from state `s`.
+void peaks_founded(struct results *r, const struct model *m, const struct state *s);
+
 // Takes the drift rates of state `s`.
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s);
 

@@ -14,6 +14,7 @@
 
 #include "core/arena.h"
 #include "core/root.h"
+#include "model/foundation.h"
 #include "model/parts.h"
 #include "model/storey_force.h"
 #include "solve/account/peaks.h"
@@ -129,19 +130,35 @@ static void residual_drift_settle(const struct model *m, const struct state *s,
     arena_free(a);
 }
 
+// The residual drifts of building `b` whose storeys come to rest one by one, from their drifts. One
+// with a foundation comes to rest on a foundation that has not moved.
+static void residual_drift_storeys(const struct model *m, const struct state *s,
+                                   const struct building *b, const double *drift, double *out) {
+    const struct building *own = b->fixed ? b->fixed : b;
+    const double *history = s->storey_history + (b->fixed ? b->part->history : 0);
+    for (int i = 0; i < b->n_level; i++) {
+        const struct storey *storey = foundation_storey(m, b, i);
+        const struct unloading u = {storey, history};
+        out[i] = storey->law->n_history == 0
+                     ? 0.0
+                     : fabs(residual_drift_unload(u, own->stiffness[i], drift[i]));
+    }
+}
+
 void residual_drifts(const struct model *m, const struct state *s, double *out) {
-    for (int k = 0; k < m->n_building; k++) {
+    double drift[FLOORS_MAX], shear[FLOORS_MAX];
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *b = &m->building[k];
-        if (b->n_part > 0 && !b->elastic) {
+        const struct building *own = b->fixed ? b->fixed : b;
+        if (own->n_part > 0 && !b->elastic) {
             residual_drift_settle(m, s, b, out + b->first);
             continue;
         }
-        for (int i = b->first; i < b->first + b->n_floor; i++) {
-            const struct storey *storey = &m->storey[i];
-            const struct unloading u = {storey, s->storey_history};
-            out[i] = storey->law->n_history == 0
-                         ? 0.0
-                         : fabs(residual_drift_unload(u, b->stiffness[i - b->first], s->drift[i]));
+        memcpy(drift, s->drift + b->first, (size_t)b->n_floor * sizeof *drift);
+        if (b->fixed) {
+            memcpy(shear, s->shear + b->first, (size_t)b->n_floor * sizeof *shear);
+            foundation_storeys(b, drift, shear);
         }
+        residual_drift_storeys(m, s, b, drift, out + b->first);
     }
 }

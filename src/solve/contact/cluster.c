@@ -36,7 +36,7 @@ enum { WHOLE_STEPS = 12, PARTS = 20 };
 static const double HELD = 1.0 - 1e-10;
 
 bool cluster_alloc(struct clusters *c, const struct model *m, struct arena *a) {
-    const size_t n = (size_t)m->n_building, n_link = (size_t)m->n_link;
+    const size_t n = (size_t)m->n_body, n_link = (size_t)m->n_link;
     const size_t most = n_link < CLUSTER_MAX ? n_link : CLUSTER_MAX;
     *c = (struct clusters){
         .leader = arena_alloc(a, n, sizeof *c->leader),
@@ -62,7 +62,7 @@ static int cluster_leader(int *leader, int i) {
 }
 
 void cluster_find(struct clusters *c, const struct model *m, const struct state *s) {
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; i < m->n_body; i++) {
         c->leader[i] = i;
         c->first[i] = c->position[i] = -1;
         c->nearest[i] = INFINITY;
@@ -272,7 +272,7 @@ static void cluster_append(struct clusters *c, const struct model *m, int k) {
 bool cluster_steps(struct work *w, const struct state *now, struct state *next) {
     struct clusters *c = &w->clusters;
     bool any = false;
-    for (int i = 0; i < w->model->n_building; i++) {
+    for (int i = 0; i < w->model->n_body; i++) {
         int k = c->first[i];
         c->width = 0;
         for (c->n = 0; k >= 0 && c->n < c->most; k = c->after[k]) {

@@ -49,7 +49,7 @@ static void gaps_sort_runs(struct gaps *g) {
             g->start[k]++;
         }
     }
-    for (int k = 1; k <= g->model->n_building; k++) {
+    for (int k = 1; k <= g->model->n_body; k++) {
         g->start[k] += g->start[k - 1];
     }
     for (int i = 2 * g->n_run - 1; i >= 0; i--) {
@@ -62,7 +62,7 @@ static void gaps_sort_runs(struct gaps *g) {
 
 bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
-    size_t n_building = (size_t)m->n_building;
+    size_t n_building = (size_t)m->n_body;
     *g = (struct gaps){
         .model = m,
         .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),

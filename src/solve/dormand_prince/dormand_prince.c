@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/arena.h"
+#include "model/foundation.h"
 #include "solve/dormand_prince/dp.h"
 #include "solve/forcing.h"
 #include "solve/run.h"
@@ -170,7 +171,7 @@ static int dp_change(struct dp *p, const struct dp_event *event, struct error *e
             break;
         case DP_COLLAPSE:
             p->results->collapse =
-                (struct collapse){true, i, p->now.time, p->now.u[i] - p->now.u[p->system.below[i]]};
+                (struct collapse){true, i, p->now.time, foundation_across(p->model, i, p->now.u)};
             return STATUS_COLLAPSE;
         case DP_UNLOAD:
             dp_system_branch(p, i, p->now.drift[i], event->direction);

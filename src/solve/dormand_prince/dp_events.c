@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "core/root.h"
+#include "model/foundation.h"
 #include "solve/dormand_prince/dp.h"
 
 enum { ITERATIONS_MAX = 60 };
@@ -215,9 +216,23 @@ static struct dp_event dp_storey_event(const struct dp *p, int i) {
     return nothing;
 }
 
+static struct motion dp_drift(const struct dp *p, int i) {
+    const struct model *m = p->model;
+    const struct state *now = &p->now, *next = &p->next;
+    return (struct motion){
+        .d = {foundation_across(m, i, now->u), foundation_across(m, i, next->u)},
+        .v = {foundation_across(m, i, now->v), foundation_across(m, i, next->v)},
+        .a = {foundation_across(m, i, now->a), foundation_across(m, i, next->a)},
+        .h = p->h,
+    };
+}
+
 // Where the drift of storey i reaches its limit, and passes it by less than rounding counts.
 static struct dp_event dp_collapse(const struct dp *p, int i) {
-    const struct motion m = dp_motion_floor(p, i, p->system.below[i]);
+    if (isinf(p->model->collapse[i])) {
+        return nothing;
+    }
+    const struct motion m = dp_drift(p, i);
     const double limit = p->model->collapse[i] * (1.0 + COLLAPSED);
     const double speed = fmax(fabs(m.v[0]), fabs(m.v[1]));
     if (fmax(fabs(m.d[0]), fabs(m.d[1])) + m.h * speed < limit) {
@@ -271,8 +286,9 @@ bool dp_events_is_of_storey(const struct dp_event *e) {
 static double dp_value_at_end(const struct dp *p, double *rate) {
     const struct dp_event *e = &p->event;
     int i = e->index;
-    struct motion m = dp_events_is_of_storey(e) ? dp_motion_floor(p, i, p->system.below[i])
-                                                : dp_motion_link(p, i);
+    struct motion m = e->kind == DP_COLLAPSE      ? dp_drift(p, i)
+                      : dp_events_is_of_storey(e) ? dp_motion_floor(p, i, p->system.below[i])
+                                                  : dp_motion_link(p, i);
     if (e->kind == DP_KINK) {
         double time = PROBE * p->h;
         double value = dp_before_kink(p, i, m.d[1], m.v[1]);

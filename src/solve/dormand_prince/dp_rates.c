@@ -129,7 +129,7 @@ static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
 void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r) {
     const struct model *m = p->model;
     const bool all = building == DP_ALL;
-    const int first = all ? 0 : building, end = all ? m->n_building : building + 1;
+    const int first = all ? 0 : building, end = all ? m->n_body : building + 1;
     r->input = r->damping = r->storey = 0.0;
     for (int k = first; p->system.special && k < end; k++) {
         dp_building_rates(p, &m->building[k], r);

@@ -75,10 +75,10 @@ void dp_step_gaps(const struct dp *p, struct state *s, double *rate) {
 bool dp_step_alloc(struct dp *p, struct arena *a) {
     const struct model *m = p->model;
     struct dp_fastest *f = &p->fastest;
-    f->building = arena_alloc(a, (size_t)m->n_building, sizeof *f->building);
-    f->most = arena_alloc(a, (size_t)m->n_building, sizeof *f->most);
-    p->scales.square = arena_alloc(a, (size_t)m->n_building, sizeof *p->scales.square);
-    p->scales.memory = arena_alloc(a, (size_t)m->n_building, sizeof *p->scales.memory);
+    f->building = arena_alloc(a, (size_t)m->n_body, sizeof *f->building);
+    f->most = arena_alloc(a, (size_t)m->n_body, sizeof *f->most);
+    p->scales.square = arena_alloc(a, (size_t)m->n_body, sizeof *p->scales.square);
+    p->scales.memory = arena_alloc(a, (size_t)m->n_body, sizeof *p->scales.memory);
     return !arena_failed(a);
 }
 
@@ -131,7 +131,7 @@ static void dp_update_fastest(struct dp *p) {
     for (int n = 0; n < p->now.n_live; n++) {
         dp_take_link(p, n);
     }
-    for (int k = 0; k < p->model->n_building; k++) {
+    for (int k = 0; k < p->model->n_body; k++) {
         const double square = f->building[k].square + f->most[k];
         double *scale = &p->scales.square[k];
         if (square > SAME_SCALE * *scale || SAME_SCALE * square < *scale) {
@@ -147,7 +147,7 @@ void dp_step_start(struct dp *p) {
     struct dp_fastest *f = &p->fastest;
     double omega = 0.0;
     f->alone = m->control.longest;
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         omega = fmax(omega, g->omega[g->n_floor - 1]);
         f->building[k] = stability_of(g);
@@ -230,7 +230,7 @@ static double dp_way_error(const struct dp *p, int k) {
 
 static double dp_part_error(const struct dp *p) {
     double largest = 0.0;
-    for (int k = 0; k < p->model->n_building && !p->model->elastic; k++) {
+    for (int k = 0; k < p->model->n_body && !p->model->elastic; k++) {
         const struct building *g = &p->model->building[k];
         int n_history = 0;
         for (int i = 0; i < g->n_part; i++) {

@@ -136,7 +136,7 @@ void dp_system_start(struct dp *p) {
     const struct model *m = p->model;
     struct dp_system *s = &p->system;
     (void)forcing_turn(&s->forcing, p->now.time);
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         for (int i = 0; i < m->building[k].n_floor; i++) {
             dp_start_floor(p, k, i);
         }
@@ -156,7 +156,7 @@ void dp_system_commit(struct dp *p) {
         storey_respond(&m->storey[i], now->storey_history, now->drift[i], now->storey_history);
         s->most_drift[i] = fmax(s->most_drift[i], fabs(now->drift[i]));
     }
-    for (int k = 0; k < m->n_building && !m->elastic; k++) {
+    for (int k = 0; k < m->n_body && !m->elastic; k++) {
         const struct building *g = &m->building[k];
         if (!g->elastic && g->n_part > 0) {
             dp_rates_parts(p, g, now->storey_history, now->u, now->v, now->storey_history);

@@ -26,7 +26,7 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
     const double h = m->dt, b = m->beta * h * h, g = m->gamma * h;
     *e = (struct ensemble_lanes){
         .steps = steps,
-        .n_building = m->n_building,
+        .n_building = m->n_body,
         .n_floor = n,
         .n_contact = n_contact,
         .scheme = {h, h * h / 2.0, b, g, 1.0 / b, 1.0 / g},
@@ -39,7 +39,7 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
-        .building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building),
+        .building = arena_alloc(a, (size_t)m->n_body, sizeof *e->building),
         .gap = lanes_wide_array(a, n_contact, sizeof *e->gap),
         .nearest = lanes_wide_array(a, n_contact, sizeof *e->nearest),
         .contacts = ensemble_contacts_create(m, a),
@@ -48,7 +48,7 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .pressed = arena_alloc(a, (size_t)n_contact, sizeof *e->pressed),
         .end = arena_alloc(a, (size_t)n_contact, sizeof *e->end),
     };
-    for (int k = 0; e->building && k < m->n_building; k++) {
+    for (int k = 0; e->building && k < m->n_body; k++) {
         ensemble_alloc_building(&e->building[k], &m->building[k], a);
     }
     if (arena_failed(a)) {

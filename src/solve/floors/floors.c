@@ -19,9 +19,9 @@ enum { FLOORS_LEAST = 192 };
 static int block_size(const struct model *m, int k) {
     int n = 0;
     int floors = 0;
-    while (k + n < m->n_building && floors < FLOORS_LEAST) {
+    while (k + n < m->n_body && floors < FLOORS_LEAST) {
         const struct building *b = &m->building[k + n];
-        int alike = effective_alike(b, m->n_building - k - n);
+        int alike = effective_alike(b, m->n_body - k - n);
         floors += alike * b->n_floor;
         n += alike;
     }
@@ -33,7 +33,7 @@ static struct floor_block block_from(const struct model *m, int k, int first) {
     const struct building *last = &m->building[k + b.n_building - 1];
     int end = last->first + last->n_floor;
     b.n = lanes_whole(end) - first;
-    b.end = k + b.n_building < m->n_building ? end / LANES_WIDTH * LANES_WIDTH : lanes_whole(end);
+    b.end = k + b.n_building < m->n_body ? end / LANES_WIDTH * LANES_WIDTH : lanes_whole(end);
     return b;
 }
 
@@ -42,12 +42,12 @@ bool floors_alloc(struct work *w, struct arena *a) {
     struct floors *f = &w->floors;
     int most = 0;
     *f = (struct floors){
-        .block = arena_alloc(a, (size_t)m->n_building, sizeof *f->block),
+        .block = arena_alloc(a, (size_t)m->n_body, sizeof *f->block),
     };
     if (!f->block) {
         return false;
     }
-    for (int k = 0, first = 0; k < m->n_building; f->n_block++) {
+    for (int k = 0, first = 0; k < m->n_body; f->n_block++) {
         struct floor_block b = block_from(m, k, first);
         f->block[f->n_block] = b;
         most = b.n > most ? b.n : most;

@@ -48,7 +48,7 @@ FLOORS_CLONES static void floors_full_forces(const struct work *w, const struct 
 
 // Adds the shears of parts at the drifts of `s` to those of the storeys alone.
 FLOORS_CLONES static void floors_full_strain(const struct work *w, struct state *s) {
-    for (int k = 0; w->model->chain.parts && k < w->model->n_building; k++) {
+    for (int k = 0; w->model->chain.parts && k < w->model->n_body; k++) {
         const struct effective *e = &w->effective[k];
         if (e->parts) {
             const double *drift = s->drift + e->building->first;
@@ -63,7 +63,7 @@ FLOORS_CLONES static void floors_full_work(const struct work *w, const struct st
                                            const struct state *s1) {
     double *damping_2x = w->floors.account.energy->damping_2x;
     alignas(LANES_LINE) double mean_2x[FLOORS_MAX], force_2x[FLOORS_MAX];
-    for (int k = 0; k < w->model->n_building; k++) {
+    for (int k = 0; k < w->model->n_body; k++) {
         const struct effective *e = &w->effective[k];
         const int first = e->building->first;
         if (!e->damping) {

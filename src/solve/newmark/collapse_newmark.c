@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/root.h"
+#include "model/foundation.h"
 #include "solve/event/crossing.h"
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
@@ -12,25 +13,20 @@
 enum { LOCATIONS_MAX = 40 };
 static const double LOCATED = 1e-9;
 
-// The difference of `x` (n_dof) across storey i.
-static double collapse_across(const struct model *m, const double *x, int i) {
-    return x[i] - m->chain.joint[i] * x[i - 1];
-}
-
 // The first storey to reach its limit in the step, and when; -1: none does.
 static int collapse_first(const struct run *r, double h, double *time) {
     const struct model *m = r->model;
     int first = -1;
     *time = INFINITY;
     for (int i = 0; i < m->n_dof; i++) {
-        const double limit = m->collapse[i], drift = collapse_across(m, r->next->u, i);
+        const double limit = m->collapse[i], drift = foundation_across(m, i, r->next->u);
         if (fabs(drift) < limit) {
             continue;
         }
         const double sign = copysign(1.0, drift);
-        const struct path path = {sign * collapse_across(m, r->now->u, i) - limit,
-                                  sign * collapse_across(m, r->now->v, i), fabs(drift) - limit,
-                                  sign * collapse_across(m, r->next->v, i), h};
+        const struct path path = {sign * foundation_across(m, i, r->now->u) - limit,
+                                  sign * foundation_across(m, i, r->now->v), fabs(drift) - limit,
+                                  sign * foundation_across(m, i, r->next->v), h};
         double rate;
         // In lockstep a run may be beyond its limit already, and will be run again.
         const double at = path.d0 < 0.0 ? crossing_find(&path, &rate) : h;
@@ -55,23 +51,23 @@ int collapse_newmark(struct run *r) {
     if (i < 0) {
         return STATUS_OK;
     }
-    const double sign = copysign(1.0, collapse_across(m, r->next->u, i));
+    const double sign = copysign(1.0, foundation_across(m, i, r->next->u));
     const double limit = m->collapse[i], wanted = limit * (1.0 + LOCATED / 2.0);
     struct root within = {0.0, whole, 1.0};
     int status = STATUS_OK;
     for (int n = 0; n <= LOCATIONS_MAX && status == STATUS_OK; n++) {
         h = n < LOCATIONS_MAX ? h : within.high;
         status = collapse_step(r, end, whole, h);
-        const double drift = sign * collapse_across(m, r->next->u, i);
+        const double drift = sign * foundation_across(m, i, r->next->u);
         if (status == STATUS_OK && drift >= limit && drift <= limit * (1.0 + LOCATED)) {
             break;
         }
         root_narrow(&within, h, drift - wanted);
-        h = root_step(&within, h, drift - wanted, sign * collapse_across(m, r->next->v, i));
+        h = root_step(&within, h, drift - wanted, sign * foundation_across(m, i, r->next->v));
     }
     if (status == STATUS_OK) {
         r->results->collapse =
-            (struct collapse){true, i, r->next->time, collapse_across(m, r->next->u, i)};
+            (struct collapse){true, i, r->next->time, foundation_across(m, i, r->next->u)};
     }
     return status;
 }

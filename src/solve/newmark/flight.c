@@ -62,7 +62,7 @@ static bool flight_is_linear(const struct link *l) {
 // must be in one block, as they are solved for together. Limits of drift are seen as ends of lines.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
-    bool possible = (m->elastic || !m->chain.full_damping) && n_link <= LINKS_MAX &&
+    bool possible = (m->elastic || !m->chain.full_damping) && !m->founded && n_link <= LINKS_MAX &&
                     (n_link == 0 || floors->n_block == 1) && !(m->collapse && state_is_linear(m));
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
@@ -89,7 +89,7 @@ static double flight_limit(const struct model *m, int i, const struct storey_bra
 // have their inverse?
 static bool flight_find_lines(struct flight *f, const double *history) {
     bool factorised = true;
-    for (int k = 0; k < f->model->n_building; k++) {
+    for (int k = 0; k < f->model->n_body; k++) {
         const struct effective *e = &f->work->effective[k];
         const struct building *g = e->building;
         for (int i = 0; i < g->n_floor; i++) {
@@ -126,7 +126,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
     f->force = arena_alloc(a, (size_t)f->n_link, sizeof *f->force);
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
-    f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
+    f->group_end = arena_alloc(a, (size_t)m->n_body, sizeof *f->group_end);
     f->back = lanes_array(a, m->n_dof);
     f->spring = lanes_array(a, m->n_dof);
     f->rest = lanes_array(a, m->n_dof);

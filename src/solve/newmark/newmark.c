@@ -134,7 +134,7 @@ static void newmark_extrapolate(const struct work *w, const struct state *next, 
 static int newmark_relinearise(struct work *w, const struct state *now, const struct state *next,
                                bool *agree) {
     *agree = true;
-    for (int k = 0; k < w->model->n_building; k++) {
+    for (int k = 0; k < w->model->n_body; k++) {
         const struct building *g = &w->model->building[k];
         if (g->elastic ||
             (g->n_part > 0 ? newmark_parts_agree(w, next, k) : newmark_agrees(w, next, k))) {
@@ -165,7 +165,7 @@ static int newmark_solve_links(struct work *w, const struct state *now, struct s
 }
 
 static int newmark_not_finite(const struct model *m, const struct state *s, struct error *e) {
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         for (int i = 0; i < g->n_floor; i++) {
             int j = g->first + i;
@@ -198,11 +198,11 @@ static int newmark_try(struct work *w, const struct state *now, struct state *ne
     const double *history = now->storey_history;
     const size_t size = (size_t)m->n_dof * sizeof *next->drift;
     int status = STATUS_OK;
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         floors_trial(w, now, k);
     }
     chain_forces(&m->chain, w->u_trial, w->v_trial, next->drift, next->shear, next->damping_force);
-    for (int k = 0; k < m->n_building; k++) {
+    for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->predictable) {
             newmark_predict_shears(g, w->effective[k].tangent, now, next);
@@ -214,7 +214,7 @@ static int newmark_try(struct work *w, const struct state *now, struct state *ne
     memcpy(w->storeys.drift, next->drift, size);
     memcpy(w->storeys.shear, next->shear, size);
     memcpy(w->storeys.rate, next->rate, size);
-    for (int k = 0; status == STATUS_OK && k < m->n_building; k++) {
+    for (int k = 0; status == STATUS_OK && k < m->n_body; k++) {
         if (m->building[k].smooth) {
             w->factors++;
             status = newmark_linearise(w, now, next, k);

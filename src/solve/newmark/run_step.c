@@ -95,6 +95,9 @@ static int run_step_commit(struct run *r) {
     }
     run_step_take_meeting(r);
     floors_account(&r->work, r->now, r->next);
+    if (r->model->founded) {
+        peaks_founded(r->results, r->model, r->next);
+    }
     gaps_peaks(&r->work.gaps, r->next);
     status = impacts_step(&r->impacts, r->now, r->next, r->error);
     struct state *old = r->now;

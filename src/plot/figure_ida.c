@@ -34,21 +34,21 @@ struct view {
     bool crosses, flattens;
 };
 
-static int check(const struct study_picture *p, struct error *e) {
+static int check(const struct subject *p, struct error *e) {
     const struct suite *s = p->suite;
     if (!s->abscissa->number || s->n_point < 2) {
-        return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' %s", s->abscissa->name,
+        return error_set(e, STATUS_INPUT, "'%s' %s", s->abscissa->name,
                          s->abscissa->number ? "has one value only" : "is not a sweep of numbers");
     }
     if (s->mixed) {
         return error_set(e, STATUS_INPUT,
-                         "ida cannot be drawn: '%s' is %s, along which other things change, too; "
+                         "'%s' is %s, along which other things change, too; "
                          "see response",
                          s->abscissa->name, s->mixed);
     }
     if (s->n_group > 1) {
         return error_set(e, STATUS_INPUT,
-                         "ida cannot be drawn: the study has other sweeps (%s ...); choose one "
+                         "the study has other sweeps (%s ...); choose one "
                          "value with --at, or make them samples with --over",
                          s->group[0]);
     }
@@ -157,7 +157,7 @@ static int write_percentiles(struct view *v, FILE *to, struct error *e) {
     return STATUS_OK;
 }
 
-static void write_legend(const struct view *v, const struct study_picture *p, struct canvas *c) {
+static void write_legend(const struct view *v, const struct subject *p, struct canvas *c) {
     struct legend l = {0};
     char text[128];
     for (int i = 0; v->s->n_sample > 1 && i < CURVES; i++) {
@@ -178,7 +178,7 @@ static void write_legend(const struct view *v, const struct study_picture *p, st
     legend_write(&l, c);
 }
 
-static void draw_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
+static void draw_panel(const struct view *v, const struct subject *p, struct canvas *c) {
     const struct axis x = study_demand_axis(&v->demand, v->s, v->span);
     const struct axis y = study_abscissa_axis(v->s);
     study_panel(c, 3.2, &x, &y);
@@ -203,7 +203,7 @@ static void draw_panel(const struct view *v, const struct study_picture *p, stru
     panel_close(c);
 }
 
-static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
+static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none};
     study_demand_init(&v.demand, s);
@@ -228,9 +228,10 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     return STATUS_OK;
 }
 
-const struct study_figure study_figure_ida = {
+const struct figure figure_ida = {
     .name = "ida",
     .doc = "incremental dynamic analysis: a curve for each record, and 16, 50 and 84 %",
+    .of_study = true,
     .guess = SUITE_INTENSITY,
     .check = check,
     .draw = draw,

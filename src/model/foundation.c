@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A building on a rigid slab, which moves by u_b and rotates by theta. With the height H of the
+// roof, phi = H theta is the displacement of the roof that comes from the rotation. Degrees of
+// freedom are v_1 ... v_n of the floors, u_b and phi. All are relative to the ground.
+//
+// The building itself has the displacements u_i = v_i - u_b - (H_i / H) phi, and its storeys deform
+// by e_i = u_i - u_(i-1). A storey is h_i high, r_i = h_i / H. On the drifts d of the degrees of
+// freedom as one chain (d_1 = v_1, ..., d_(n+1) = u_b - v_n, d_(n+2) = phi - u_b)
+//     u_b = d_1 + ... + d_(n+1),   phi = d_1 + ... + d_(n+2),
+//     e_1 = d_1 - u_b - r_1 phi,   e_i = d_i - r_i phi.
+// So e = B d, and storey shears V give the shears S = B' V + (spring forces) of the chain. The
+// column of B of d_(n+1) tells that V_i = S_i - S_(n+1) for each storey.
+//
+// The mass of phi is J / H^2. The ground does not rotate. But the solver moves the ground below all
+// degrees of freedom, so a load J / H^2 times the ground acceleration takes that away again.
+#include "model/foundation.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "law/lists.h"
+#include "model/modes.h"
+#include "model/parts.h"
+
+// The part of a building with a foundation. The storeys that yield are kept one by one. All that is
+// linear is one matrix.
+struct founded {
+    int n;                        // storeys
+    const double *share;          // (n) r_i
+    const double *linear;         // [F/L] (n + 2, n + 2) on drifts, without the storeys that yield
+    const struct storey *storey;  // (n) history: offset in that of the part
+};
+
+static double founded_sum(const double *drift, int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += drift[i];
+    }
+    return sum;
+}
+
+// d e_i / d d_j.
+static double founded_entry(const struct founded *f, int i, int j) {
+    return (i == j) - f->share[i] - (i == 0 && j <= f->n);
+}
+
+static double founded_deformation(const struct founded *f, int i, const double *drift) {
+    const double sway = founded_sum(drift, f->n + 1), turn = sway + drift[f->n + 1];
+    return drift[i] - f->share[i] * turn - (i == 0 ? sway : 0.0);
+}
+
+static void founded_add_storey(const struct founded *f, int i, struct storey_response r,
+                               const struct part_sums *to) {
+    const int n = f->n + 2;
+    for (int j = 0; j < n; j++) {
+        const double entry = founded_entry(f, i, j);
+        if (to->shear) {
+            to->shear[j] += entry * r.shear;
+        }
+        for (int k = 0; to->by_drift && k < n; k++) {
+            to->by_drift[j * n + k] += r.tangent * (entry * founded_entry(f, i, k));
+        }
+    }
+}
+
+static void founded_respond(const struct part *p, const double *history, const double *drift,
+                            const double *rate, const struct part_sums *to, double *after) {
+    const struct founded *f = p->data;
+    const int n = f->n + 2;
+    (void)rate;
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++) {
+            const double k = f->linear[i * n + j];
+            if (to->shear) {
+                to->shear[i] += k * drift[j];
+            }
+            if (to->by_drift) {
+                to->by_drift[i * n + j] += k;
+            }
+        }
+    }
+    for (int i = 0; i < f->n; i++) {
+        const struct storey *s = &f->storey[i];
+        if (s->law->n_history > 0) {
+            const struct storey_response r =
+                s->law->respond(s->constant, history + s->history, founded_deformation(f, i, drift),
+                                after ? after + s->history : NULL);
+            founded_add_storey(f, i, r, to);
+        }
+    }
+}
+
+static double founded_stored(const struct part *p, const double *history, const double *drift) {
+    const struct founded *f = p->data;
+    const int n = f->n + 2;
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++) {
+            sum += drift[i] * f->linear[i * n + j] * drift[j] / 2.0;
+        }
+    }
+    for (int i = 0; i < f->n; i++) {
+        const struct storey *s = &f->storey[i];
+        if (s->law->n_history > 0) {
+            sum +=
+                s->law->stored(s->constant, history + s->history, founded_deformation(f, i, drift));
+        }
+    }
+    return sum;
+}
+
+static const struct part_kind founded_linear = {
+    .name = "foundation",
+    .traits = PART_LINEAR,
+    .respond = founded_respond,
+    .stored = founded_stored,
+};
+static const struct part_kind founded_yields = {
+    .name = "foundation",
+    .respond = founded_respond,
+    .stored = founded_stored,
+};
+
+// P-delta acts on how far a storey leans, e_i + r_i phi = d_i (less u_b in the first storey): the
+// share of phi is not in it. Takes P/h off the matrix (all, all).
+static void founded_take_pdelta(const struct founded *f, const struct building *fixed, double *k) {
+    const int all = f->n + 2;
+    for (int i = 0; fixed->pdelta && i < f->n; i++) {
+        for (int j = 0; j < all; j++) {
+            for (int l = 0; l < all; l++) {
+                const double lean_j = founded_entry(f, i, j) + f->share[i];
+                const double lean_l = founded_entry(f, i, l) + f->share[i];
+                k[j * all + l] -= fixed->pdelta[i] * (lean_j * lean_l);
+            }
+        }
+    }
+}
+
+// The matrix of all that is linear: the parts of the building and its elastic storeys, B' D B, the
+// springs below the slab, and P-delta.
+static const double *founded_matrix(struct arena *a, const struct founded *f,
+                                    const struct building *fixed, const struct foundation *draft,
+                                    double height) {
+    const int n = f->n, all = n + 2;
+    double *k = arena_alloc(a, (size_t)all * (size_t)all, sizeof *k);
+    double *product = arena_alloc(a, (size_t)n * (size_t)all, sizeof *product);  // D B
+    if (!k || !product) {
+        return NULL;
+    }
+    for (int i = 0; i < n; i++) {
+        for (int l = 0; l < n; l++) {
+            const bool spring = i == l && f->storey[i].law->n_history == 0;
+            const double d = (fixed->part_stiffness ? fixed->part_stiffness[i * n + l] : 0.0) +
+                             (spring ? fixed->spring[i] : 0.0) +
+                             (spring && fixed->pdelta ? fixed->pdelta[i] : 0.0);
+            for (int j = 0; d != 0.0 && j < all; j++) {
+                product[i * all + j] += d * founded_entry(f, l, j);
+            }
+        }
+    }
+    const double rocking = draft->rocking / (height * height);
+    for (int j = 0; j < all; j++) {
+        for (int l = 0; l <= j; l++) {
+            double sum = rocking + (j <= n && l <= n ? draft->sway : 0.0);
+            for (int i = 0; i < n; i++) {
+                sum += founded_entry(f, i, j) * product[i * all + l];
+            }
+            k[j * all + l] = k[l * all + j] = sum;
+        }
+    }
+    founded_take_pdelta(f, fixed, k);
+    return k;
+}
+
+// The damping of the building acts on its own displacements u = T v, so its matrix is T' C T. The
+// dashpots below the slab add to it.
+static const double *founded_damping(struct arena *a, const struct building *fixed,
+                                     const struct foundation *draft, double height) {
+    const int n = fixed->n_floor, all = n + 2;
+    double *c = arena_alloc(a, (size_t)all * (size_t)all, sizeof *c);
+    double *unit = arena_alloc(a, (size_t)n, sizeof *unit);
+    double *force = arena_alloc(a, (size_t)n, sizeof *force);
+    double level = 0.0;
+    if (!c || !unit || !force) {
+        return NULL;
+    }
+    for (int j = 0; j < all; j++) {
+        level = 0.0;
+        for (int i = 0; i < n; i++) {
+            level += fixed->height[i];
+            unit[i] = j < n ? i == j : j == n ? -1.0 : -level / height;
+        }
+        building_damping_force(fixed, unit, force);
+        level = 0.0;
+        for (int i = 0; i < n; i++) {
+            level += fixed->height[i];
+            c[i * all + j] += force[i];
+            c[n * all + j] -= force[i];
+            c[(n + 1) * all + j] -= force[i] * level / height;
+        }
+    }
+    c[n * all + n] += draft->sway_dashpot;
+    c[(n + 1) * all + n + 1] += draft->rocking_dashpot / (height * height);
+    for (int i = 0; i < all; i++) {
+        for (int j = 0; j < i; j++) {
+            c[i * all + j] = c[j * all + i];
+        }
+    }
+    return c;
+}
+
+// Storeys of the building for its part; false: no memory.
+static bool founded_take_storeys(struct arena *a, struct founded *f, const struct building *fixed,
+                                 const struct storey *storey, double height, int *n_history) {
+    struct storey *own = arena_alloc(a, (size_t)f->n, sizeof *own);
+    double *share = arena_alloc(a, (size_t)f->n, sizeof *share);
+    *n_history = 0;
+    for (int i = 0; own && share && i < f->n; i++) {
+        own[i] = storey[i];
+        own[i].law = own[i].law ? own[i].law : &storey_elastic;
+        own[i].pdelta = fixed->pdelta ? fixed->pdelta[i] : 0.0;  // as a storey alone unloads
+        own[i].history = *n_history;
+        *n_history += own[i].law->n_history;
+        share[i] = fixed->height[i] / height;
+    }
+    f->storey = own;
+    f->share = share;
+    return own && share;
+}
+
+int foundation_put(struct builder *b, const struct building_draft *d, const struct building *fixed,
+                   int *n_before, struct building *out, struct error *e) {
+    const struct foundation *draft = d->foundation;
+    struct arena *a = b->arena;
+    const size_t n = (size_t)fixed->n_floor, all = n + 2;
+    enum { MASS, SPRING, STIFFNESS, OMEGA, BAND, N_ARRAY };
+    double *x = arena_alloc(a, N_ARRAY * all, sizeof *x);
+    double *shape = arena_alloc(a, all * all, sizeof *shape);
+    double *still = arena_alloc(a, all * all, sizeof *still);
+    struct founded *f = arena_alloc(a, 1, sizeof *f);
+    struct part *part = arena_alloc(a, 1, sizeof *part);
+    struct building *kept = arena_alloc(a, 1, sizeof *kept);
+    double height = 0.0;
+    int n_history = 0;
+    assert(fixed->height);
+    for (size_t i = 0; i < n; i++) {
+        height += fixed->height[i];
+    }
+    if (arena_failed(a)) {
+        return error_no_memory(e);
+    }
+    *f = (struct founded){.n = fixed->n_floor};
+    *kept = *fixed;
+    if (!founded_take_storeys(a, f, fixed, d->storey, height, &n_history) ||
+        !(f->linear = founded_matrix(a, f, fixed, draft, height))) {
+        return error_no_memory(e);
+    }
+    *part = (struct part){
+        .kind = n_history > 0 ? &founded_yields : &founded_linear,
+        .name = "foundation",
+        .n = (int)all,
+        .data = f,
+        .n_history = n_history,
+        .history = *n_before,
+    };
+    *n_before += n_history;
+    memcpy(x + MASS * all, fixed->mass, n * sizeof *x);
+    x[MASS * all + n] = draft->mass;
+    x[MASS * all + n + 1] = draft->inertia / (height * height);
+    *out = *fixed;
+    out->fixed = kept;
+    out->foundation = draft;
+    out->n_floor = (int)all;
+    out->mass = x + MASS * all;
+    out->spring = x + SPRING * all;
+    out->stiffness = x + STIFFNESS * all;
+    out->omega = x + OMEGA * all;
+    out->shape = shape;
+    out->damping_diagonal = out->damping_off = x + BAND * all;
+    out->damping_full = founded_damping(a, fixed, draft, height);
+    out->n_part = 1;
+    out->part = part;
+    out->part_dashpot = still;
+    // The initial stiffness is the tangent at rest.
+    double *initial = arena_alloc(a, all * all, sizeof *initial);
+    double *history = arena_alloc(a, (size_t)n_history, sizeof *history);
+    if (arena_failed(a)) {
+        return error_no_memory(e);
+    }
+    founded_respond(part, history, still, still, &(struct part_sums){.by_drift = initial}, NULL);
+    out->part_stiffness = initial;
+    for (size_t i = 0; i < all; i++) {
+        x[STIFFNESS * all + i] = initial[i * all + i];
+    }
+    const int status =
+        modes_solve((int)all, out->mass, out->spring, initial, x + OMEGA * all, shape, e);
+    modes_scale_to_largest((int)all, shape);
+    return status;
+}
+
+int foundation_n_load(const struct model *m) {
+    int n = 0;
+    for (int i = 0; i < m->n_building; i++) {
+        const struct building *g = &m->building[i];
+        n += g->fixed ? m->ground[g->ground].n_signal : 0;
+    }
+    return n;
+}
+
+int foundation_loads(struct builder *b, const struct model *m, struct load *out) {
+    int n = 0;
+    for (int i = 0; i < m->n_building; i++) {
+        const struct building *g = &m->building[i];
+        const struct ground *ground = &m->ground[g->ground];
+        for (int k = 0; g->fixed && k < ground->n_signal; k++) {
+            const struct signal *s = &ground->signal[k];
+            struct load *load = &out[n++];
+            const double inertia = g->mass[g->n_floor - 1];
+            struct error e;
+            *load = (struct load){.dof = g->first + g->n_floor - 1, .signal = *s};
+            load->signal.amplitude *= inertia;
+            load->signal.peak *= inertia;
+            if (s->value && signal_init_samples(&load->signal, b->arena, s->value, s->n, s->dt,
+                                                inertia, s->start, &e) != STATUS_OK) {
+                deck_error_of(b->deck, NULL, &e);
+            }
+            load->signal.name = s->name;
+        }
+    }
+    return n;
+}
+
+void foundation_storeys(const struct building *g, double *drift, double *shear) {
+    assert(g->fixed && g->n_part == 1);
+    const struct founded *f = g->part->data;
+    const double sway = founded_sum(drift, f->n + 1), turn = sway + drift[f->n + 1];
+    const double below = shear[f->n];
+    for (int i = 0; i < f->n; i++) {
+        drift[i] -= f->share[i] * turn + (i == 0 ? sway : 0.0);
+        shear[i] -= below;
+    }
+}
+
+const struct storey *foundation_storey(const struct model *m, const struct building *g, int i) {
+    assert(i >= 0 && i < g->n_level);
+    return g->fixed ? &((const struct founded *)g->part->data)->storey[i]
+                    : &m->storey[g->first + i];
+}
+
+double foundation_across(const struct model *m, int dof, const double *x) {
+    for (int k = 0; m->founded && k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        const int i = dof - g->first, n = g->n_level;
+        if (g->fixed && i >= 0 && i < n) {
+            const double *own = x + g->first;
+            double height = 0.0;
+            for (int j = 0; j < n; j++) {
+                height += g->height[j];
+            }
+            const double below = i > 0 ? own[i - 1] : own[n];
+            return own[i] - below - g->height[i] / height * own[n + 1];
+        }
+    }
+    return x[dof] - m->chain.joint[dof] * x[dof - 1];
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Foundations that sway and rock: springs and dashpots below a rigid slab.
+#ifndef JOSTLE_FOUNDATION_H
+#define JOSTLE_FOUNDATION_H
+
+#include "model/builder.h"
+
+// Puts the building `fixed` of the draft, which is complete, onto its foundation: `out` has the
+// degrees of freedom of the building and of the foundation, and a part in place of storeys and
+// parts. The history of the part is behind the n_history values that there are.
+int foundation_put(struct builder *b, const struct building_draft *d, const struct building *fixed,
+                   int *n_history, struct building *out, struct error *e);
+
+// The number of forces that cancel the ground motion on rotations, and these forces, which are
+// loads: the ground does not rotate.
+int foundation_n_load(const struct model *m);
+int foundation_loads(struct builder *b, const struct model *m, struct load *out);
+
+// The law of storey `i` (from 0) of a building of the model, with or without a foundation.
+const struct storey *foundation_storey(const struct model *m, const struct building *g, int i);
+
+// Storey deformations and shears of a building with a foundation, from drifts and shears of its
+// degrees of freedom. In place: the values of floors are replaced.
+void foundation_storeys(const struct building *g, double *drift, double *shear);
+
+// The drift of the storey below floor `dof` at the displacements x (n_dof), an array of
+// core/lanes.h, or the same difference of others: with a foundation, that of the storey alone.
+double foundation_across(const struct model *m, int dof, const double *x);
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Columns that are struck between two floors (struct struck_column).
+#ifndef JOSTLE_STRUCK_COLUMN_H
+#define JOSTLE_STRUCK_COLUMN_H
+
+#include "model/builder.h"
+
+// Adds the column: its name, place, mass and bending stiffness are given, the rest is found here.
+// `damping` is the damping ratio of the struck point. Reports a second column at that level, and
+// links that have named the level before.
+void struck_column_add(struct builder *b, const struct struck_column *c, double damping,
+                       const struct word *w);
+
+// The index of the column of the building at this level; -1: none.
+int struck_column_at(const struct builder *b, int building, double level);
+
+struct struck_draft *struck_column_draft(const struct builder *b, int i);
+
+// The building that a body belongs to: itself, or that of its column. WALL: WALL.
+static inline int struck_column_host(const struct model *m, int body) {
+    return body < m->n_building ? body : m->column[body - m->n_building].building;
+}
+
+// At the end of the deck: appends a body for each struck point to the buildings, and its spring to
+// the links.
+void struck_column_finish(struct builder *b);
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A floor strikes a column between two floors of its neighbour.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "support/analysis.h"
+#include "support/support.h"
+
+// One mass on a spring strikes one of the four clamped columns of the second of three storeys. The
+// numbers are of an independent program: Runge-Kutta steps of 2 us, with the instants of closure
+// located, and OpenSees beam elements within 5e-5.
+static const struct {
+    double level;  // [m] above the ground; the storey is from 3 to 6 m
+    const char *law;
+    int impacts;
+    double force, impulse;      // [N] [N s]
+    double striking, floor[3];  // [m] largest displacements
+} struck[] = {
+    {4.5,
+     "linear -k 3e8",
+     2,
+     918281.5693,
+     40664.30862,
+     0.009266982614,
+     {0.00591785063, 0.007496764553, 0.01135742058}},
+    {4.5,
+     "hertz -k 5e9",
+     2,
+     953442.7421,
+     38364.56565,
+     0.009445944676,
+     {0.005875014746, 0.007417349369, 0.01123922378}},
+    {3.75,
+     "linear -k 3e8",
+     3,
+     964933.3774,
+     29493.17403,
+     0.008133673414,
+     {0.006323849687, 0.005979596561, 0.009805028803}},
+    {3.75,
+     "hertz -k 5e9",
+     2,
+     1027597.55,
+     29057.54285,
+     0.008365912264,
+     {0.006255731524, 0.005912938785, 0.009683528401}},
+    {3.3,
+     "linear -k 3e8",
+     3,
+     997071.0833,
+     40109.53712,
+     0.01153850992,
+     {0.00601529348, 0.006205248443, 0.009068448535}},
+    {3.3,
+     "hertz -k 5e9",
+     3,
+     1106317.799,
+     36749.48713,
+     0.01150403079,
+     {0.005973175047, 0.006177357906, 0.008905322964}},
+};
+enum { N_STRUCK = sizeof struck / sizeof struck[0] };
+
+static const char buildings[] =
+    "units N m s\n"
+    "building A -floors 1 -mass 100000 -stiffness 30e6 -height 4.5m\n"
+    "building B -floors 3 -mass 60000 -stiffness 113777777.8 -height 3m\n"
+    "duration 0.3\n";
+
+static void assert_struck(int i, const char *step, double rtol) {
+    struct analysis a =
+        analysis_of("%scolumn B@%gm -name c1 -E 30e9 -I 0.002133333333 -mass 600\n"
+                    "contact A:1 B@%gm -gap 1mm -law %s\ninitial A:1 -velocity 0.3\n%s",
+                    buildings, struck[i].level, struck[i].level, struck[i].law, step);
+    const struct results *r = a.results;
+    assert_int_equal(r->link[0].impacts, struck[i].impacts);
+    assert_close(r->link[0].force, struck[i].force, rtol);
+    assert_close(r->link[0].impulse, struck[i].impulse, rtol);
+    assert_close(r->peak[PEAK_DISPLACEMENT][0], struck[i].striking, rtol);
+    for (int k = 0; k < 3; k++) {
+        assert_close(r->peak[PEAK_DISPLACEMENT][1 + k], struck[i].floor[k], rtol);
+    }
+    analysis_free(&a);
+}
+
+static void forces_and_motions_are_those_of_an_independent_program(void **state) {
+    (void)state;
+    for (int i = 0; i < N_STRUCK; i++) {
+        assert_struck(i, "step fixed 10us", 5e-5);
+        assert_struck(i, "step adaptive -tolerance 1e-10", 1e-6);
+    }
+}
+
+// The same from the other side: the column is on the left of its contact.
+static void the_column_may_be_on_the_left(void **state) {
+    (void)state;
+    struct analysis a[2] = {
+        analysis_of("%scolumn B@4.5m -name c1 -EI 64e6 -mass 600\n"
+                    "contact A:1 B@4.5m -gap 1mm -law hertz -k 5e9\n"
+                    "initial A:1 -velocity 0.3\nstep fixed 50us",
+                    buildings),
+        analysis_of("units N m s\nduration 0.3\n"
+                    "building B -floors 3 -mass 60000 -stiffness 113777777.8 -height 3m\n"
+                    "building A -floors 1 -mass 100000 -stiffness 30e6 -height 4.5m\n"
+                    "column B@4.5m -name c1 -EI 64e6 -mass 600\n"
+                    "contact B@4.5m A:1 -gap 1mm -law hertz -k 5e9\n"
+                    "initial A:1 -velocity -0.3\nstep fixed 50us"),
+    };
+    assert_true(a[0].results->link[0].force > 9e5);
+    assert_close(a[1].results->link[0].force, a[0].results->link[0].force, 1e-11);
+    for (int k = 0; k < 3; k++) {
+        assert_close(a[1].results->peak[PEAK_DISPLACEMENT][k],
+                     a[0].results->peak[PEAK_DISPLACEMENT][1 + k], 1e-11);
+    }
+    analysis_free(&a[0]);
+    analysis_free(&a[1]);
+}
+
+// Two columns at one level are a column of twice the values; at rest, w is where no force is.
+static void columns_that_are_struck_together_add_up(void **state) {
+    (void)state;
+    struct model *two =
+        analysis_model("%scolumn B@3.75m -name c -EI 32e6 -mass 300 -n 2 -damping 5%%\n"
+                       "initial B:2 -displacement 1mm\nstep fixed 1ms",
+                       buildings);
+    assert_int_equal(two->n_building, 2);
+    assert_int_equal(two->n_body, 3);
+    assert_int_equal(two->n_column, 1);
+    const struct struck_column *c = two->column;
+    const double k = 3.0 * 64e6 * 27.0 / (pow(0.75, 3.0) * pow(2.25, 3.0));
+    assert_close(c->stiffness, k, 1e-14);
+    assert_close(c->dashpot, 0.1 * sqrt(k * 600.0), 1e-14);
+    assert_close(c->weight, 0.15625, 1e-14);
+    assert_close(two->displacement[4], 0.15625e-3, 1e-14);
+    assert_close(two->mass[4], 600.0, 0.0);
+    model_free(two);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(forces_and_motions_are_those_of_an_independent_program),
+        cmocka_unit_test(the_column_may_be_on_the_left),
+        cmocka_unit_test(columns_that_are_struck_together_add_up),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
