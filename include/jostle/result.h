@@ -155,7 +155,7 @@ struct result_sums {
 };
 
 // Checks that the data of a result file of any kind are as they were written. Errors: STATUS_FAILED
-// (they differ, or cannot be read), STATUS_INPUT (does not exist, is not HDF5, has no checksum),
+// (they differ), STATUS_INPUT (does not exist, is not HDF5, is damaged, has no checksum),
 // STATUS_SYSTEM; they name the path.
 int result_verify(const char *path, struct result_sums *out, struct error *e);
 

@@ -218,7 +218,7 @@ static int print_links(const struct model *m) {
             last++;
         }
         char words[WORDS_SIZE], calibrated[48] = "";
-        law_words(l->law, l->value, words, sizeof words);
+        law_print_words(l->law, l->value, words, sizeof words);
         if (l->calibrated) {
             snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
         }

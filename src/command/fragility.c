@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/crash.h"
 #include "command/printer.h"
 #include "command/study_print.h"
 #include "command/suite_options.h"
@@ -292,6 +293,7 @@ static int open_and_fit(struct request *q, const char *path) {
     struct study_file *f;
     struct suite *s;
     struct error e;
+    crash_reading(NULL, path);
     if (study_file_open(path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }

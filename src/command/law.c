@@ -99,7 +99,7 @@ static int write_figure(void *context, const struct figure_files *to, struct err
     struct impact_curve curve[IMPACT_FIGURE_CURVES];
     struct texts t = {.title = "Isolated impact"};
     if (l->n == 1) {
-        law_words(l->impact[0].choice.law, l->impact[0].value, t.title, sizeof t.title);
+        law_print_words(l->impact[0].choice.law, l->impact[0].value, t.title, sizeof t.title);
         subtitle(l, &t);
     } else {
         law_print_bodies(l, t.subtitle, sizeof t.subtitle);

@@ -53,7 +53,7 @@ static int merge(const struct merge_options *o) {
                   merged.n_run, q->result.path, merged.missing);
         return command_fail(&e);
     }
-    return study_end(merged.n_failed, merged.n_run, q->result.path, "");
+    return study_display_status(merged.n_failed, merged.n_run, q->result.path, "");
 }
 
 static int use(void *options, struct arena *a, const struct words *operand) {

@@ -2,6 +2,7 @@
 // jostle plot: draws a figure of a result file by gnuplot, or writes its script.
 #include <string.h>
 
+#include "command/crash.h"
 #include "command/option.h"
 #include "command/picture.h"
 #include "command/progress.h"
@@ -97,7 +98,9 @@ static int plot_runs(struct request *q, struct error *e) {
     struct result_file *first = NULL, *second = NULL;
     int status = result_open(q->result, &first, e);
     if (status == STATUS_OK && q->other) {
+        crash_reading(NULL, q->other);
         status = result_open(q->other, &second, e);
+        crash_reading(NULL, q->result);
     }
     if (status == STATUS_OK) {
         status = runs_init(&q->runs, first, second, e);
@@ -193,6 +196,7 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     }
     q->result = operand->word[0];
     q->kind = operand->n == 2 ? operand->word[1] : NULL;
+    crash_reading(NULL, q->result);
     const bool study = study_file_is_study(q->result);
     int status = picture_check(&command_plot, &q->picture);
     if (status == EXIT_DONE) {

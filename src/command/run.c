@@ -234,7 +234,7 @@ static int run_study(const struct model *first, const struct run_options *o,
     if (!o->load.quiet && show_study_summary(result->path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    return study_end(p.n_failed, p.n_run, result->path, p.failure);
+    return study_display_status(p.n_failed, p.n_run, result->path, p.failure);
 }
 
 static int run_model(void *options, const struct model *m) {
@@ -269,7 +269,8 @@ static int run_command(int argc, char **argv) {
                          "threads of a study, default: all cores; a single analysis uses one"),
         {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(load.quiet), .doc = "prints errors only"},
         {"shard", 0, "K/N", OPTION_OWN, .own = read_shard,
-         .doc = "runs part K of N of a study, into NAME.K-of-N.h5; jostle merge joins the parts"},
+         .doc = "runs part K of N of a study, into NAME.K-of-N.h5 without -o; jostle merge joins "
+                "the parts"},
         {"force", .kind = OPTION_SET, .at = AT(existing), .set = RESULT_REPLACE,
          .doc = "overwrites an existing result file"},
         {"restart", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_RESTART,

@@ -2,6 +2,7 @@
 // jostle show: the results of a file as a summary, as long tables, or as JSON.
 #include "command/show.h"
 
+#include "command/crash.h"
 #include "command/option.h"
 #include "command/show_study.h"
 #include "jostle/study_file.h"
@@ -69,6 +70,7 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (q->edp.n > 0 && !q->longer) {
         return command_usage(&command_show, "--edp is for --long");
     }
+    crash_reading(NULL, path);
     return study_file_is_study(path) ? show_of_study(path, q) : show_of_run(path, q);
 }
 

@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <string.h>
 
+#include "command/crash.h"
 #include "command/deck_command.h"
 #include "command/interrupt.h"
 #include "core/arena.h"
@@ -133,7 +134,10 @@ static int use(void *options, struct arena *a, const struct words *operand) {
     o->rerun.n_run = o->run.n;
     struct result_sums sums;
     struct error e;
-    if (result_verify(o->path, &sums, &e) != STATUS_OK) {
+    crash_reading(NULL, o->path);
+    const int status = result_verify(o->path, &sums, &e);
+    crash_reading(NULL, NULL);
+    if (status != STATUS_OK) {
         return command_fail(&e);
     }
     safe_line(stdout, "%s: the data are as they were written", o->path);
@@ -148,7 +152,8 @@ static int verify_command(int argc, char **argv) {
         {.row = rows},
         {.row = option_help},
         {.text = "\nExit status 0: the data and the runs are equal; 1: they differ; 2: wrong "
-                 "usage, not a result file,\nor the deck is not that of the study.\n"},
+                 "usage, not a result file,\na file that is too damaged to be read, or the deck is "
+                 "not that of the study.\n"},
         {0}};
     static const struct option_list list = {&command_verify, parts, .operand = "result file",
                                             .use = use};

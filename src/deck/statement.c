@@ -173,11 +173,6 @@ static struct source *load(struct deck *d, const struct word *w, const char *pat
         deck_error_of(d, w, &e);
         return NULL;
     }
-    if (memchr(text, 0, size)) {
-        struct text_short t;
-        deck_error(d, w, "%s is not text: it contains a 0 byte", text_short(&t, path));
-        return NULL;
-    }
     struct source *s = source_add(d, path, text, size);
     if (!s) {
         diagnostics_no_memory(&d->diagnostics);
@@ -214,6 +209,9 @@ static void run_include(struct deck *d, const struct statement *s) {
     struct source *source = file ? load(d, w, file->path) : NULL;
     if (file) {
         file->included = true;
+    }
+    if (source) {
+        source->absolute = file->absolute;
     }
     if (source && check_include(d, w, source)) {
         source_enter(d, source);

@@ -41,6 +41,7 @@ struct h5_heap {
 
 struct h5 {
     hid_t file;
+    const char *read_path;        // borrowed: of a file that is read; NULL: it is written
     int lock;                     // descriptor that keeps the lock of a file that is written
     hid_t text;                   // type of texts: UTF-8, any length
     hid_t references;             // type of lists of references to objects

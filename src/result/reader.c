@@ -7,6 +7,7 @@
 #include "result/reader.h"
 
 #include <math.h>
+#include <string.h>
 
 // What a file may claim before it is taken for damaged.
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
@@ -150,6 +151,28 @@ static void get_buildings(struct result_file *f) {
     h5_close(&f->h, group);
 }
 
+// The end of a link must be a wall, or a floor of a building of the file; 0 is the ground. `*at` is
+// the building found last, with which the search starts.
+static void check_end(struct result_file *f, const char *group, const char *name, int floor,
+                      int *at) {
+    const struct report *r = f->report;
+    if (strcmp(name, "wall") == 0) {
+        return;
+    }
+    for (int i = 0; i < r->n_building; i++) {
+        const int k = (*at + i) % r->n_building;
+        if (strcmp(r->building[k].name, name) == 0) {
+            *at = k;
+            if (floor < 0 || floor > r->building[k].n_floor) {
+                h5_fail(&f->h, "a link of /%s is at floor %d of '%s', which has %d", group, floor,
+                        name, r->building[k].n_floor);
+            }
+            return;
+        }
+    }
+    h5_fail(&f->h, "a link of /%s is at '%s', which is not in /buildings", group, name);
+}
+
 static struct report_link *get_links(struct result_file *r, const struct link_group *g,
                                      int *n_link) {
     const struct spot root = root_of(r), links = open_spot(r, &root, g->name);
@@ -165,12 +188,10 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
     if (n > 0 && h5_has(&r->h, holder(r, &links, level), level)) {
         get_columns(r, &links, &layout_level, link, n);
     }
+    int left = 0, right = 0;
     for (size_t i = 0; link && i < n && !r->h.failed; i++) {
-        if (link[i].left_floor > FLOORS_MAX || link[i].right_floor > FLOORS_MAX) {
-            h5_fail(&r->h, "a link of /%s is at floor %d; there are at most %d", g->name,
-                    link[i].left_floor > FLOORS_MAX ? link[i].left_floor : link[i].right_floor,
-                    FLOORS_MAX);
-        }
+        check_end(r, g->name, link[i].left, link[i].left_floor, &left);
+        check_end(r, g->name, link[i].right, link[i].right_floor, &right);
     }
     if (r->reading == READ_VALUES) {
         for (int i = 0; i < 2; i++) {

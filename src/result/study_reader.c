@@ -213,13 +213,13 @@ static void get_all(struct study_file *f) {
 
 int study_file_verify(struct study_file *f, struct error *e) {
     struct result_sums sums;
-    const int status = seal_check(&f->file.h, &sums);
+    const int status = seal_check(&f->file.h, f->view.path, &sums, e);
     if (status == STATUS_OK && !f->view.origin.study) {
-        h5_fail(&f->file.h, "it does not tell what its runs come from");
+        return error_set(e, STATUS_INPUT, "%s: it does not tell what its runs come from",
+                         f->view.path);
     }
-    return !f->file.h.failed ? STATUS_OK
-                             : error_set(e, status == STATUS_SYSTEM ? status : STATUS_INPUT,
-                                         "%s: %s", f->view.path, f->file.h.cause);
+    e->status = status == STATUS_FAILED ? STATUS_INPUT : e->status;
+    return status == STATUS_FAILED ? STATUS_INPUT : status;
 }
 
 // Reads all of a file.
