@@ -59,6 +59,11 @@ enum peak {
 };
 extern const char *const peak_names[];  // (PEAK_COUNT) displacement velocity acceleration ...
 
+// The largest and smallest value of a force in a struck column over all computed steps, and when.
+struct column_peak {
+    double max, max_time, min, min_time;
+};
+
 // Totals of one link over all steps. Of a contact, force and penetration are the largest (not
 // absolute); of a bilateral link the largest absolute ones.
 struct link_peak {
@@ -124,7 +129,8 @@ struct results {
     double *deepest;         // (n_link) [L] largest penetration of each link so far,
     double *deepest_time;    // (n_link) [T] and when
     struct link_peak *link;  // (n_link) contacts first
-    struct impact *impact;   // (n_impact) in order of t_start; malloc'd
+    struct column_peak (*column)[COLUMN_FORCE_COUNT];  // (n_column)
+    struct impact *impact;                             // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;
     struct collapse collapse;
     double energy[ENERGY_COUNT];  // at the end

@@ -128,6 +128,17 @@ struct link {
     const struct word *word;  // that names it in its statement, for messages
 };
 
+// Forces in one of the columns that are struck together, elastic: shears are the force to the right
+// on the upper end of a part, moments act on ends and are positive counterclockwise.
+enum column_force {
+    COLUMN_SHEAR_BELOW,   // [F] of the part below the struck point
+    COLUMN_SHEAR_ABOVE,   // [F] of the part above it
+    COLUMN_MOMENT_BELOW,  // [F L] at the floor below
+    COLUMN_MOMENT_POINT,  // [F L] at the struck point, on the part below it
+    COLUMN_MOMENT_ABOVE,  // [F L] at the floor above
+    COLUMN_FORCE_COUNT
+};
+
 // A column that is struck between the floors of its storey. The struck point has a mass and one
 // degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
 // the floors below and above: the column is clamped in both, and the rotation of its point has no
@@ -147,6 +158,8 @@ struct struck_column {
     double dashpot;    // [F T/L]
     double n;          // columns that are struck together
     double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
+    int dof[3];  // the struck point, the floor above, the floor below; WALL: the ground
+    double force[COLUMN_FORCE_COUNT][3];  // [F/L] or [F] for unit displacements of these
 };
 
 // The ground acceleration under some buildings: the sum of the signals.

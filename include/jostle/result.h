@@ -42,6 +42,10 @@ struct report_link {
     double restitution;  // coefficient asked for; NAN: none
     bool calibrated;     // the damping delivers it exactly
     struct link_peak peak;
+    // Of the spring of a struck column: forces in one column, the largest shear and moment of any
+    // sign, and these over the strengths (NAN: not given).
+    struct column_peak column[COLUMN_FORCE_COUNT];
+    double shear, moment, shear_demand, moment_demand;
 };
 
 // How a run has collapsed (struct collapse).
@@ -64,10 +68,11 @@ struct report {
     double duration, dt;  // [T] dt 0: adaptive steps
     unsigned fields;      // enum field: the histories in the file
     long n_row;           // rows of the histories
-    int n_building, n_contact, n_link;
+    int n_building, n_contact, n_link, n_column;
     struct report_building *building;  // (n_building) from left to right
     struct report_link *contact;       // (n_contact)
     struct report_link *link;          // (n_link) bilateral
+    struct report_link *column;        // (n_column) springs of struck columns
     long n_impact;
     struct impact *impact;        // (n_impact) in order of time
     double energy[ENERGY_COUNT];  // [F L] at the end

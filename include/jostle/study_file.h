@@ -133,9 +133,10 @@ struct study_view {
     int n_thread;
     double seconds;
     struct study_table table;
-    int n_contact, n_link;
+    int n_contact, n_link, n_column;
     const struct report_link *contact;  // (n_contact) names and floors
     const struct report_link *link;     // (n_link)
+    const struct report_link *column;   // (n_column) springs of struck columns
 };
 
 // Whether value `i` of `item` is the peak acceleration of a floor that was hit in the run with

@@ -270,6 +270,40 @@ static void print_links(struct summary *s) {
     }
 }
 
+static const struct printer_column columns[] = {
+    READ("force", 10, force),
+    READ("shear", 10, force),
+    READ("moment", 10, energy),
+    {.head = "V/Vs", .width = 8, .digits = 4, .look = LOOK_READ},
+    {.head = "M/Ms", .width = 8, .digits = 4, .look = LOOK_READ}};
+static bool column_row(struct printer *t, const struct report *r, int i) {
+    const struct report_link *c = &r->column[i];
+    const double value[] = {c->peak.force, c->shear, c->moment, c->shear_demand, c->moment_demand};
+    printer_text(t, c->name);
+    printer_numbers(t, value, 5);
+    return false;
+}
+
+static void print_columns(struct summary *s) {
+    struct shown shown = {.width = NAME_WIDTH_MIN};
+    for (int i = 0; i < s->r->n_column && i < SHOWN_MAX; i++) {
+        shown.choice[shown.n++] = (struct choice){.index = i};
+        shown.width = widest(shown.width, s->r->column[i].name, LINK_WIDTH_MAX);
+    }
+    if (shown.n > 0) {
+        PRINT_TABLE(s, &shown, "column", columns, column_row);
+        not_shown(s, s->r->n_column - shown.n, "columns", "number");
+    }
+    bool fails = false;
+    for (int i = 0; i < s->r->n_column; i++) {
+        fails |= s->r->column[i].shear_demand > 1.0 || s->r->column[i].moment_demand > 1.0;
+    }
+    if (fails) {
+        fputs("a column with V/Vs or M/Ms above 1 would fail; in this analysis it stays elastic\n",
+              s->to);
+    }
+}
+
 // The energies of the end, as the tables have numbers.
 static void print_energies(const struct summary *s, const char *unit) {
     static const enum energy energy[] = {ENERGY_INPUT, ENERGY_DAMPING, ENERGY_HYSTERETIC,
@@ -357,6 +391,7 @@ int report_print(const struct report *r, FILE *to, struct error *e) {
         print_peaks(&s, &shown);
         print_contacts(&s);
         print_links(&s);
+        print_columns(&s);
         print_totals(&s);
     }
     return s.status;

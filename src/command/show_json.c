@@ -126,6 +126,11 @@ void show_json(const struct report *r, FILE *to) {
         put_link(&j, &r->link[i], &layout_link_peak);
     }
     close_list(&j, ']');
+    open_list(&j, "columns", '[');
+    for (int i = 0; i < r->n_column; i++) {
+        put_link(&j, &r->column[i], &layout_column_peak);
+    }
+    close_list(&j, ']');
     open_list(&j, "impacts", '[');
     for (long i = 0; i < r->n_impact; i++) {
         open_list(&j, NULL, '{');

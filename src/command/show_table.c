@@ -99,6 +99,7 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
         COLUMN_DATA("value"), COLUMN_DATA("unit"), COLUMN_DATA("time"),     COLUMN_DATA("hit")};
     struct printer c = {.to = to, .form = form};
     const struct table buildings = {&c, r, "buildings"}, contacts = {&c, r, "contacts"};
+    const struct table columns_of = {&c, r, "columns"};
     const struct table links = {&c, r, "links"}, impacts = {&c, r, "impacts"};
     const struct table energy = {&c, r, "energy"}, totals = {&c, r, "totals"};
     PRINTER_ADD(&c, columns);
@@ -115,6 +116,10 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
     for (int i = 0; i < r->n_link; i++) {
         members(&links, &layout_link, r->link[i].name, &r->link[i], 0, NAN);
         members(&links, &layout_link_peak, r->link[i].name, &r->link[i], 0, NAN);
+    }
+    for (int i = 0; i < r->n_column; i++) {
+        members(&columns_of, &layout_link, r->column[i].name, &r->column[i], 0, NAN);
+        members(&columns_of, &layout_column_peak, r->column[i].name, &r->column[i], 0, NAN);
     }
     for (long i = 0; i < r->n_impact; i++) {
         members(&impacts, &layout_impact, r->contact[r->impact[i].contact].name, &r->impact[i],

@@ -33,8 +33,9 @@ const char *study_print_name(const struct study_view *v, const struct study_item
         return "";
     }
     const bool contact = strcmp(item->parent, "contacts") == 0;
-    const size_t n = (size_t)(contact ? v->n_contact : v->n_link);
-    return i < n ? (contact ? v->contact : v->link)[i].name : "";
+    const bool column = strcmp(item->parent, "columns") == 0;
+    const size_t n = (size_t)(contact ? v->n_contact : column ? v->n_column : v->n_link);
+    return i < n ? (contact ? v->contact : column ? v->column : v->link)[i].name : "";
 }
 
 static void add_values(struct study_peaks *p, const struct study_view *v,
@@ -42,9 +43,12 @@ static void add_values(struct study_peaks *p, const struct study_view *v,
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         struct study_peak *peak = &p->peak[k];
-        // Times of peaks are no quantities of their own.
+        // Times of peaks are no quantities of their own, and signed extremes are many.
         const char *underscore = strrchr(item->name, '_');
-        const bool shown = item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
+        const bool detail = underscore && (strcmp(underscore, "_time") == 0 ||
+                                           strcmp(underscore, "_max") == 0 ||
+                                           strcmp(underscore, "_min") == 0);
+        const bool shown = item->leaf && !detail;
         for (size_t i = 0; shown && i < item->n; i++) {
             const double x = r->value[item->first + i];
             if (!isnan(x) && (!peak->found || x > peak->value)) {

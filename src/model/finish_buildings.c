@@ -192,6 +192,8 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     for (int i = 0; column && i < m->n_column; i++) {
         column[i] = struck_column_draft(b, i)->column;
         building[m->n_building + i].ground = building[column[i].building].ground;
+        struck_column_place(&column[i], building[m->n_building + i].first,
+                            building[column[i].building].first);
     }
     m->column = column;
     m->building = building;

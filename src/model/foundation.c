@@ -230,73 +230,98 @@ static bool founded_take_storeys(struct arena *a, struct founded *f, const struc
     return own && share;
 }
 
-int foundation_put(struct builder *b, const struct building_draft *d, const struct building *fixed,
-                   int *n_before, struct building *out, struct error *e) {
-    const struct foundation *draft = d->foundation;
-    struct arena *a = b->arena;
-    const size_t n = (size_t)fixed->n_floor, all = n + 2;
-    enum { MASS, SPRING, STIFFNESS, OMEGA, BAND, N_ARRAY };
-    double *x = arena_alloc(a, N_ARRAY * all, sizeof *x);
-    double *shape = arena_alloc(a, all * all, sizeof *shape);
-    double *still = arena_alloc(a, all * all, sizeof *still);
+// The part of the building and its matrices; NULL: no memory.
+static struct part *founded_part(struct arena *a, const struct building_draft *d,
+                                 const struct building *fixed, double height) {
     struct founded *f = arena_alloc(a, 1, sizeof *f);
     struct part *part = arena_alloc(a, 1, sizeof *part);
-    struct building *kept = arena_alloc(a, 1, sizeof *kept);
-    double height = 0.0;
     int n_history = 0;
-    assert(fixed->height);
-    for (size_t i = 0; i < n; i++) {
-        height += fixed->height[i];
-    }
-    if (arena_failed(a)) {
-        return error_no_memory(e);
+    if (!f || !part) {
+        return NULL;
     }
     *f = (struct founded){.n = fixed->n_floor};
-    *kept = *fixed;
     if (!founded_take_storeys(a, f, fixed, d->storey, height, &n_history) ||
-        !(f->linear = founded_matrix(a, f, fixed, draft, height))) {
-        return error_no_memory(e);
+        !(f->linear = founded_matrix(a, f, fixed, d->foundation, height))) {
+        return NULL;
     }
     *part = (struct part){
         .kind = n_history > 0 ? &founded_yields : &founded_linear,
         .name = "foundation",
-        .n = (int)all,
+        .n = f->n + 2,
         .data = f,
         .n_history = n_history,
-        .history = *n_before,
     };
-    *n_before += n_history;
-    memcpy(x + MASS * all, fixed->mass, n * sizeof *x);
-    x[MASS * all + n] = draft->mass;
-    x[MASS * all + n + 1] = draft->inertia / (height * height);
-    *out = *fixed;
-    out->fixed = kept;
-    out->foundation = draft;
-    out->n_floor = (int)all;
-    out->mass = x + MASS * all;
-    out->spring = x + SPRING * all;
-    out->stiffness = x + STIFFNESS * all;
-    out->omega = x + OMEGA * all;
-    out->shape = shape;
-    out->damping_diagonal = out->damping_off = x + BAND * all;
-    out->damping_full = founded_damping(a, fixed, draft, height);
-    out->n_part = 1;
-    out->part = part;
-    out->part_dashpot = still;
-    // The initial stiffness is the tangent at rest.
+    return part;
+}
+
+// Masses, and the stiffness at rest, of the building with its part; false: no memory.
+static bool founded_properties(struct arena *a, const struct building *fixed, double height,
+                               struct building *out) {
+    const size_t n = (size_t)fixed->n_floor, all = n + 2;
+    const size_t n_history = (size_t)out->part->n_history;
+    double *mass = arena_alloc(a, all, sizeof *mass);
+    double *spring = arena_alloc(a, all, sizeof *spring);
+    double *band = arena_alloc(a, all, sizeof *band);
+    double *stiffness = arena_alloc(a, all, sizeof *stiffness);
     double *initial = arena_alloc(a, all * all, sizeof *initial);
-    double *history = arena_alloc(a, (size_t)n_history, sizeof *history);
+    double *still = arena_alloc(a, all * all, sizeof *still);
+    double *history = arena_alloc(a, n_history, sizeof *history);
     if (arena_failed(a)) {
+        return false;
+    }
+    memcpy(mass, fixed->mass, n * sizeof *mass);
+    mass[n] = out->foundation->mass;
+    mass[n + 1] = out->foundation->inertia / (height * height);
+    founded_respond(out->part, history, still, still, &(struct part_sums){.by_drift = initial},
+                    NULL);
+    for (size_t i = 0; i < all; i++) {
+        stiffness[i] = initial[i * all + i];
+    }
+    out->mass = mass;
+    out->spring = spring;
+    out->stiffness = stiffness;
+    out->part_stiffness = initial;
+    out->part_dashpot = still;
+    out->damping_diagonal = out->damping_off = band;
+    out->damping_full = founded_damping(a, fixed, out->foundation, height);
+    return out->damping_full != NULL;
+}
+
+int foundation_put(struct builder *b, const struct building_draft *d, const struct building *fixed,
+                   int *n_history, struct building *out, struct error *e) {
+    struct arena *a = b->arena;
+    const size_t all = (size_t)fixed->n_floor + 2;
+    double height = 0.0;
+    assert(fixed->height);
+    for (int i = 0; i < fixed->n_floor; i++) {
+        height += fixed->height[i];
+    }
+    struct building *kept = arena_alloc(a, 1, sizeof *kept);
+    struct part *part = founded_part(a, d, fixed, height);
+    double *omega = arena_alloc(a, all, sizeof *omega);
+    double *shape = arena_alloc(a, all * all, sizeof *shape);
+    if (!kept || !part || !omega || !shape) {
         return error_no_memory(e);
     }
-    founded_respond(part, history, still, still, &(struct part_sums){.by_drift = initial}, NULL);
-    out->part_stiffness = initial;
-    for (size_t i = 0; i < all; i++) {
-        x[STIFFNESS * all + i] = initial[i * all + i];
+    *kept = *fixed;
+    part->history = *n_history;
+    *n_history += part->n_history;
+    *out = *fixed;
+    out->fixed = kept;
+    out->foundation = d->foundation;
+    out->n_floor = (int)all;
+    out->n_part = 1;
+    out->part = part;
+    out->omega = omega;
+    out->shape = shape;
+    if (!founded_properties(a, fixed, height, out)) {
+        return error_no_memory(e);
     }
     const int status =
-        modes_solve((int)all, out->mass, out->spring, initial, x + OMEGA * all, shape, e);
-    modes_scale_to_largest((int)all, shape);
+        modes_solve((int)all, out->mass, out->spring, out->part_stiffness, omega, shape, e);
+    if (status == STATUS_OK) {
+        modes_scale_to_largest((int)all, shape);
+    }
     return status;
 }
 

@@ -178,6 +178,35 @@ static const struct column link_peak_column[] = {
 };
 const struct column_table layout_link_peak = TABLE(link_peak_column, report_link);
 
+#define EXTREMES(name, number, dimension, what)                                                    \
+    LINK(name "_max", DOUBLE, column[number].max, dimension, "largest " what),                     \
+        LINK(name "_max_time", DOUBLE, column[number].max_time, &dimension_time,                   \
+             "time of the largest " what),                                                         \
+        LINK(name "_min", DOUBLE, column[number].min, dimension, "smallest " what),                \
+        LINK(name "_min_time", DOUBLE, column[number].min_time, &dimension_time,                   \
+             "time of the smallest " what)
+static const struct column column_column[] = {
+    LINK("force", DOUBLE, peak.force, &dimension_force,
+         "largest absolute force between the struck point and the floors"),
+    LINK("force_time", DOUBLE, peak.force_time, &dimension_time, "time of the largest force"),
+    LINK("deformation", DOUBLE, peak.penetration, &dimension_length,
+         "largest absolute displacement of the struck point against the unloaded column"),
+    LINK("deformation_time", DOUBLE, peak.penetration_time, &dimension_time,
+         "time of the largest deformation"),
+    LINK("shear", DOUBLE, shear, &dimension_force, "largest absolute shear in one column"),
+    LINK("moment", DOUBLE, moment, &dimension_energy, "largest absolute moment in one column"),
+    LINK("shear_demand", DOUBLE, shear_demand, NULL, "shear over the shear strength, NaN if none"),
+    LINK("moment_demand", DOUBLE, moment_demand, NULL,
+         "moment over the moment strength, NaN if none"),
+    EXTREMES("shear_below", COLUMN_SHEAR_BELOW, &dimension_force, "shear below the struck point"),
+    EXTREMES("shear_above", COLUMN_SHEAR_ABOVE, &dimension_force, "shear above the struck point"),
+    EXTREMES("moment_below", COLUMN_MOMENT_BELOW, &dimension_energy, "moment at the floor below"),
+    EXTREMES("moment_point", COLUMN_MOMENT_POINT, &dimension_energy,
+             "moment at the struck point, on the part below"),
+    EXTREMES("moment_above", COLUMN_MOMENT_ABOVE, &dimension_energy, "moment at the floor above"),
+};
+const struct column_table layout_column_peak = TABLE(column_column, report_link);
+
 #define IMPACT(name, kind, member, dimension, long_name)                                           \
     ROW(impact, name, kind, member, dimension, long_name)
 static const struct column impact_column[] = {
@@ -218,6 +247,9 @@ const struct link_group layout_contacts = {"contacts",
                                            layout_field + FLOOR_FIELD_COUNT};
 const struct link_group layout_links = {
     "links", "link", &layout_link_peak, {"force", "deformation"}, link_field};
+
+const struct link_group layout_columns = {
+    "columns", "column", &layout_column_peak, {"force", "deformation"}, link_field};
 
 bool layout_has_levels(const struct report_link *link, int n) {
     bool any = false;
@@ -300,6 +332,9 @@ void layout_each(const struct report *r, layout_visit *visit, void *context) {
     visit_links(&layout_contacts, r->contact, r->n_contact, visit, context);
     if (r->n_link > 0) {
         visit_links(&layout_links, r->link, r->n_link, visit, context);
+    }
+    if (r->n_column > 0) {
+        visit_links(&layout_columns, r->column, r->n_column, visit, context);
     }
     visit(context, &(struct layout_place){"energy", NULL, NULL, NULL, &layout_energy, r, 1});
     visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_totals, r, 1});

@@ -38,7 +38,8 @@ extern const struct column_table layout_link;       // of struct report_link: /c
 extern const struct column_table layout_level;      // the same, where layout_has_levels
 extern const struct column_table layout_contact;    // of struct report_link: /contacts/envelope
 extern const struct column_table layout_link_peak;  // of struct report_link: /links/envelope
-extern const struct column_table layout_impact;     // of struct impact: /impacts
+extern const struct column_table layout_column_peak;  // the same: /columns/envelope
+extern const struct column_table layout_impact;       // of struct impact: /impacts
 
 // The last column of layout_peak. A run has it of buildings that can yield.
 extern const char layout_residual_drift_name[];
@@ -59,7 +60,7 @@ struct link_group {
     const char *field[2];              // its histories: force, and penetration or deformation
     const struct quantity *quantity;   // (2) of them
 };
-extern const struct link_group layout_contacts, layout_links;
+extern const struct link_group layout_contacts, layout_links, layout_columns;
 
 // Is an end of a link at a level between two floors?
 bool layout_has_levels(const struct report_link *link, int n);

@@ -249,6 +249,9 @@ void reader_get(struct result_file *r) {
     if (h5_has(&r->h, r->root, layout_links.name)) {
         r->report->link = get_links(r, &layout_links, &r->report->n_link);
     }
+    if (h5_has(&r->h, r->root, layout_columns.name)) {
+        r->report->column = get_links(r, &layout_columns, &r->report->n_column);
+    }
     if (r->reading == READ_VALUES) {
         get_impacts(r);
         get_energy(r);

@@ -96,7 +96,22 @@ static void collapse_fill(struct report_collapse *to, const struct model *m,
     }
 }
 
-static void results_fill(struct report *to, const struct results *r) {
+static double larger_size(double most, const struct column_peak *p) {
+    return fmax(most, fmax(p->max, -p->min));
+}
+
+static void column_fill(struct report_link *to, const struct struck_column *c,
+                        const struct column_peak peak[COLUMN_FORCE_COUNT]) {
+    memcpy(to->column, peak, sizeof to->column);
+    for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        double *most = q <= COLUMN_SHEAR_ABOVE ? &to->shear : &to->moment;
+        *most = larger_size(*most, &peak[q]);
+    }
+    to->shear_demand = isinf(c->shear_strength) ? NAN : to->shear / c->shear_strength;
+    to->moment_demand = isinf(c->moment_strength) ? NAN : to->moment / c->moment_strength;
+}
+
+static void results_fill(struct report *to, const struct model *m, const struct results *r) {
     to->n_impact = r->n_impact;
     to->impact = arena_alloc(to->arena, (size_t)r->n_impact, sizeof *to->impact);
     if (to->impact && r->n_impact > 0) {
@@ -107,6 +122,10 @@ static void results_fill(struct report *to, const struct results *r) {
     }
     for (int i = 0; i < to->n_link; i++) {
         to->link[i].peak = r->link[to->n_contact + i];
+    }
+    for (int i = 0; i < to->n_column; i++) {
+        to->column[i].peak = r->link[to->n_contact + to->n_link + i];
+        column_fill(&to->column[i], &m->column[i], r->column[i]);
     }
     memcpy(to->energy, r->energy, sizeof to->energy);
     to->initial_energy = r->initial_energy;
@@ -148,10 +167,12 @@ static void model_fill(struct report *to, const struct model *m, const struct re
     to->n_row = model_rows(m);
     to->n_building = m->n_building;
     to->n_contact = m->n_contact;
-    to->n_link = m->n_link - m->n_contact;
+    to->n_link = m->n_link - m->n_contact - m->n_column;
+    to->n_column = m->n_column;
     to->building = arena_alloc(to->arena, (size_t)to->n_building, sizeof *to->building);
     to->contact = arena_alloc(to->arena, (size_t)to->n_contact, sizeof *to->contact);
     to->link = arena_alloc(to->arena, (size_t)to->n_link, sizeof *to->link);
+    to->column = arena_alloc(to->arena, (size_t)to->n_column, sizeof *to->column);
     if (arena_failed(to->arena)) {
         return;
     }
@@ -159,12 +180,15 @@ static void model_fill(struct report *to, const struct model *m, const struct re
         building_fill(&to->building[i], to->arena, &m->building[i], r);
     }
     for (int i = 0; i < m->n_link; i++) {
-        struct report_link *l = i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
+        const int link = i - m->n_contact, column = link - to->n_link;
+        struct report_link *l = link < 0     ? &to->contact[i]
+                                : column < 0 ? &to->link[link]
+                                             : &to->column[column];
         link_fill(l, to, m, &m->link[i]);
     }
     collapse_fill(&to->collapse, m, to, r ? &r->collapse : NULL);
     if (r) {
-        results_fill(to, r);
+        results_fill(to, m, r);
     }
 }
 

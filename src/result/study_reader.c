@@ -199,6 +199,8 @@ static void get_all(struct study_file *f) {
     v->contact = r->contact;
     v->n_link = r->n_link;
     v->link = r->link;
+    v->n_column = r->n_column;
+    v->column = r->column;
     v->n_kept = h5_get_long(h, h->file, "runs_kept");
     v->n_thread = (int)h5_get_long(h, h->file, "threads");
     v->seconds = h5_get_double(h, h->file, "wall_seconds");

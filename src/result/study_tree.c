@@ -142,6 +142,9 @@ void study_tree(struct study_writer *w) {
     if (r->n_link > 0) {
         put_links(w, &layout_links, r->link, r->n_link);
     }
+    if (r->n_column > 0) {
+        put_links(w, &layout_columns, r->column, r->n_column);
+    }
     static const char *const others[] = {"energy", "totals"};
     for (int i = 0; i < 2; i++) {
         const struct tree_group g = tree_group(t, w->h.file, others[i], NULL, 0);

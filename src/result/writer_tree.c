@@ -159,6 +159,10 @@ void writer_layout(struct result_writer *w) {
     if (r->n_link > 0) {
         put_links(w, &layout_links, r->link, (size_t)r->n_contact, (size_t)r->n_link);
     }
+    if (r->n_column > 0) {
+        put_links(w, &layout_columns, r->column, (size_t)(r->n_contact + r->n_link),
+                  (size_t)r->n_column);
+    }
     const struct tree_group g = tree_group(&w->tree, w->root, "energy", NULL, 0);
     for (size_t i = 0; i < ENERGY_COUNT; i++) {
         const struct column *c = &layout_energy.column[i];

@@ -19,6 +19,7 @@ enum field_count {
     FIELDS_ALLOCATED,
     FIELD_FLOORS = FIELDS_ALLOCATED,  // (n_dof) an array of core/lanes.h
     FIELD_LINKS,                      // (n_link) from the start of a line of the cache, whole lanes
+    FIELD_COLUMNS,                    // (n_column)
     FIELD_GROUNDS,
     FIELD_LOADS,
     FIELD_SIGNALS,           // of all grounds

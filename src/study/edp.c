@@ -36,6 +36,14 @@ const struct edp_quantity edp_quantities[] = {
     {"link-deformation", EDP_OF_LINK, "links", "deformation", NULL, EDP_LARGEST,
      "change of length of a bilateral link"},
     {"link-work", EDP_OF_LINK, "links", "work", NULL, EDP_SUM, "work done on bilateral links"},
+    {"column-shear", EDP_OF_COLUMN, "columns", "shear", NULL, EDP_LARGEST,
+     "shear in a struck column"},
+    {"column-moment", EDP_OF_COLUMN, "columns", "moment", NULL, EDP_LARGEST,
+     "moment in a struck column"},
+    {"column-shear-demand", EDP_OF_COLUMN, "columns", "shear_demand", NULL, EDP_LARGEST,
+     "shear in a struck column over its strength"},
+    {"column-moment-demand", EDP_OF_COLUMN, "columns", "moment_demand", NULL, EDP_LARGEST,
+     "moment in a struck column over its strength"},
     {"hysteretic", EDP_OF_ALL, "energy", "hysteretic", NULL, EDP_SUM,
      "energy dissipated by all storeys"},
     {EDP_COLLAPSE, EDP_OF_ALL, "totals", "collapsed", NULL, EDP_SUM,
@@ -176,9 +184,11 @@ static int add_buildings(struct reading *r, struct error *e) {
 }
 
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
-    const bool contact = r->quantity->owner == EDP_OF_CONTACT;
-    const int n = contact ? r->view->n_contact : r->view->n_link;
-    const struct report_link *link = contact ? r->view->contact : r->view->link;
+    const struct study_view *v = r->view;
+    const enum edp_owner owner = r->quantity->owner;
+    const bool contact = owner == EDP_OF_CONTACT, column = owner == EDP_OF_COLUMN;
+    const int n = contact ? v->n_contact : column ? v->n_column : v->n_link;
+    const struct report_link *link = contact ? v->contact : column ? v->column : v->link;
     for (int i = 0; i < n && (size_t)i < item->n; i++) {
         if (!r->place || strcmp(r->place, link[i].name) == 0) {
             add_term(r, &(struct edp_term){item->first + (size_t)i, SIZE_MAX, NULL, NULL},
@@ -188,7 +198,7 @@ static int add_links(struct reading *r, const struct study_item *item, struct er
     if (r->out->n_term > 0) {
         return STATUS_OK;
     }
-    const char *what = contact ? "contact" : "link";
+    const char *what = contact ? "contact" : column ? "column" : "link";
     return n == 0
                ? error_set(e, STATUS_INPUT, "%s: there is no %s", r->text, what)
                : error_set(e, STATUS_INPUT, "%s: unknown %s; %d available: %s%s%s", r->text, what,
@@ -200,7 +210,9 @@ static int add_terms(struct reading *r, struct error *e) {
     const int i = find_item(r->view, q, NULL, q->item);
     if (i < 0) {
         return error_set(e, STATUS_INPUT, "%s: there is no %s", r->text,
-                         q->owner == EDP_OF_LINK ? "link" : q->name);
+                         q->owner == EDP_OF_LINK     ? "link"
+                         : q->owner == EDP_OF_COLUMN ? "column"
+                                                     : q->name);
     }
     const struct study_item *item = &r->view->table.item[i];
     r->out->units = q->divisor ? "1" : item->units;
@@ -209,6 +221,7 @@ static int add_terms(struct reading *r, struct error *e) {
             return add_buildings(r, e);
         case EDP_OF_CONTACT:
         case EDP_OF_LINK:
+        case EDP_OF_COLUMN:
             return add_links(r, item, e);
         default:
             if (r->place) {

@@ -14,7 +14,7 @@ enum edp_reduction {
 };
 
 // A quantity that can be asked for. `owner` is what follows the first colon.
-enum edp_owner { EDP_OF_BUILDING, EDP_OF_CONTACT, EDP_OF_LINK, EDP_OF_ALL };
+enum edp_owner { EDP_OF_BUILDING, EDP_OF_CONTACT, EDP_OF_LINK, EDP_OF_COLUMN, EDP_OF_ALL };
 struct edp_quantity {
     const char *name;
     enum edp_owner owner;

@@ -99,6 +99,7 @@ static void find_spans(struct results *r, const struct model *m, struct span s[S
     }
     *s++ = (struct span){r->residual_drift, floors};
     *s++ = (struct span){r->link, (size_t)m->n_link * sizeof *r->link};
+    *s++ = (struct span){r->column, (size_t)m->n_column * sizeof *r->column};
     *s++ = (struct span){r->impact, (size_t)r->n_impact * sizeof *r->impact};
     *s++ = (struct span){r->energy, sizeof r->energy};
     *s++ = (struct span){&r->initial_energy, sizeof r->initial_energy};
@@ -205,6 +206,7 @@ static struct results *new_results(const struct model *m, long n_impact) {
     }
     r->residual_drift = arena_alloc(a, (size_t)m->n_dof, sizeof *r->residual_drift);
     r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
+    r->column = arena_alloc(a, (size_t)m->n_column, sizeof *r->column);
     r->impact = malloc(((size_t)n_impact + 1) * sizeof *r->impact);
     r->n_impact = r->impact_capacity = n_impact;
     if (!r->impact || arena_failed(a)) {

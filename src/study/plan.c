@@ -175,7 +175,9 @@ struct study_view plan_view(const struct plan *p) {
                                .n_contact = r->n_contact,
                                .n_link = r->n_link,
                                .contact = r->contact,
-                               .link = r->link};
+                               .link = r->link,
+                               .n_column = r->n_column,
+                               .column = r->column};
 }
 
 long study_shard_run(const struct study_shard *s, long i) {

@@ -196,6 +196,7 @@ void analysis_assert_same(const struct model *m, const struct results *got,
         assert_same(a, b, offsetof(struct link_peak, impacts), "totals of a link");
         assert_int_equal(a->impacts, b->impacts);
     }
+    assert_same(got->residual_drift, want->residual_drift, floors, "residual drifts");
     assert_same(got->deepest, want->deepest, (size_t)m->n_contact * sizeof(double), "penetrations");
     assert_int_equal(got->n_impact, want->n_impact);
     for (long i = 0; i < want->n_impact; i++) {

@@ -24,9 +24,10 @@ static int bilinear_prepare(const double *value, double stiffness, double *const
     if (stiffness == 0.0) {
         return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
     }
+    // Both springs together are k to the last bit, for which buildings are factorised at first.
     double r = value[HARDENING];
-    constant[BACK] = r * stiffness;
-    constant[SPRING] = (1.0 - r) * stiffness;
+    constant[SPRING] = stiffness - r * stiffness;
+    constant[BACK] = stiffness - constant[SPRING];
     constant[STRENGTH] = (1.0 - r) * value[YIELD];
     return STATUS_OK;
 }

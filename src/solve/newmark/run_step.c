@@ -98,6 +98,7 @@ static int run_step_commit(struct run *r) {
     if (r->model->founded) {
         peaks_founded(r->results, r->model, r->next);
     }
+    peaks_columns(r->results, r->model, r->next);
     gaps_peaks(&r->work.gaps, r->next);
     status = impacts_step(&r->impacts, r->now, r->next, r->error);
     struct state *old = r->now;
@@ -184,8 +185,8 @@ struct event run_step_first_event(const struct work *w, const struct state *now,
                                   const struct state *next, double h, const int *count,
                                   int except) {
     const struct model *m = w->model;
-    struct event first = {.link = -1, .time = INFINITY};
-    struct event otherwise = first;
+    static const struct event none = {.link = -1, .time = INFINITY};
+    struct event first = none, otherwise = none;
     for (int i = 0; i < w->n_toggled; i++) {
         int k = w->toggled[i];
         if (k != except && event_splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {
