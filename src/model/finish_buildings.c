@@ -173,7 +173,6 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
             const struct building fixed = building[i];
             m->founded = true;
             status = foundation_put(b, d, &fixed, &m->n_storey_history, &building[i], e);
-            pdelta_check_founded(b, d, &building[i]);
         }
         if (status != STATUS_OK) {
             return status;

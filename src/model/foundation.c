@@ -23,6 +23,7 @@
 #include "law/lists.h"
 #include "model/modes.h"
 #include "model/parts.h"
+#include "model/pdelta.h"
 
 // The part of a building with a foundation. The storeys that yield are kept one by one. All that is
 // linear is one matrix.
@@ -321,6 +322,7 @@ int foundation_put(struct builder *b, const struct building_draft *d, const stru
         modes_solve((int)all, out->mass, out->spring, out->part_stiffness, omega, shape, e);
     if (status == STATUS_OK) {
         modes_scale_to_largest((int)all, shape);
+        pdelta_check_founded(b, d, out);
     }
     return status;
 }

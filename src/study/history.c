@@ -89,7 +89,7 @@ struct span {
     void *at;
     size_t size;
 };
-enum { SPANS = 2 * PEAK_COUNT + 8 };
+enum { SPANS = 2 * PEAK_COUNT + 9 };
 
 static void find_spans(struct results *r, const struct model *m, struct span s[SPANS]) {
     const size_t floors = (size_t)m->n_dof * sizeof(double);
