@@ -45,9 +45,9 @@ static void add_values(struct study_peaks *p, const struct study_view *v,
         struct study_peak *peak = &p->peak[k];
         // Times of peaks are no quantities of their own, and signed extremes are many.
         const char *underscore = strrchr(item->name, '_');
-        const bool detail = underscore && (strcmp(underscore, "_time") == 0 ||
-                                           strcmp(underscore, "_max") == 0 ||
-                                           strcmp(underscore, "_min") == 0);
+        const bool detail =
+            underscore && (strcmp(underscore, "_time") == 0 || strcmp(underscore, "_max") == 0 ||
+                           strcmp(underscore, "_min") == 0);
         const bool shown = item->leaf && !detail;
         for (size_t i = 0; shown && i < item->n; i++) {
             const double x = r->value[item->first + i];
