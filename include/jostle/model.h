@@ -39,7 +39,13 @@ struct building {
     const double
         *stiffness;        // [F/L] (n_floor) initial, of the storey below each floor, all its parts
                            // together: its shear over its drift where no other storey drifts
-    const double *spring;  // [F/L] (n_floor) the same of the shear storeys alone
+    const double *spring;  // [F/L] (n_floor) the same of the shear storeys alone, and of P-delta,
+                           // which takes P/h off: it may be negative beside parts
+    const double *axial;   // [F] (n_floor) gravity load P that each storey carries, for P-delta;
+                           // NULL: without P-delta. The next three have values only with it
+    const double *pdelta;  // [F/L] (n_floor) P/h, which P-delta takes off the stiffness
+    const double *theta;   // (n_floor) stability coefficient P drift / (V h) in the first mode
+    double buckling;       // factor on all P at which the building buckles on initial stiffness
     const double *height;  // [L] (n_floor) storey heights; NULL: not given
     const double *omega;   // [1/T] (n_floor) circular frequencies of the building alone, ascending
     const double *shape;   // (n_floor, n_floor) row m: mode m+1, largest entry 1
@@ -83,6 +89,7 @@ struct storey {
     const struct storey_law *law;
     const double *constant;  // (law->n_constant)
     double yield;            // [F] shear at yield; infinite: elastic
+    double pdelta;           // [F/L] P/h of a storey with a history; elastic laws have it inside
     int history;             // offset of its values in the state's storey history
 };
 
@@ -217,6 +224,8 @@ struct model {
     const struct storey *storey;         // (n_dof) the storey below each floor
     bool elastic;                        // every building is
     bool founded;                        // some building has a foundation
+    const double *collapse;       // [L] (n_dof) drift of the storey below each floor at which a run
+                                  // ends, collapsed; infinite: none. NULL: no storey has one
     const struct link *link;      // (n_link) contacts first (n_contact), then bilateral links
     const struct ground *ground;  // (n_ground)
     const struct load *load;      // (n_load)

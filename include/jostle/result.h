@@ -42,6 +42,7 @@ struct report_building {
     const double *stiffness;              // [F/L]
     const double *height;                 // [L] 0 where not given
     const double *period;                 // [T] of the building alone, elastic, longest first
+    const double *axial, *theta;          // [F] and 1, as in struct building; NULL: no P-delta
     const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
     const double *peak_time[PEAK_COUNT];  // [T]
     const double *residual_drift;         // [L] of the storeys; NULL: none can yield
@@ -71,6 +72,15 @@ struct report_link {
     double shear, moment, shear_demand, moment_demand;
 };
 
+// How a run has collapsed (struct collapse).
+struct report_collapse {
+    long happened;         // 1; 0: it has not
+    double time;           // [T] 0: it has not
+    const char *building;  // "": it has not
+    long storey;           // from 1; 0: it has not
+    double drift;          // [L] with its sign; 0: it has not
+};
+
 // What a result file says apart from its histories.
 struct report {
     struct arena *arena;  // owns everything below
@@ -93,6 +103,7 @@ struct report {
     double initial_energy;        // [F L] kinetic, strain and contact energy at t = 0
     double residual_peak;         // [F L]
     struct totals totals;
+    struct report_collapse collapse;
 };
 
 // The report of a run from memory. `file` and `version` are copied; `r` may be NULL: before the

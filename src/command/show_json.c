@@ -105,6 +105,7 @@ static void put_building(struct json *j, const struct report_building *b) {
     key(j, "floors");
     fprintf(j->to, "%d", b->n_floor);
     put_members(j, &layout_building, b, b->n_floor);
+    put_members(j, &layout_pdelta, b, b->n_floor);
     open_list(j, "envelope", '{');
     put_members(j, &layout_peak, b, b->n_floor);
     close_list(j, '}');
@@ -170,6 +171,7 @@ void show_json(const struct report *r, FILE *to) {
     close_list(&j, '}');
     open_list(&j, "totals", '{');
     put_members(&j, &layout_totals, r, 1);
+    put_members(&j, &layout_collapse, r, 1);
     close_list(&j, '}');
     fputs("\n}\n", to);
 }

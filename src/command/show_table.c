@@ -136,6 +136,7 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
     printer_head(&c);
     for (int i = 0; i < r->n_building; i++) {
         building(&buildings, &r->building[i], &layout_building);
+        building(&buildings, &r->building[i], &layout_pdelta);
         building(&buildings, &r->building[i], &layout_peak);
         forces(&of_members, &parts, &r->building[i]);
     }
@@ -156,9 +157,11 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
                 i + 1, r->impact[i].t_start);
     }
     for (int i = 0; i < layout_energy.n_column; i++) {
-        const double time = i < ENERGY_COUNT ? r->duration : i == ENERGY_COUNT ? 0.0 : (double)NAN;
+        const double end = r->collapse.happened ? r->collapse.time : r->duration;
+        const double time = i < ENERGY_COUNT ? end : i == ENERGY_COUNT ? 0.0 : (double)NAN;
         row(&energy, &layout_energy, i, r, 0, "", 0, time, -1);
     }
     members(&totals, &layout_totals, "", r, 0, NAN);
+    members(&totals, &layout_collapse, "", r, 0, NAN);
     return printer_close(&c);
 }

@@ -50,6 +50,7 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
         finish_chain(b, m);
         finish_links(b, m);
         finish_loads(b, m);
+        finish_collapse(b, m);
         finish_time(b, m);
     }
     status = has_errors(b, e);

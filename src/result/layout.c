@@ -47,6 +47,21 @@ static const struct column totals_column[] = {
 };
 const struct column_table layout_totals = TABLE(totals_column, report);
 
+static const struct column collapse_column[] = {
+    ROW(report, "collapsed", LONG, collapse.happened, NULL,
+        "1: a storey has reached its limit of drift and the run has ended there, 0: none has"),
+    ROW(report, "collapse_time", DOUBLE, collapse.time, &dimension_time,
+        "time of the collapse, 0 if there is none"),
+    ROW(report, "collapse_building", TEXT, collapse.building, NULL, "building that has collapsed"),
+    ROW(report, "collapse_storey", LONG, collapse.storey, NULL,
+        "storey that has collapsed, 0 if none has"),
+    ROW(report, "collapse_drift", DOUBLE, collapse.drift, &dimension_length,
+        "its drift then, 0 if there is none"),
+    TOTAL("steps_cut_indefinite", indefinite,
+          "rejected steps whose matrix a negative stiffness made not positive definite"),
+};
+const struct column_table layout_collapse = TABLE(collapse_column, report);
+
 // First those with a history, in the order of enum energy.
 #define ENERGY(name, member, long_name)                                                            \
     ROW(report, name, DOUBLE, member, &dimension_energy, long_name)
@@ -75,6 +90,14 @@ static const struct column building_column[] = {
            "periods of the building alone, elastic, longest first"),
 };
 const struct column_table layout_building = TABLE(building_column, report_building);
+
+static const struct column pdelta_column[] = {
+    FLOORS("gravity_load", axial, &dimension_force,
+           "gravity load that the storey below each floor carries, for P-delta"),
+    FLOORS("stability_coefficient", theta, NULL,
+           "gravity load times drift over shear times height of the storey, in the first mode"),
+};
+const struct column_table layout_pdelta = TABLE(pdelta_column, report_building);
 
 // A peak and its time.
 #define PEAK(name, number, dimension, long_name)                                                   \
@@ -386,4 +409,5 @@ void layout_each(const struct report *r, layout_visit *visit, void *context) {
     }
     visit(context, &(struct layout_place){"energy", NULL, NULL, NULL, &layout_energy, r, 1});
     visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_totals, r, 1});
+    visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_collapse, r, 1});
 }

@@ -27,12 +27,14 @@ struct column_table {
     size_t size;  // of the struct
 };
 
-extern const struct column_table layout_root;            // of struct report: attributes of /
-extern const struct column_table layout_totals;          // the same; of a study: /totals
-extern const struct column_table layout_energy;          // of struct report: /energy
-extern const struct column_table layout_building;        // of struct report_building: /buildings/*
-extern const struct column_table layout_peak;            // the same: /buildings/*/envelope
-extern const struct column_table layout_member;          // of struct report_member: .../members
+extern const struct column_table layout_root;      // of struct report: attributes of /
+extern const struct column_table layout_totals;    // the same; of a study: /totals
+extern const struct column_table layout_collapse;  // the same, which earlier versions do not have
+extern const struct column_table layout_energy;    // of struct report: /energy
+extern const struct column_table layout_building;  // of struct report_building: /buildings/*
+extern const struct column_table layout_pdelta;    // the same, of a run alone with P-delta
+extern const struct column_table layout_peak;      // the same: /buildings/*/envelope
+extern const struct column_table layout_member;    // of struct report_member: .../members
 extern const struct column_table layout_member_peak;     // the same: .../members/envelope
 extern const struct column_table layout_member_extreme;  // the same, of runs
 extern const struct column_table layout_share;           // of struct report_share: .../parts

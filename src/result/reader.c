@@ -77,6 +77,12 @@ static void get_attributes(struct result_file *f) {
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, r);
     }
+    // Files of earlier versions do not tell.
+    r->collapse = (struct report_collapse){.building = ""};
+    const bool tells = H5Aexists(f->root, layout_collapse.column[0].name) > 0;
+    for (int c = 0; tells && c < layout_collapse.n_column; c++) {
+        h5_get_member(&f->h, r->arena, f->root, &layout_collapse, c, r);
+    }
     r->n_row = (long)h5_get_length(&f->h, f->root, "time", (size_t)1 << 30);
     if (r->n_row < 1) {
         h5_fail(&f->h, "dataset 'time' has no values");
@@ -147,6 +153,9 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
         }
         if (f->reading == READ_VALUES) {
             get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
+            if (building.own >= 0 && h5_has(&f->h, building.own, layout_pdelta.column[0].name)) {
+                get_columns(f, &building, &layout_pdelta, b, (size_t)b->n_floor);
+            }
             // Residual drifts are not there where no storey can yield; of a run of a study, an
             // attribute says so.
             const struct spot envelope = open_spot(f, &building, "envelope");

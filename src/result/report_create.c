@@ -93,6 +93,8 @@ static void building_fill(struct report_building *to, struct arena *a, const str
     to->stiffness = copy(a, own->stiffness, n);
     to->height = copy(a, b->height, n);
     to->period = period;
+    to->axial = b->axial ? copy(a, b->axial, n) : NULL;
+    to->theta = b->theta ? copy(a, b->theta, n) : NULL;
     for (size_t i = 0; period && i < n; i++) {
         period[i] = 2 * acos(-1.0) / b->omega[i];
     }
@@ -147,6 +149,18 @@ static void link_fill(struct report_link *to, const struct report *r, const stru
         .restitution = l->restitution,
         .calibrated = l->calibrated,
     };
+}
+
+static void collapse_fill(struct report_collapse *to, const struct model *m,
+                          const struct report *report, const struct collapse *c) {
+    *to = (struct report_collapse){.building = ""};
+    for (int k = 0; c && c->happened && k < m->n_building; k++) {
+        const int floor = c->dof - m->building[k].first;
+        if (floor >= 0 && floor < m->building[k].n_level) {
+            *to =
+                (struct report_collapse){1, c->time, report->building[k].name, floor + 1, c->drift};
+        }
+    }
 }
 
 static double larger_size(double most, const struct column_peak *p) {
@@ -239,6 +253,7 @@ static void model_fill(struct report *to, const struct model *m, const struct re
                                              : &to->column[column];
         link_fill(l, to, m, &m->link[i]);
     }
+    collapse_fill(&to->collapse, m, to, r ? &r->collapse : NULL);
     if (r) {
         results_fill(to, m, r);
     }

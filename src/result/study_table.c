@@ -65,7 +65,7 @@ static void add_place(void *context, const struct layout_place *p) {
     for (int c = 0; c < p->table->n_column; c++) {
         const struct column *column = &p->table->column[c];
         if (totals ? column->kind == COLUMN_LONG : layout_is_value(column)) {
-            add(context, p, c, !p->leaf && !totals && !energy);
+            add(context, p, c, !p->leaf && !totals && !energy && p->table != &layout_collapse);
         }
     }
 }

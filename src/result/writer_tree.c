@@ -10,14 +10,17 @@
 #include "result/writer.h"
 
 // Rows of a chunk of a history of `width` values a row; 0: contiguous, as all rows are written at
-// once. A chunk and its index take some 300 bytes more, which compression saves in COMPRESSED_MIN
-// bytes and more: it leaves out a tenth at least of the histories of buildings.
+// once. The histories of a run that may collapse can be cut, and leave less than a chunk of CUT
+// rows unused. A chunk and its index take some 300 bytes more, which compression saves in
+// COMPRESSED_MIN bytes and more: it leaves out a tenth at least of the histories of buildings.
 static hsize_t chunk_rows(const struct result_writer *w, size_t width) {
-    enum { COMPRESSED_MIN = 3072 };
+    enum { COMPRESSED_MIN = 3072, CUT = 256 };
     const size_t number = w->model->output.single ? sizeof(float) : sizeof(double);
     const bool compressed = w->model->output.compress > 0 &&
                             (size_t)w->report->n_row * width * number >= COMPRESSED_MIN;
-    return writer_in_blocks(w) || compressed ? w->capacity : 0;
+    const bool in_chunks = writer_in_blocks(w) || compressed || w->model->collapse;
+    const size_t rows = w->model->collapse && w->capacity > CUT ? CUT : w->capacity;
+    return in_chunks ? rows : 0;
 }
 
 // A history of `width` values a row; width_scale 0: one value, one dimension.
@@ -31,6 +34,7 @@ static void put_history(struct result_writer *w, hid_t parent, const char *name,
         .dim = {(hsize_t)w->report->n_row, s.width},
         .scale = {w->tree.time, width_scale},
         .chunk_rows = chunk_rows(w, s.width),
+        .may_be_cut = w->model->collapse != NULL,
         .compress = w->model->output.compress,
     };
     writer_stream(w, parent, &d, s);
@@ -45,6 +49,7 @@ static void put_time(struct result_writer *w) {
         .n_dim = 1,
         .dim = {(hsize_t)w->report->n_row},
         .chunk_rows = chunk_rows(w, 1),
+        .may_be_cut = w->model->collapse != NULL,
         .many_users = w->stream_capacity > USERS_FEW,
     };
     writer_stream(w, w->root, &d, (struct stream){.source = SOURCE_TIME, .width = 1});
@@ -111,6 +116,9 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
         h5_put_long(w->h, g.group, "yields", !model->elastic);
     }
     put_columns(w, &g, &layout_building, b, n);
+    if (b->axial && !w->place) {
+        put_columns(w, &g, &layout_pdelta, b, n);
+    }
     for (int f = 0; f < FLOOR_FIELD_COUNT; f++) {
         if (w->report->fields >> f & 1) {
             const struct stream s = {
@@ -275,5 +283,8 @@ void writer_results(struct result_writer *w, const struct report *r) {
     h5_close(h, energy);
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_put_member(h, w->root, &layout_totals, c, r);
+    }
+    for (int c = 0; c < layout_collapse.n_column; c++) {
+        h5_put_member(h, w->root, &layout_collapse, c, r);
     }
 }

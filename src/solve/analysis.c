@@ -116,6 +116,10 @@ int analysis_go(struct run *r, long end) {
     int status = STATUS_OK;
     while (status == STATUS_OK && r->step < end) {
         status = r->method->advance(r, &r->step, analysis_next_stop(r, end));
+        if (status == STATUS_COLLAPSE) {
+            r->step = r->model->n_step;
+            status = STATUS_OK;
+        }
         if (status == STATUS_OK && analysis_is_row(r)) {
             status = analysis_show_row(r);
         }

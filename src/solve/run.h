@@ -30,7 +30,8 @@ struct method {
     void (*start)(struct run *r);
 
     // Goes from step *n of the model to a later one, `end` at most, and makes r->now its state.
-    // Quantities that only rows show may be left out before `end`.
+    // Quantities that only rows show may be left out before `end`. STATUS_COLLAPSE: r->now is the
+    // state at which the model has collapsed.
     int (*advance)(struct run *r, long *n, long end);
 
     // Computes what rows show of r->now and brings r->energy up to it; NULL: advance has done so.
@@ -157,6 +158,11 @@ struct event run_step_first_event(const struct work *w, const struct state *now,
 // In adaptive_newmark.c: does the step of size h from r->now to r->next meet the tolerance?
 // STATUS_RETRY: no.
 int adaptive_judge(struct run *r, double h);
+
+// In collapse_newmark.c: if a storey reaches its limit of drift in the step to r->next, makes that
+// the state at which it does, and sets r->results->collapse. STATUS_RETRY: the step that ends there
+// is rejected.
+int collapse_newmark(struct run *r);
 
 // In fixed_newmark.c: step n of the deck (from 1), in as many steps as it takes.
 int fixed_newmark_step(struct run *r, long n);

@@ -50,6 +50,8 @@ const struct edp_quantity edp_quantities[] = {
      "moment in a struck column over its strength"},
     {"hysteretic", EDP_OF_ALL, "energy", "hysteretic", NULL, EDP_SUM,
      "energy dissipated by all storeys"},
+    {EDP_COLLAPSE, EDP_OF_ALL, "totals", "collapsed", NULL, EDP_SUM,
+     "1 if a storey has collapsed, else 0"},
 };
 const int n_edp_quantity = sizeof edp_quantities / sizeof edp_quantities[0];
 
@@ -347,6 +349,19 @@ double edp_value(const struct edp *p, const double *value, int *at) {
         }
     }
     return p->quantity->reduction == EDP_SUM ? sum : largest;
+}
+
+bool edp_is_collapse(const struct edp *p) {
+    return strcmp(p->quantity->name, EDP_COLLAPSE) == 0;
+}
+
+bool edp_collapsed(const struct study_view *v, const double *value) {
+    for (int i = 0; i < v->table.n_item; i++) {
+        if (strcmp(v->table.item[i].name, "collapsed") == 0) {
+            return value[v->table.item[i].first] > 0.0;
+        }
+    }
+    return false;
 }
 
 int edp_hit(const struct edp *p, const struct study_view *v, int at, const double *value) {

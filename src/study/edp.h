@@ -59,6 +59,13 @@ int edp_parse(const struct study_view *v, const char *text, struct arena *a, str
 // NAN where a term has no value, as it may be the largest: *at is the first such.
 double edp_value(const struct edp *p, const double *value, int *at);
 
+// The demand whose name this is counts collapses.
+#define EDP_COLLAPSE "collapse"
+bool edp_is_collapse(const struct edp *p);
+
+// Has the run with these values (n_value) collapsed?
+bool edp_collapsed(const struct study_view *v, const double *value);
+
 // What study_view_hit says of term `at`; -1 for terms that are not of a building.
 int edp_hit(const struct edp *p, const struct study_view *v, int at, const double *value);
 

@@ -35,6 +35,8 @@ uint64_t history_shape(const struct model *m) {
     sum = hash_add(sum, &m->output.fields, sizeof m->output.fields);
     sum = hash_add(sum, &m->output.every, sizeof m->output.every);
     sum = hash_add(sum, &m->dt, sizeof m->dt);
+    const char may_collapse = m->collapse != NULL;
+    sum = hash_add(sum, &may_collapse, sizeof may_collapse);
     return sum ? sum : 1;
 }
 
@@ -65,6 +67,11 @@ static int put(struct history_writer *w, const void *from, size_t n, struct erro
     return status;
 }
 
+// Of a model that may collapse there is a 1 before each row, and a 0 behind the last.
+static int put_mark(struct history_writer *w, double mark, struct error *e) {
+    return w->model->collapse ? put(w, &mark, sizeof mark, e) : STATUS_OK;
+}
+
 int history_put_row(struct history_writer *w, const struct row_view *row, struct error *e) {
     const double *const from[MEMBERS] = {
         row->displacement, row->velocity, row->acceleration, row->drift,
@@ -72,7 +79,7 @@ int history_put_row(struct history_writer *w, const struct row_view *row, struct
         row->ground,       row->energy,   row->member_force,
     };
     size_t n[MEMBERS];
-    int status = STATUS_OK;
+    int status = put_mark(w, 1.0, e);
     row_sizes(w->model, n);
     for (int i = 0; i < MEMBERS && status == STATUS_OK; i++) {
         status = n[i] > 0 ? put(w, from[i], n[i] * sizeof *from[i], e) : STATUS_OK;
@@ -85,7 +92,7 @@ struct span {
     void *at;
     size_t size;
 };
-enum { SPANS = 2 * PEAK_COUNT + 12 };
+enum { SPANS = 2 * PEAK_COUNT + 13 };
 
 static void find_spans(struct results *r, const struct model *m, struct span s[SPANS]) {
     const size_t floors = (size_t)m->n_dof * sizeof(double);
@@ -105,13 +112,15 @@ static void find_spans(struct results *r, const struct model *m, struct span s[S
     *s++ = (struct span){&r->initial_energy, sizeof r->initial_energy};
     *s++ = (struct span){&r->residual_peak, sizeof r->residual_peak};
     *s++ = (struct span){&r->totals, sizeof r->totals};
+    *s++ = (struct span){&r->collapse, sizeof r->collapse};
 }
 
 int history_put_results(struct history_writer *w, const struct results *r, struct error *e) {
     struct results copy = *r;
     struct span span[SPANS];
     find_spans(&copy, w->model, span);
-    int status = put(w, &r->n_impact, sizeof r->n_impact, e);
+    int status = put_mark(w, 0.0, e);
+    status = status == STATUS_OK ? put(w, &r->n_impact, sizeof r->n_impact, e) : status;
     for (int i = 0; i < SPANS && status == STATUS_OK; i++) {
         status = span[i].size > 0 ? put(w, span[i].at, span[i].size, e) : STATUS_OK;
     }
@@ -152,6 +161,17 @@ static int get(struct source *s, void *to, size_t n, struct error *e) {
     return STATUS_OK;
 }
 
+// Is there another row, after `i` of them?
+static int get_mark(struct source *s, const struct model *m, long i, bool *more, struct error *e) {
+    double mark = i < model_rows(m);
+    const int status = m->collapse ? get(s, &mark, sizeof mark, e) : STATUS_OK;
+    *more = mark != 0.0;
+    return status == STATUS_OK && *more && i == model_rows(m)
+               ? error_set(e, STATUS_SYSTEM, "%s: the histories of run %ld are too long",
+                           s->journal->path, s->run + 1)
+               : status;
+}
+
 static int show_rows(struct source *s, const struct model *m, const struct observer *observer,
                      double *row, struct error *e) {
     struct row_view view = {0};
@@ -167,11 +187,13 @@ static int show_rows(struct source *s, const struct model *m, const struct obser
         *to[i] = row + at;
         at += n[i];
     }
-    int status = STATUS_OK;
-    for (long i = 0; i < model_rows(m) && status == STATUS_OK; i++) {
+    bool more = false;
+    int status = get_mark(s, m, 0, &more, e);
+    for (long i = 1; more && status == STATUS_OK; i++) {
         status = get(s, row, sum * sizeof *row, e);
         view.time = *time;
         status = status == STATUS_OK ? observer->row(observer->context, &view, e) : status;
+        status = status == STATUS_OK ? get_mark(s, m, i, &more, e) : status;
     }
     return status;
 }

@@ -20,6 +20,7 @@ static const struct contact_law law = {.name = "hertz", .n_constant = 2};
 static const struct building building[2] = {
     {.name = "West \"tower\"",
      .n_floor = FLOORS,
+     .n_level = FLOORS,
      .first = 0,
      .mass = mass,
      .stiffness = stiffness,
@@ -28,6 +29,7 @@ static const struct building building[2] = {
      .ground = 0},
     {.name = "East",
      .n_floor = FLOORS,
+     .n_level = FLOORS,
      .first = FLOORS,
      .mass = mass + FLOORS,
      .stiffness = stiffness + FLOORS,
@@ -121,7 +123,7 @@ int made_up_setup(void **state) {
         deck_next(f->model.deck, &s)) {
         return -1;
     }
-    f->model.n_building = 2;
+    f->model.n_building = f->model.n_body = 2;
     f->model.n_dof = DOF;
     f->model.n_contact = 2;
     f->model.n_link = 3;

@@ -19,7 +19,7 @@ static const struct row rows[N_ROW] = {
                    "stiffnesses of shear storeys, 0 for a free body; required unless a frame, a "
                    "wall or a matrix resists"},
     [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
-                "storey heights, for drift ratios, frames and walls"},
+                "storey heights, for drift ratios, frames, walls and P-delta"},
 };
 
 // A name has letters, digits, _ - and UTF-8, because it names a group of the result file.
@@ -85,6 +85,7 @@ static void build(struct builder *b, const struct statement *s) {
         .word = s->word[1],
         .n_floor = count_floors(&a[FLOORS]),
         .any_stiffness = a[STIFFNESS].given,
+        .any_height = a[HEIGHT].given,
     };
     if (good) {
         size_t n = (size_t)d->n_floor;

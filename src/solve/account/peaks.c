@@ -37,6 +37,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct results, force_min, FIELD_FORCES),
     FIELD_ARRAY(struct results, force_min_time, FIELD_FORCES),
     FIELD_ARRAY(struct results, link, FIELD_LINKS),
+    FIELD_VALUE(struct results, collapse),
     FIELD_ARRAY(struct results, column, FIELD_COLUMNS),
     FIELD_VALUE(struct results, energy),
     FIELD_VALUE(struct results, initial_energy),

@@ -82,13 +82,14 @@ struct dp_rates {
 
 enum dp_event_kind {
     DP_NONE,
-    DP_CLOSE,   // a contact closes
-    DP_OPEN,    // or opens
-    DP_MEET,    // the bodies of a rigid contact meet
-    DP_KINK,    // the force of a closed contact has a kink
-    DP_TURN,    // the velocity of a closed contact or a damper changes its sign
-    DP_BRANCH,  // a storey comes to the end of its line
-    DP_UNLOAD,  // the drift of a yielding storey turns round
+    DP_CLOSE,     // a contact closes
+    DP_OPEN,      // or opens
+    DP_MEET,      // the bodies of a rigid contact meet
+    DP_KINK,      // the force of a closed contact has a kink
+    DP_TURN,      // the velocity of a closed contact or a damper changes its sign
+    DP_BRANCH,    // a storey comes to the end of its line
+    DP_UNLOAD,    // the drift of a yielding storey turns round
+    DP_COLLAPSE,  // a drift reaches its limit, at which the run ends
 };
 
 // What ends a step before its time.
@@ -187,9 +188,11 @@ void dp_system_start(struct dp *p);
 void dp_system_branch(struct dp *p, int i, double from, double direction);
 
 // The storey below floor i: its law at `drift` with the committed history, the smallest change of
-// its drift that counts, and its shear at `drift` on its branch [F].
+// its drift that counts, its initial stiffness without P-delta, and its shear at `drift` on its
+// branch [F].
 struct storey_response dp_system_storey(const struct dp *p, int i, double drift);
 double dp_system_noise(const struct dp *p, int i);
+double dp_system_stiffness(const struct dp *p, int i);
 double dp_system_shear(const struct dp *p, int i, double drift);
 
 // How far its branch has led from its law at `now`, as a drift [L]: the sum of events that were too
