@@ -15,6 +15,25 @@ JOSTLE_C_BEGIN
 
 enum { RESULT_FORMAT_VERSION = 1 };
 
+// A member of a frame or a wall: moments on its ends, counterclockwise positive; its shear; its
+// normal force, tension positive, NAN of beams and walls, as floors are rigid.
+enum member_force { MEMBER_M_I, MEMBER_M_J, MEMBER_V, MEMBER_N, MEMBER_FORCES };
+extern const char *const report_force_names[];  // (MEMBER_FORCES)
+struct member_extreme {
+    double max, max_time, min, min_time;  // [F] or [F L]; [T]
+};
+struct report_member {
+    const char *name;             // "column_2_3": storey 2, third line; "beam_1_2": floor 1, bay 2
+    double moment, shear, axial;  // largest absolute values; moment: of both ends
+    struct member_extreme extreme[MEMBER_FORCES];
+};
+
+// What resists in a building beside others: a part, or its shear storeys.
+struct report_share {
+    const char *name;
+    const double *shear, *shear_time;  // [F] [T] (n_floor) largest absolute storey shears
+};
+
 // One building of a report. Arrays (n_floor) in the deck's units; floor 1 first.
 struct report_building {
     const char *name;
@@ -23,9 +42,15 @@ struct report_building {
     const double *stiffness;              // [F/L]
     const double *height;                 // [L] 0 where not given
     const double *period;                 // [T] of the building alone, elastic, longest first
+    const double *axial, *theta;          // [F] and 1, as in struct building; NULL: no P-delta
     const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
     const double *peak_time[PEAK_COUNT];  // [T]
     const double *residual_drift;         // [L] of the storeys; NULL: none can yield
+    int n_member, n_share;                // shares: 0 where one alone resists
+    struct report_member *member;         // (n_member)
+    struct report_share *share;           // (n_share)
+    bool extremes;                        // those of members are known, not only the sizes
+    const char *path, *parts;             // of its group in the file, and of its shares
 };
 
 // A contact or a bilateral link of a report.
@@ -45,6 +70,15 @@ struct report_link {
     // sign, and these over the strengths (NAN: not given).
     struct column_peak column[COLUMN_FORCE_COUNT];
     double shear, moment, shear_demand, moment_demand;
+};
+
+// How a run has collapsed (struct collapse).
+struct report_collapse {
+    long happened;         // 1; 0: it has not
+    double time;           // [T] 0: it has not
+    const char *building;  // "": it has not
+    long storey;           // from 1; 0: it has not
+    double drift;          // [L] with its sign; 0: it has not
 };
 
 // What a result file says apart from its histories.
@@ -69,6 +103,7 @@ struct report {
     double initial_energy;        // [F L] kinetic, strain and contact energy at t = 0
     double residual_peak;         // [F L]
     struct totals totals;
+    struct report_collapse collapse;
 };
 
 // The report of a run from memory. `file` and `version` are copied; `r` may be NULL: before the

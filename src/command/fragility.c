@@ -16,7 +16,7 @@ static int fragility_command(int argc, char **argv);
 
 const struct command command_fragility = {
     .name = "fragility",
-    .usage = "FILE.h5 [--tsv|--csv|--json] --edp EDP --limit VALUE[,VALUE...]\n"
+    .usage = "FILE.h5 [--tsv|--csv|--json] --edp EDP --limit VALUE[,VALUE...]|--collapse\n"
              "                        [--im NAME] [--over NAME] [--at NAME=VALUE]\n"
              "                        [--failed above|left-out] [--method counts|ida]",
     .summary = "fits lognormal fragility curves to a study",
@@ -29,6 +29,7 @@ struct request {
     struct suite_options suite;
     enum method method;
     enum printer_form form;
+    int collapse;  // not 0: --collapse
 };
 #define AT(member) offsetof(struct request, member)
 
@@ -254,7 +255,7 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
                          "--method ida needs samples; name their sweep with --over");
     }
     for (int i = 0; i < n; i++) {
-        if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST) {
+        if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST && !edp_is_collapse(&s->edp)) {
             return error_set(
                 e, STATUS_INPUT,
                 "--method ida cannot locate the first exceedance of 0 on %s, which is 0 "
@@ -308,15 +309,26 @@ static int open_and_fit(struct request *q, const char *path) {
 static int use(void *request, struct arena *a, const struct words *operand) {
     (void)a;
     struct request *q = request;
+    if (q->collapse && (q->suite.request.edp || q->suite.limits)) {
+        return command_usage(&command_fragility,
+                             "--collapse has a demand and a limit; leave out --edp and --limit");
+    }
+    if (q->collapse) {
+        q->suite.request.edp = EDP_COLLAPSE;
+        q->suite.limits = "0";
+    }
     return q->suite.request.edp && q->suite.limits
                ? open_and_fit(q, operand->word[0])
-               : command_usage(&command_fragility, "give --edp EDP and --limit VALUE");
+               : command_usage(&command_fragility,
+                               "give --edp EDP and --limit VALUE, or --collapse");
 }
 
 static const struct option_row rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
      .doc = "limits of the demand: 20mm, 0.5%, 2MN; default unit: that of the deck"},
+    {"collapse", .kind = OPTION_SET, .at = AT(collapse), .set = 1,
+     .doc = "fits collapse (statement collapse), in place of a demand and a limit"},
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers)"},

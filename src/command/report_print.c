@@ -6,6 +6,7 @@
 
 #include "command/choice.h"
 #include "command/printer.h"
+#include "command/report_members.h"
 #include "core/safe.h"
 #include "core/text.h"
 #include "jostle/result.h"
@@ -181,6 +182,14 @@ static void print_peaks(struct summary *s, const struct shown *shown) {
     PRINT_TABLE(s, shown, "peak of", forces, force_row);
 }
 
+static void print_members(const struct summary *s, const struct shown *shown) {
+    const struct report_building *building[SHOWN_MAX];
+    for (int i = 0; i < shown->n; i++) {
+        building[i] = &s->r->building[shown->choice[i].index];
+    }
+    report_print_members(s->r, building, shown->n, s->to);
+}
+
 static bool contact_row(struct printer *t, const struct report *r, int i) {
     const struct report_link *c = &r->contact[i];
     const struct link_peak *p = &c->peak;
@@ -326,6 +335,10 @@ static void print_totals(const struct summary *s) {
         fprintf(s->to,
                 "\nsteps       %ld (%ld rejected, %ld split at impacts, %ld not to tolerance)\n",
                 t->steps, t->rejected, t->events, t->unsolved);
+        if (t->indefinite > 0) {
+            fprintf(s->to, "            %ld of the rejected because a stiffness was negative\n",
+                    t->indefinite);
+        }
         fprintf(s->to, "iterations  %ld\n", t->iterations);
     } else {
         fprintf(s->to, "\nsteps       %ld (%ld rejected, %ld events located)\n", t->steps,
@@ -352,6 +365,18 @@ static void print_run(const struct report *r, FILE *to) {
     }
 }
 
+static void print_collapse(const struct report *r, FILE *to) {
+    const struct report_collapse *c = &r->collapse;
+    const char *length = r->units.length_name, *time = r->units.time_name;
+    if (c->happened) {
+        safe_line(
+            to,
+            "COLLAPSED at %.6g %s: the drift of storey %ld of building %s reached %.4g %s; the "
+            "run ended there",
+            c->time, time, c->storey, c->building, fabs(c->drift), length);
+    }
+}
+
 int report_print(const struct report *r, FILE *to, struct error *e) {
     struct summary s = {.to = to, .r = r, .e = e};
     if (r->title[0]) {
@@ -367,11 +392,13 @@ int report_print(const struct report *r, FILE *to, struct error *e) {
     } else {
         fprintf(to, "adaptive steps\n");
     }
+    print_collapse(r, to);
     const struct shown shown = choose_buildings(r);
     PRINT_TABLE(&s, &shown, "building", buildings, building_row);
     not_shown(&s, r->n_building - shown.n, "buildings", "drift");
     if (r->n_building > 0 && r->building[0].peak[0]) {
         print_peaks(&s, &shown);
+        print_members(&s, &shown);
         print_contacts(&s);
         print_links(&s);
         print_columns(&s);

@@ -23,6 +23,7 @@
 #include "law/lists.h"
 #include "model/modes.h"
 #include "model/parts.h"
+#include "model/pdelta.h"
 
 // The part of a building with a foundation. The storeys that yield are kept one by one. All that is
 // linear is one matrix.
@@ -123,8 +124,23 @@ static const struct part_kind founded_yields = {
     .stored = founded_stored,
 };
 
-// The matrix of all that is linear: the parts of the building and its elastic storeys, B' D B, and
-// the springs below the slab.
+// P-delta acts on how far a storey leans, e_i + r_i phi = d_i (less u_b in the first storey): the
+// share of phi is not in it. Takes P/h off the matrix (all, all).
+static void founded_take_pdelta(const struct founded *f, const struct building *fixed, double *k) {
+    const int all = f->n + 2;
+    for (int i = 0; fixed->pdelta && i < f->n; i++) {
+        for (int j = 0; j < all; j++) {
+            for (int l = 0; l < all; l++) {
+                const double lean_j = founded_entry(f, i, j) + f->share[i];
+                const double lean_l = founded_entry(f, i, l) + f->share[i];
+                k[j * all + l] -= fixed->pdelta[i] * (lean_j * lean_l);
+            }
+        }
+    }
+}
+
+// The matrix of all that is linear: the parts of the building and its elastic storeys, B' D B, the
+// springs below the slab, and P-delta.
 static const double *founded_matrix(struct arena *a, const struct founded *f,
                                     const struct building *fixed, const struct foundation *draft,
                                     double height) {
@@ -138,7 +154,8 @@ static const double *founded_matrix(struct arena *a, const struct founded *f,
         for (int l = 0; l < n; l++) {
             const bool spring = i == l && f->storey[i].law->n_history == 0;
             const double d = (fixed->part_stiffness ? fixed->part_stiffness[i * n + l] : 0.0) +
-                             (spring ? fixed->spring[i] : 0.0);
+                             (spring ? fixed->spring[i] : 0.0) +
+                             (spring && fixed->pdelta ? fixed->pdelta[i] : 0.0);
             for (int j = 0; d != 0.0 && j < all; j++) {
                 product[i * all + j] += d * founded_entry(f, l, j);
             }
@@ -154,6 +171,7 @@ static const double *founded_matrix(struct arena *a, const struct founded *f,
             k[j * all + l] = k[l * all + j] = sum;
         }
     }
+    founded_take_pdelta(f, fixed, k);
     return k;
 }
 
@@ -203,6 +221,7 @@ static bool founded_take_storeys(struct arena *a, struct founded *f, const struc
     for (int i = 0; own && share && i < f->n; i++) {
         own[i] = storey[i];
         own[i].law = own[i].law ? own[i].law : &storey_elastic;
+        own[i].pdelta = fixed->pdelta ? fixed->pdelta[i] : 0.0;  // as a storey alone unloads
         own[i].history = *n_history;
         *n_history += own[i].law->n_history;
         share[i] = fixed->height[i] / height;
@@ -303,6 +322,7 @@ int foundation_put(struct builder *b, const struct building_draft *d, const stru
         modes_solve((int)all, out->mass, out->spring, out->part_stiffness, omega, shape, e);
     if (status == STATUS_OK) {
         modes_scale_to_largest((int)all, shape);
+        pdelta_check_founded(b, d, out);
     }
     return status;
 }
@@ -354,4 +374,21 @@ const struct storey *foundation_storey(const struct model *m, const struct build
     assert(i >= 0 && i < g->n_level);
     return g->fixed ? &((const struct founded *)g->part->data)->storey[i]
                     : &m->storey[g->first + i];
+}
+
+double foundation_across(const struct model *m, int dof, const double *x) {
+    for (int k = 0; m->founded && k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        const int i = dof - g->first, n = g->n_level;
+        if (g->fixed && i >= 0 && i < n) {
+            const double *own = x + g->first;
+            double height = 0.0;
+            for (int j = 0; j < n; j++) {
+                height += g->height[j];
+            }
+            const double below = i > 0 ? own[i - 1] : own[n];
+            return own[i] - below - g->height[i] / height * own[n + 1];
+        }
+    }
+    return x[dof] - m->chain.joint[dof] * x[dof - 1];
 }

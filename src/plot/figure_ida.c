@@ -2,7 +2,8 @@
 // Incremental dynamic analysis: one curve for each sample, demand across and intensity upright,
 // with the 16, 50 and 84 % of the demand at each intensity (Vamvatsikos and Cornell 2002,
 // Earthquake Engineering & Structural Dynamics 31, 491-514). A curve ends with a cross below the
-// intensity at which its run failed.
+// intensity at which its run failed. Where a run collapsed, its curve goes on from the demand that
+// it reached as a flat line to the edge, and ends there.
 #include <math.h>
 #include <stdlib.h>
 
@@ -20,12 +21,17 @@ static const struct {
     {0.16, "16 %", {STYLE_LINE, "#009e73", 1.8, "(10,6)", 0, 0}},
 };
 static const char record_colour[] = "#a0a0a0";
+static const struct style flat_style = {
+    .kind = STYLE_POINTS, .colour = "#000000", .point = POINT_DISC};
+
+// How far flat lines go beyond the largest demand, over the range of demands.
+static const double FLAT = 0.08;
 
 struct view {
     const struct suite *s;
     struct study_demand demand;
     struct span span;  // of the demand
-    bool crosses;
+    bool crosses, flattens;
 };
 
 static int check(const struct subject *p, struct error *e) {
@@ -49,6 +55,43 @@ static int check(const struct subject *p, struct error *e) {
     return STATUS_OK;
 }
 
+// How many points the curve of a sample has: up to its first collapse.
+static int points_of(const struct suite *s, int sample) {
+    int n = 0;
+    while (n < s->n_point && (n == 0 || !suite_collapsed(s, 0, sample, n - 1))) {
+        n++;
+    }
+    return n;
+}
+
+static bool ends_flat(const struct suite *s, int sample) {
+    return suite_collapsed(s, 0, sample, points_of(s, sample) - 1);
+}
+
+// From the demand that a collapsed run reached to the edge of the picture.
+static void write_flats(struct view *v, FILE *to) {
+    const struct suite *s = v->s;
+    const double edge = v->span.high + FLAT * (v->span.high - v->span.low);
+    fprintf(to, "$flats << EOD\n# demand, intensity, of collapses\n");
+    for (int k = 0; k < s->n_sample; k++) {
+        const int last = points_of(s, k) - 1;
+        if (ends_flat(s, k)) {
+            const double ends[] = {v->demand.factor * suite_reached(s, 0, k, last), edge};
+            for (int i = 0; i < 2; i++) {
+                study_number(to, ends[i]);
+                study_number(to, s->point[last]);
+                fputc('\n', to);
+            }
+            fputc('\n', to);
+            v->flattens = true;
+        }
+    }
+    fprintf(to, "EOD\n");
+    if (v->flattens) {
+        span_add(&v->span, edge);
+    }
+}
+
 static void write_samples(struct view *v, FILE *to) {
     const struct suite *s = v->s;
     fprintf(to, "$samples << EOD\n# demand, intensity; a sample behind the other\n");
@@ -56,8 +99,8 @@ static void write_samples(struct view *v, FILE *to) {
         fputs("# ", to);
         safe_put(to, SAFE_COMMENT, s->sample[k]);
         fputc('\n', to);
-        for (int j = 0; j < s->n_point; j++) {
-            const double x = v->demand.factor * suite_value(s, 0, k, j);
+        for (int j = 0; j < points_of(s, k); j++) {
+            const double x = v->demand.factor * suite_reached(s, 0, k, j);
             study_number(to, x);
             study_number(to, s->point[j]);
             fputc('\n', to);
@@ -69,7 +112,8 @@ static void write_samples(struct view *v, FILE *to) {
     for (int k = 0; k < s->n_sample; k++) {
         for (int j = 1; j < s->n_point; j++) {
             const double before = suite_value(s, 0, k, j - 1);
-            if (isfinite(before) && !isfinite(suite_value(s, 0, k, j))) {
+            if (isfinite(before) && !isfinite(suite_value(s, 0, k, j)) &&
+                !suite_collapsed(s, 0, k, j)) {
                 study_number(to, v->demand.factor * before);
                 study_number(to, s->point[j - 1]);
                 fputc('\n', to);
@@ -127,6 +171,9 @@ static void write_legend(const struct view *v, const struct subject *p, struct c
     if (v->crosses) {
         legend_add(&l, panel_points("#000000", POINT_CROSS, 0), "the next run failed", "");
     }
+    if (v->flattens) {
+        legend_add(&l, flat_style, "collapse", "");
+    }
     study_hit_legend(v->s, &l);
     legend_write(&l, c);
 }
@@ -148,6 +195,10 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
     if (v->crosses) {
         panel_series(c, panel_points("#000000", POINT_CROSS, 0), "$failures using 1:2");
     }
+    if (v->flattens) {
+        panel_series(c, panel_line(record_colour, 0.8), "$flats using 1:2");
+        panel_series(c, flat_style, "$flats using 1:2 every ::0::0");
+    }
     study_hit_series(v->s, c);
     panel_close(c);
 }
@@ -157,6 +208,7 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     struct view v = {.s = s, .span = span_none};
     study_demand_init(&v.demand, s);
     write_samples(&v, c->data);
+    write_flats(&v, c->data);
     if (s->n_hit > 0) {
         write_hit(&v, c->data);
     }

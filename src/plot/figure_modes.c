@@ -50,12 +50,15 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
 static int write_shapes(struct view *v, int run, int k, FILE *to, struct error *e) {
     const struct report_building *b = shown(v, run, k);
     const int n = b->n_floor;
-    double *shape = malloc(((size_t)n + 1) * (size_t)n * sizeof *shape);
+    double *shape = malloc(((size_t)n + 2) * (size_t)n * sizeof *shape);
     if (!shape) {
         return error_no_memory(e);
     }
-    double *omega = shape + (size_t)n * (size_t)n;
-    int status = modes_solve(n, b->mass, b->stiffness, NULL, omega, shape, e);
+    double *omega = shape + (size_t)n * (size_t)n, *stiffness = omega + n;
+    for (int i = 0; i < n; i++) {
+        stiffness[i] = b->stiffness[i] - (b->axial ? b->axial[i] / b->height[i] : 0);
+    }
+    int status = modes_solve(n, b->mass, stiffness, NULL, omega, shape, e);
     if (status == STATUS_OK) {
         modes_scale_to_largest(n, shape);
         // known: these are the periods of the building. They are not if the building has parts,

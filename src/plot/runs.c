@@ -77,6 +77,10 @@ int runs_init(struct runs *s, const struct result_file *first, const struct resu
         if (r->run > 0) {
             s->title = arena_format(r->arena, "run %ld: %s", r->run, s->title);
         }
+        if (s->title && r->collapse.happened) {
+            s->title = arena_format(r->arena, "%s (collapsed at %.4g %s)", s->title,
+                                    r->collapse.time, r->units.time_name);
+        }
         return s->title ? STATUS_OK : error_no_memory(e);
     }
     if (strcmp(s->name[0], s->name[1]) == 0) {

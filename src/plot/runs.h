@@ -41,7 +41,7 @@ struct runs {
     const struct report *r[RUNS_MAX];          // borrowed
     char name[RUNS_MAX][64];                   // the files, as short as tells them apart
     // The first run's title, or its deck where it has none; before the title of one run of a study,
-    // its number. In the arena of the first run.
+    // its number; behind it, of one run, when it has collapsed. In the arena of the first run.
     const char *title;
     // Called by figures that take their time; NULL: nothing to tell.
     void (*tell)(void *context, long n_done, long n);

@@ -27,11 +27,18 @@ struct column_table {
     size_t size;  // of the struct
 };
 
-extern const struct column_table layout_root;         // of struct report: attributes of /
-extern const struct column_table layout_totals;       // the same; of a study: /totals
-extern const struct column_table layout_energy;       // of struct report: /energy
-extern const struct column_table layout_building;     // of struct report_building: /buildings/*
-extern const struct column_table layout_peak;         // the same: /buildings/*/envelope
+extern const struct column_table layout_root;      // of struct report: attributes of /
+extern const struct column_table layout_totals;    // the same; of a study: /totals
+extern const struct column_table layout_collapse;  // the same, which earlier versions do not have
+extern const struct column_table layout_energy;    // of struct report: /energy
+extern const struct column_table layout_building;  // of struct report_building: /buildings/*
+extern const struct column_table layout_pdelta;    // the same, of a run alone with P-delta
+extern const struct column_table layout_peak;      // the same: /buildings/*/envelope
+extern const struct column_table layout_member;    // of struct report_member: .../members
+extern const struct column_table layout_member_peak;     // the same: .../members/envelope
+extern const struct column_table layout_member_extreme;  // the same, of runs
+extern const struct column_table layout_share;           // of struct report_share: .../parts
+extern const struct column_table layout_share_peak;      // the same: .../parts/*/envelope
 extern const struct column_table layout_link;         // of struct report_link: /contacts and /links
 extern const struct column_table layout_level;        // the same, where layout_has_levels
 extern const struct column_table layout_contact;      // of struct report_link: /contacts/envelope
@@ -47,7 +54,10 @@ struct quantity {
     const char *long_name;
     const struct dimension *dimension;
 };
-extern const struct quantity layout_field[];  // in the order of enum field's bits
+extern const struct quantity layout_field[];         // in the order of enum field's bits, up to the
+                                                     // seventh
+extern const struct quantity layout_member_field[];  // in the order of enum member_force
+extern const struct quantity layout_share_field;
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
 
@@ -88,6 +98,9 @@ struct layout_place {
     size_t n;          // values of each column
 };
 typedef void layout_visit(void *context, const struct layout_place *p);
+
+// Sets the paths of a building whose name is there.
+void layout_paths(struct report_building *b, struct arena *a);
 
 // Visits all places of buildings, contacts, links, energies and totals in the order of the values
 // of a run.

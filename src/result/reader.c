@@ -77,10 +77,57 @@ static void get_attributes(struct result_file *f) {
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, r);
     }
+    // Files of earlier versions do not tell.
+    r->collapse = (struct report_collapse){.building = ""};
+    const bool tells = H5Aexists(f->root, layout_collapse.column[0].name) > 0;
+    for (int c = 0; tells && c < layout_collapse.n_column; c++) {
+        h5_get_member(&f->h, r->arena, f->root, &layout_collapse, c, r);
+    }
     r->n_row = (long)h5_get_length(&f->h, f->root, "time", (size_t)1 << 30);
     if (r->n_row < 1) {
         h5_fail(&f->h, "dataset 'time' has no values");
     }
+}
+
+// The members of a building, whose group is there.
+static void get_members(struct result_file *f, const struct spot *building,
+                        struct report_building *b) {
+    const struct spot members = open_spot(f, building, "members");
+    const hid_t group = members.own >= 0 ? members.own : members.study;
+    const size_t n = h5_get_length(&f->h, group, "member", LIST_LIMIT);
+    b->member = h5_alloc(&f->h, f->report->arena, n, sizeof *b->member);
+    get_column(f, &members, &layout_member, 0, b->member, n);
+    if (f->reading == READ_VALUES && !f->h.failed) {
+        const struct spot envelope = open_spot(f, &members, "envelope");
+        get_columns(f, &envelope, &layout_member_peak, b->member, n);
+        b->extremes =
+            envelope.own >= 0 && h5_has(&f->h, envelope.own, layout_member_extreme.column[0].name);
+        if (b->extremes) {
+            get_columns(f, &envelope, &layout_member_extreme, b->member, n);
+        }
+        close_spot(f, &envelope);
+    }
+    b->n_member = f->h.failed ? 0 : (int)n;
+    close_spot(f, &members);
+}
+
+// The shares of what resists, whose group is there.
+static void get_shares(struct result_file *f, const struct spot *building,
+                       struct report_building *b) {
+    const struct spot parts = open_spot(f, building, "parts");
+    const hid_t group = parts.own >= 0 ? parts.own : parts.study;
+    const size_t n = h5_get_length(&f->h, group, "part", LIST_LIMIT);
+    b->share = h5_alloc(&f->h, f->report->arena, n, sizeof *b->share);
+    get_column(f, &parts, &layout_share, 0, b->share, n);
+    for (size_t i = 0; f->reading == READ_VALUES && i < n && !f->h.failed; i++) {
+        const struct spot share = open_spot(f, &parts, b->share[i].name);
+        const struct spot envelope = open_spot(f, &share, "envelope");
+        get_columns(f, &envelope, &layout_share_peak, &b->share[i], (size_t)b->n_floor);
+        close_spot(f, &envelope);
+        close_spot(f, &share);
+    }
+    b->n_share = f->h.failed ? 0 : (int)n;
+    close_spot(f, &parts);
 }
 
 // The building in the group `name`, at its position, which must be free.
@@ -99,12 +146,16 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     if (!f->h.failed) {
         struct report_building *b = &r->building[position];
         b->name = copy;
+        layout_paths(b, r->arena);
         b->n_floor = (int)h5_get_length(&f->h, building.own, "floor", FLOORS_MAX);
         if (b->n_floor < 1) {
             h5_fail(&f->h, "building '%s' has no floors", b->name);
         }
         if (f->reading == READ_VALUES) {
             get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
+            if (building.own >= 0 && h5_has(&f->h, building.own, layout_pdelta.column[0].name)) {
+                get_columns(f, &building, &layout_pdelta, b, (size_t)b->n_floor);
+            }
             // Residual drifts are not there where no storey can yield; of a run of a study, an
             // attribute says so.
             const struct spot envelope = open_spot(f, &building, "envelope");
@@ -116,6 +167,12 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
             }
             close_spot(f, &envelope);
         }
+    }
+    if (!f->h.failed && h5_has(&f->h, holder(f, &building, "members"), "members")) {
+        get_members(f, &building, &r->building[position]);
+    }
+    if (!f->h.failed && h5_has(&f->h, holder(f, &building, "parts"), "parts")) {
+        get_shares(f, &building, &r->building[position]);
     }
     for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
         r->fields |= h5_has(&f->h, building.own, field_names[i]) ? 1U << i : 0;

@@ -69,7 +69,7 @@ static void get_item(struct study_file *f, const struct study_item *item) {
 static int group_rank(const struct study_item *item) {
     static const char *const parents[] = {"buildings", "contacts", "links", "energy"};
     int rank = 0;
-    while (rank < 4 && strcmp(item->parent, parents[rank]) != 0) {
+    while (rank < 4 && strncmp(item->parent, parents[rank], strlen(parents[rank])) != 0) {
         rank++;
     }
     return rank;
@@ -79,7 +79,9 @@ static int group_rank(const struct study_item *item) {
 static int by_name(const void *left, const void *right) {
     const struct study_item *a = left, *b = right;
     const int owner = a->owner && b->owner ? strcmp(a->owner, b->owner) : 0;
-    const int group = group_rank(a) - group_rank(b), leaf = (a->leaf != NULL) - (b->leaf != NULL);
+    const int rank = group_rank(a) - group_rank(b);
+    const int group = rank ? rank : strcmp(a->parent, b->parent);
+    const int leaf = (a->leaf != NULL) - (b->leaf != NULL);
     return group ? group : owner ? owner : leaf ? leaf : strcmp(a->name, b->name);
 }
 
@@ -195,6 +197,8 @@ static void get_all(struct study_file *f) {
     v->title = r->title;
     v->version = r->version;
     v->units = r->units;
+    v->n_building = r->n_building;
+    v->building = r->building;
     v->n_contact = r->n_contact;
     v->contact = r->contact;
     v->n_link = r->n_link;

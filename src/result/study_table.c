@@ -65,7 +65,7 @@ static void add_place(void *context, const struct layout_place *p) {
     for (int c = 0; c < p->table->n_column; c++) {
         const struct column *column = &p->table->column[c];
         if (totals ? column->kind == COLUMN_LONG : layout_is_value(column)) {
-            add(context, p, c, !p->leaf && !totals && !energy);
+            add(context, p, c, !p->leaf && !totals && !energy && p->table != &layout_collapse);
         }
     }
 }
@@ -97,6 +97,16 @@ void study_table_free(struct study_table *t) {
 
 void study_table_read(const struct report *r, double *value) {
     layout_each(r, add_place, &(struct walk){.value = value});
+}
+
+const struct report_building *study_view_members(const struct study_view *v,
+                                                 const struct study_item *item) {
+    for (int i = 0; item->owner && strcmp(item->owner, "members") == 0 && i < v->n_building; i++) {
+        if (strcmp(item->parent, v->building[i].path) == 0) {
+            return &v->building[i];
+        }
+    }
+    return NULL;
 }
 
 int study_table_find(const struct study_table *t, const struct study_item *wanted) {

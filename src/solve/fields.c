@@ -26,6 +26,8 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
         [FIELD_SIGNALS] = n_signal,
         [FIELD_STOREY_HISTORIES] = m->n_storey_history,
         [FIELD_LINK_HISTORIES] = m->n_link_history,
+        [FIELD_FORCES] = m->n_force,
+        [FIELD_FORCE_STATES] = m->n_force > 0 ? m->chain.n * FORCES_BATCH : 0,
     };
     return (size_t)n[f->count];
 }

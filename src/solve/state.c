@@ -98,6 +98,11 @@ void state_storeys(struct state *s, const struct model *m, const struct building
         s->shear[i] = r.shear;
         s->tangent[i] = r.tangent;
     }
+    // As in storey_respond; it would take time in each storey without P-delta.
+    for (int i = g->first; g->pdelta && i < g->first + g->n_floor; i++) {
+        s->shear[i] -= m->storey[i].pdelta * s->drift[i];
+        s->tangent[i] -= m->storey[i].pdelta;
+    }
 }
 
 void state_parts(struct state *s, const struct model *m, const double *v, const double *from,

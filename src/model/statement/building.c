@@ -15,11 +15,11 @@ static const struct row rows[N_ROW] = {
     [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, OF_NONE, &floors_range, NAN,
                 "number of floors"},
     [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, OF_MASS, &range_positive, NAN, "floor masses"},
-    [STIFFNESS] =
-        {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
-         "storey stiffnesses, 0 for a free body; required unless a matrix gives stiffness"},
+    [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
+                   "stiffnesses of shear storeys, 0 for a free body; required unless a frame, a "
+                   "wall or a matrix resists"},
     [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
-                "storey heights, for drift ratios"},
+                "storey heights, for drift ratios, frames, walls and P-delta"},
 };
 
 // A name has letters, digits, _ - and UTF-8, because it names a group of the result file.
@@ -85,6 +85,7 @@ static void build(struct builder *b, const struct statement *s) {
         .word = s->word[1],
         .n_floor = count_floors(&a[FLOORS]),
         .any_stiffness = a[STIFFNESS].given,
+        .any_height = a[HEIGHT].given,
     };
     if (good) {
         size_t n = (size_t)d->n_floor;

@@ -26,8 +26,9 @@ static const struct row rows[N_ROW] = {
                    "result file, relative to the current directory"},
 };
 
-const char *const field_names[] = {"displacement", "velocity", "acceleration", "drift",
-                                   "storey_shear", "force",    "penetration",  NULL};
+const char *const field_names[] = {"displacement", "velocity",     "acceleration",
+                                   "drift",        "storey_shear", "force",
+                                   "penetration",  "members",      NULL};
 enum { N_FIELD = sizeof field_names / sizeof field_names[0] - 1 };
 
 static void read_fields(struct builder *b, const struct argument *a) {

@@ -81,10 +81,9 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         good &= stiffness != NULL;
     }
     if (good && !stiffness && !d->any_stiffness) {
-        deck_error(
-            b->deck, &s->word[1],
-            "the storeys of building %s have no stiffness beside its matrix; give -stiffness",
-            d->name);
+        deck_error(b->deck, &s->word[1],
+                   "the storeys of building %s have no stiffness of their own; give -stiffness",
+                   d->name);
         good = false;
     }
     for (int k = 0; good && k < floors->n_floor; k++) {

@@ -316,6 +316,9 @@ static void dp_floors_step(struct dp *p) {
         }
     }
     dp_columns(p);
+    if (m->n_force > 0) {
+        dp_forces_step(p, !dp_is_instant(p));
+    }
     dp_rescale(p);
 }
 

@@ -59,20 +59,31 @@ static bool flight_is_linear(const struct link *l) {
 
 // Have all contacts a law of force, and floors at their ends? Are all links linear and few, all
 // storeys of straight lines, and buildings with full matrices elastic? Floors of linked buildings
-// must be in one block, as they are solved for together.
+// must be in one block, as they are solved for together. Limits of drift are seen as ends of lines.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
     bool possible = (m->elastic || !m->chain.full_damping) && !m->founded && n_link <= LINKS_MAX &&
-                    (n_link == 0 || floors->n_block == 1);
+                    (n_link == 0 || floors->n_block == 1) && !(m->collapse && state_is_linear(m));
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         possible =
             possible && (l->bilateral ? flight_is_linear(l) : !l->law->rebound && link_is_plain(l));
     }
     for (int i = 0; i < m->n_dof; i++) {
-        possible = possible && m->storey[i].law->branch;
+        // The shear of a line less P-delta would have other last bits.
+        possible = possible && m->storey[i].law->branch && m->storey[i].pdelta == 0.0;
     }
     return possible;
+}
+
+// How far storey i may go on its line: not to its limit of drift, as seen from the rest of the
+// line.
+static double flight_limit(const struct model *m, int i, const struct storey_branch *b) {
+    const double most = m->collapse ? m->collapse[i] : INFINITY;
+    if (isinf(most)) {
+        return b->limit;
+    }
+    return b->spring > 0.0 ? fmin(b->limit, b->spring * (most - fabs(b->rest))) : -1.0;
 }
 
 // Finds the lines that the storeys are on. Are the buildings factorised for them, and do low ones
@@ -90,7 +101,7 @@ static bool flight_find_lines(struct flight *f, const double *history) {
             f->back[at] = b.back;
             f->spring[at] = b.spring;
             f->rest[at] = b.rest;
-            f->limit[at] = b.limit;
+            f->limit[at] = flight_limit(f->model, at, &b);
             factorised &= g->elastic || e->tangent[i] == b.back + b.spring;
         }
         factorised &= !effective_prefers_inverse(e) || effective_has_inverse(e);

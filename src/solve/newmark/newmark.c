@@ -104,6 +104,7 @@ static int newmark_linearise(struct work *w, const struct state *now, const stru
     }
     const int status = effective_factor(&w->effective[k], w->b, w->g);
     w->h = status == STATUS_OK ? w->h : 0.0;
+    w->totals->indefinite += status != STATUS_OK;
     return status;
 }
 
@@ -266,6 +267,7 @@ static void newmark_finish(struct work *w, struct state *next) {
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
                  struct error *e) {
     if (work_factor(w, h) != STATUS_OK) {
+        w->totals->indefinite++;
         return STATUS_RETRY;
     }
     newmark_begin(w, now, next, end);
