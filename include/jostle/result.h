@@ -67,9 +67,9 @@ struct report_link {
     bool calibrated;     // the damping delivers it exactly
     struct link_peak peak;
     // Of the spring of a struck column: forces in one column, the largest shear and moment of any
-    // sign, and these over the strengths (NAN: not given).
+    // sign, and the larger of both over its strength (NAN: none is given).
     struct column_peak column[COLUMN_FORCE_COUNT];
-    double shear, moment, shear_demand, moment_demand;
+    double shear, moment, demand;
 };
 
 // How a run has collapsed (struct collapse).

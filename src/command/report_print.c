@@ -6,6 +6,7 @@
 
 #include "command/choice.h"
 #include "command/printer.h"
+#include "command/report_head.h"
 #include "command/report_members.h"
 #include "core/safe.h"
 #include "core/text.h"
@@ -267,12 +268,18 @@ static bool link_row(struct printer *t, const struct report *r, int i) {
     return false;
 }
 
-static void print_links(struct summary *s) {
+// Shows the first of n links, or columns, in the order of their numbers.
+static struct shown first_of(const struct report_link *link, int n) {
     struct shown shown = {.width = NAME_WIDTH_MIN};
-    for (int i = 0; i < s->r->n_link && i < SHOWN_MAX; i++) {
+    for (int i = 0; i < n && i < SHOWN_MAX; i++) {
         shown.choice[shown.n++] = (struct choice){.index = i};
-        shown.width = widest(shown.width, s->r->link[i].name, LINK_WIDTH_MAX);
+        shown.width = widest(shown.width, link[i].name, LINK_WIDTH_MAX);
     }
+    return shown;
+}
+
+static void print_links(struct summary *s) {
+    struct shown shown = first_of(s->r->link, s->r->n_link);
     if (shown.n > 0) {
         PRINT_TABLE(s, &shown, "link", links, link_row);
         not_shown(s, s->r->n_link - shown.n, "links", "number");
@@ -283,34 +290,26 @@ static const struct printer_column columns[] = {
     READ("force", 10, force),
     READ("shear", 10, force),
     READ("moment", 10, energy),
-    {.head = "V/Vs", .width = 8, .digits = 4, .look = LOOK_READ},
-    {.head = "M/Ms", .width = 8, .digits = 4, .look = LOOK_READ}};
+    {.head = "demand", .width = 8, .digits = 4, .look = LOOK_READ}};
 static bool column_row(struct printer *t, const struct report *r, int i) {
     const struct report_link *c = &r->column[i];
-    const double value[] = {c->peak.force, c->shear, c->moment, c->shear_demand, c->moment_demand};
+    const double value[] = {c->peak.force, c->shear, c->moment, c->demand};
     printer_text(t, c->name);
-    printer_numbers(t, value, 5);
+    printer_numbers(t, value, 4);
     return false;
 }
 
 static void print_columns(struct summary *s) {
-    struct shown shown = {.width = NAME_WIDTH_MIN};
-    for (int i = 0; i < s->r->n_column && i < SHOWN_MAX; i++) {
-        shown.choice[shown.n++] = (struct choice){.index = i};
-        shown.width = widest(shown.width, s->r->column[i].name, LINK_WIDTH_MAX);
-    }
+    struct shown shown = first_of(s->r->column, s->r->n_column);
+    bool fails = false;
     if (shown.n > 0) {
         PRINT_TABLE(s, &shown, "column", columns, column_row);
         not_shown(s, s->r->n_column - shown.n, "columns", "number");
     }
-    bool fails = false;
     for (int i = 0; i < s->r->n_column; i++) {
-        fails |= s->r->column[i].shear_demand > 1.0 || s->r->column[i].moment_demand > 1.0;
+        fails |= s->r->column[i].demand > 1.0;
     }
-    if (fails) {
-        fputs("a column with V/Vs or M/Ms above 1 would fail; in this analysis it stays elastic\n",
-              s->to);
-    }
+    fputs(fails ? "a column with a demand above 1 would fail; here it stays elastic\n" : "", s->to);
 }
 
 // The energies of the end, as the tables have numbers.
@@ -355,44 +354,9 @@ static void print_totals(const struct summary *s) {
     }
 }
 
-// The number of a run in a study, and the values of its parameters, a line each.
-static void print_run(const struct report *r, FILE *to) {
-    fprintf(to, "run %ld of a study\n", r->run);
-    for (const char *line = r->parameters; *line;) {
-        const size_t n = strcspn(line, "\n");
-        safe_line(to, "  %.*s", (int)n, line);
-        line += n + (line[n] == '\n');
-    }
-}
-
-static void print_collapse(const struct report *r, FILE *to) {
-    const struct report_collapse *c = &r->collapse;
-    const char *length = r->units.length_name, *time = r->units.time_name;
-    if (c->happened) {
-        safe_line(
-            to,
-            "COLLAPSED at %.6g %s: the drift of storey %ld of building %s reached %.4g %s; the "
-            "run ended there",
-            c->time, time, c->storey, c->building, fabs(c->drift), length);
-    }
-}
-
 int report_print(const struct report *r, FILE *to, struct error *e) {
     struct summary s = {.to = to, .r = r, .e = e};
-    if (r->title[0]) {
-        safe_line(to, "%s", r->title);
-    }
-    if (r->run > 0) {
-        print_run(r, to);
-    }
-    fprintf(to, "units %s %s %s, duration %.6g %s, ", r->units.force_name, r->units.length_name,
-            r->units.time_name, r->duration, r->units.time_name);
-    if (r->dt > 0.0) {
-        fprintf(to, "step %.6g %s\n", r->dt, r->units.time_name);
-    } else {
-        fprintf(to, "adaptive steps\n");
-    }
-    print_collapse(r, to);
+    report_head(r, to);
     const struct shown shown = choose_buildings(r);
     PRINT_TABLE(&s, &shown, "building", buildings, building_row);
     not_shown(&s, r->n_building - shown.n, "buildings", "drift");

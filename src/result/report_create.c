@@ -174,8 +174,8 @@ static void column_fill(struct report_link *to, const struct struck_column *c,
         double *most = q <= COLUMN_SHEAR_ABOVE ? &to->shear : &to->moment;
         *most = larger_size(*most, &peak[q]);
     }
-    to->shear_demand = isinf(c->shear_strength) ? NAN : to->shear / c->shear_strength;
-    to->moment_demand = isinf(c->moment_strength) ? NAN : to->moment / c->moment_strength;
+    const double demand = fmax(to->shear / c->shear_strength, to->moment / c->moment_strength);
+    to->demand = isinf(fmin(c->shear_strength, c->moment_strength)) ? (double)NAN : demand;
 }
 
 static void results_fill(struct report *to, const struct model *m, const struct results *r) {

@@ -140,6 +140,13 @@ static void rename_object(hid_t file, const char *path, const char *text) {
     H5Lmove(file, path, file, to, H5P_DEFAULT, H5P_DEFAULT);
 }
 
+// Do the ends of links keep the names of buildings, which cannot be `text`?
+static bool keeps_ends(const char *path, const char *text) {
+    const char *name = strrchr(path, '/');
+    const bool is_end = name && (strcmp(name, "/left") == 0 || strcmp(name, "/right") == 0);
+    return is_end && (!text[0] || strcmp(text, ".") == 0 || strchr(text, '/'));
+}
+
 void foreign_text(const char *from, const char *to, int i, const char *text) {
     static struct foreign_field field[FOREIGN_FIELDS_MAX];
     const int n = foreign_fields(from, field);
@@ -148,7 +155,8 @@ void foreign_text(const char *from, const char *to, int i, const char *text) {
     for (int names = 0; names < 2; names++) {
         for (int k = 0; k < n; k++) {
             const char *path = field[k].path;
-            if ((i >= 0 ? k != i : field[k].fixed) || names != (path[0] == '=')) {
+            if ((i >= 0 ? k != i : field[k].fixed || keeps_ends(path, text)) ||
+                names != (path[0] == '=')) {
                 continue;
             }
             if (names) {

@@ -122,10 +122,10 @@ static void a_full_disk_is_a_system_error_and_leaves_nothing(void **state) {
 static void a_name_with_a_slash_cannot_stand_in_the_file(void **state) {
     struct made_up *f = *state;
     struct error e;
-    struct building bad = f->model.building[0];
-    bad.name = "a/b";
-    f->model.building = &bad;
-    f->model.n_building = 1;
+    struct building bad[2] = {f->model.building[0], f->model.building[1]};
+    assert_int_equal(f->model.n_body, 2);
+    bad[0].name = "a/b";
+    f->model.building = bad;
     assert_int_equal(made_up_write(f, RESULT_KEEP, &e), STATUS_INPUT);
     assert_non_null(strstr(e.message, "a/b"));
 }

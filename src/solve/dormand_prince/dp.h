@@ -318,11 +318,6 @@ static inline double dp_motion_slope(const struct polynomial *p, double x) {
     return c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
 }
 
-static inline double dp_motion_bend(const struct polynomial *p, double x) {
-    const double *c = p->c;
-    return 2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]));
-}
-
 // The position, a polynomial of degree 5, right to order 6.
 static inline struct polynomial dp_motion_path(const struct motion *m) {
     double c1 = m->h * m->v[0];

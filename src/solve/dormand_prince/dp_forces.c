@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extremes of the forces that follow from drifts, in a step. A force is linear in the
+// Extremes in a step of the forces that follow from drifts, of the forces in struck columns, and
+// of the storeys of buildings with a foundation. A force is linear in the
 // displacements, so it goes on a polynomial as they do, and turns where that does.
 #include <math.h>
 
 #include "model/forces.h"
 #include "solve/account/force_peaks.h"
+#include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
 
 // Puts the forces of building `g`, or their rates, into `out` by displacements or velocities x.
@@ -45,10 +47,102 @@ static void dp_forces_building(struct dp *p, const struct building *g, bool with
     }
 }
 
-void dp_forces_step(struct dp *p, bool within) {
-    for (int k = 0; k < p->model->n_building; k++) {
-        if (p->model->building[k].n_force > 0) {
-            dp_forces_building(p, &p->model->building[k], within);
+// The motion of a sum of displacements.
+static struct motion dp_forces_sum(const struct dp *p, int n, const int *dof,
+                                   const double *weight) {
+    struct motion m = {.h = p->h};
+    const struct state *end[] = {&p->now, &p->next};
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < 2 && dof[i] != WALL; k++) {
+            m.d[k] += weight[i] * end[k]->u[dof[i]];
+            m.v[k] += weight[i] * end[k]->v[dof[i]];
+            m.a[k] += weight[i] * end[k]->a[dof[i]];
         }
     }
+    return m;
+}
+
+// Forces in struck columns at the end of the step and where they turn.
+static void dp_forces_columns(const struct dp *p) {
+    const struct model *m = p->model;
+    for (int i = 0; i < m->n_column; i++) {
+        const struct struck_column *c = &m->column[i];
+        for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+            struct column_peak *peak = &p->results->column[i][q];
+            const struct motion force = dp_forces_sum(p, 3, c->dof, c->force[q]);
+            const struct motion_pieces s = dp_motion_cut(&force);
+            for (int j = 1; j <= s.n; j++) {
+                peaks_column(peak, s.d[j], p->now.time + s.x[j] * p->h);
+            }
+        }
+    }
+}
+
+// Deformation of storey i of a building with a foundation.
+static struct motion dp_forces_deformation(const struct dp *p, const struct building *g, int i) {
+    const int slab = g->first + g->n_level, rock = slab + 1;
+    const int dof[] = {g->first + i, i > 0 ? g->first + i - 1 : slab, rock};
+    double height = 0.0;
+    for (int k = 0; k < g->n_level; k++) {
+        height += g->height[k];
+    }
+    const double weight[] = {1.0, -1.0, -g->height[i] / height};
+    return dp_forces_sum(p, 3, dof, weight);
+}
+
+// Shear of storey i of a linear building with a foundation, or its rate (foundation.c).
+static double dp_forces_founded_shear(const struct dp *p, const struct building *g, const double *x,
+                                      int i) {
+    const int n = g->n_floor;
+    double sum = 0.0;
+    for (int j = 0; j < n; j++) {
+        const double drift = x[g->first + j] - x[p->system.below[g->first + j]];
+        sum += (g->part_stiffness[i * n + j] - g->part_stiffness[g->n_level * n + j]) * drift;
+    }
+    return sum;
+}
+
+static void dp_forces_note_founded(const struct dp *p, int q, int i, double x, double time) {
+    peak_larger(fabs(x), time, &p->results->founded_peak[q][i], &p->results->founded_time[q][i]);
+}
+
+static void dp_forces_founded_motion(const struct dp *p, int q, int i, const struct motion *m) {
+    const struct motion_pieces s = dp_motion_cut(m);
+    for (int j = 1; j <= s.n; j++) {
+        dp_forces_note_founded(p, q, i, s.d[j], p->now.time + s.x[j] * p->h);
+    }
+}
+
+// Deformations and shears of the storeys of a building with a foundation: at the end of the step,
+// and where they turn. Shears of storeys that yield are known at the end only.
+static void dp_forces_founded(const struct dp *p, const struct building *g) {
+    const double *const x[] = {p->now.u, p->next.u, p->now.v, p->next.v, p->now.a, p->next.a};
+    const double *shear = p->system.part_shear + g->first;
+    double end[6];
+    for (int i = 0; i < g->n_level; i++) {
+        const struct motion deformation = dp_forces_deformation(p, g, i);
+        dp_forces_founded_motion(p, 0, g->first + i, &deformation);
+        if (!g->elastic) {
+            dp_forces_note_founded(p, 1, g->first + i, shear[i] - shear[g->n_level], p->next.time);
+            continue;
+        }
+        for (int k = 0; k < 6; k++) {
+            end[k] = dp_forces_founded_shear(p, g, x[k], i);
+        }
+        const struct motion m = {{end[0], end[1]}, {end[2], end[3]}, {end[4], end[5]}, p->h};
+        dp_forces_founded_motion(p, 1, g->first + i, &m);
+    }
+}
+
+void dp_forces_step(struct dp *p, bool within) {
+    for (int k = 0; k < p->model->n_building; k++) {
+        const struct building *g = &p->model->building[k];
+        if (g->n_force > 0) {
+            dp_forces_building(p, g, within);
+        }
+        if (g->fixed) {
+            dp_forces_founded(p, g);
+        }
+    }
+    dp_forces_columns(p);
 }
