@@ -16,13 +16,26 @@ struct bound_law {
     double history[STOREY_HISTORY_MAX];
 };
 
+// The value of a row without a fallback; NAN: it is not needed.
+static double value_of(const char *key, double hardening) {
+    static const struct {
+        const char *key;
+        double value;
+    } known[] = {{"yield", 1.5e5}, {"crack", 0.7e5}, {"cracked", 0.6}, {"b", 0.9}};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        if (strcmp(known[i].key, key) == 0) {
+            return known[i].value;
+        }
+    }
+    return strcmp(key, "hardening") == 0 ? hardening : NAN;
+}
+
 static struct bound_law bind(const struct storey_law *law, double hardening) {
     struct bound_law b = {.law = law};
     double value[STOREY_ROWS_MAX];
     for (int i = 0; i < law->n_row; i++) {
-        value[i] = strcmp(law->row[i].key, "yield") == 0       ? YIELD
-                   : strcmp(law->row[i].key, "hardening") == 0 ? hardening
-                                                               : law->row[i].fallback;
+        const double fallback = law->row[i].fallback;
+        value[i] = isnan(fallback) ? value_of(law->row[i].key, hardening) : fallback;
     }
     struct error e;
     assert_int_equal(law->prepare(value, STIFFNESS, b.constant, &e), STATUS_OK);
