@@ -21,6 +21,7 @@ struct row_view {
     const double *penetration;   // [L] (n_link)
     const double *ground;        // [L/T^2] (n_ground) ground acceleration
     const double *energy;        // [F L] (ENERGY_COUNT)
+    const double *member_force;  // (model.n_force); NULL: FIELD_MEMBERS is not among the fields
 };
 
 // The energy account, relative to the ground: initial + input = kinetic + strain + damping +
@@ -59,6 +60,11 @@ enum peak {
 };
 extern const char *const peak_names[];  // (PEAK_COUNT) displacement velocity acceleration ...
 
+// The largest and smallest value of a force in a struck column over all computed steps, and when.
+struct column_peak {
+    double max, max_time, min, min_time;
+};
+
 // Totals of one link over all steps. Of a contact, force and penetration are the largest (not
 // absolute); of a bilateral link the largest absolute ones.
 struct link_peak {
@@ -91,8 +97,9 @@ struct totals {
     long steps;  // computed, split ones included
     long
         rejected;  // attempts of steps that were not solved, or not to the tolerance; tried shorter
-    long events;   // steps split where a law that jumps closed or opened; adaptive: ended where a
-                   // law changed its branch
+    long indefinite;  // of them, as their matrix was not positive definite: a stiffness is negative
+    long events;  // steps split where a law that jumps closed or opened; adaptive: ended where a
+                  // law changed its branch
     long iterations;  // Newton iterations: storeys and contacts
     long fast;        // contact solves settled by Newton sweeps, that take Newton steps
     long scalar;      // by further sweeps, of exact scalar answers
@@ -101,6 +108,15 @@ struct totals {
     long coarse;      // impacts under a force that opened within IMPACT_STEPS_MIN computed steps
     double speed;     // [L/T] largest velocity of any floor
     double seconds;   // wall time
+};
+
+// Where and when a run has ended because a storey has reached its limit of drift
+// (struct model.collapse). The last row is of that instant.
+struct collapse {
+    bool happened;
+    int dof;       // of the floor above the storey
+    double time;   // [T]
+    double drift;  // [L] with its sign
 };
 
 struct results {
@@ -113,19 +129,23 @@ struct results {
     double *residual_drift;  // (n_dof) [L] where the storeys have no shear after the end
     double *deepest;         // (n_link) [L] largest penetration of each link so far,
     double *deepest_time;    // (n_link) [T] and when
-    struct link_peak *link;  // (n_link) contacts first
-    struct impact *impact;   // (n_impact) in order of t_start; malloc'd
+    double *force_max, *force_max_time;  // (model.n_force) forces that follow from drifts, [T]
+    double *force_min, *force_min_time;  // over every computed step, signed
+    struct link_peak *link;              // (n_link) contacts first
+    struct column_peak (*column)[COLUMN_FORCE_COUNT];  // (n_column)
+    struct impact *impact;                             // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;
+    struct collapse collapse;
     double energy[ENERGY_COUNT];  // at the end
     double initial_energy;        // kinetic, strain and contact energy at t = 0 [F L]
     double residual_peak;         // largest |residual| at the rows of output [F L]
     struct totals totals;
 };
 
-// Runs the model from t = 0 to its duration. GSL must not abort on its own errors: call
-// gsl_set_error_handler_off() before. Errors: STATUS_FAILED (a state that is not finite;
-// names the floor and the time; a contact that needs too many steps), STATUS_SYSTEM (no memory), or
-// what the observer returned.
+// Runs the model from t = 0 to its duration, or to its collapse. GSL must not abort on its own
+// errors: call gsl_set_error_handler_off() before. Errors: STATUS_FAILED (a state that is not
+// finite; names the floor and the time; a contact that needs too many steps), STATUS_SYSTEM (no
+// memory), or what the observer returned.
 int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
                  struct error *e);
 void results_free(struct results *r);  // NULL is allowed

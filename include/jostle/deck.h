@@ -53,6 +53,8 @@ struct statement {
 // A file that the deck names as input.
 struct deck_path {
     const char *path;
+    bool absolute;  // the deck names it, or the included deck that does, by an absolute path; else
+                    // `path` begins with the folder of the deck
     bool included;  // the file is an included deck
     const struct deck_path *next;
 };

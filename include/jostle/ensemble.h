@@ -19,9 +19,10 @@ struct ensemble_member {
     struct results *results;    // to be given to results_free; NULL if it failed
 };
 
-// Whether runs of `m` and of models like it can go in lockstep: fixed steps, elastic storeys
-// without full damping, one ground, no loads, no bilateral links, contact laws with a force, and
-// not so many floors that the state of all lanes would not stay near the processor.
+// Whether runs of `m` and of models like it can go in lockstep: fixed steps, storeys that know
+// their straight lines (struct storey_branch), no full damping, one ground, no loads, no bilateral
+// links, contact laws with a force, and not so many floors that the state of all lanes would not
+// stay near the processor.
 bool ensemble_suits(const struct model *m);
 
 // Whether runs of models with n_dof floors are faster in lockstep than one after the other where a
@@ -29,8 +30,8 @@ bool ensemble_suits(const struct model *m);
 bool ensemble_pays_with(int in_register, int n_dof);
 bool ensemble_pays(const struct model *m);
 
-// Whether `b` can go in lockstep with `a`, which suits: the same floors, contacts, step and rows;
-// all else may differ, the duration too.
+// Whether `b` can go in lockstep with `a`, which suits: the same floors, kinds of storeys,
+// contacts, step and rows; all else may differ, the duration too.
 bool ensemble_alike(const struct model *a, const struct model *b);
 
 // Runs `n` <= ENSEMBLE_MAX models and fills in what came of each. Those without enough others like

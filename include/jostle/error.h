@@ -15,10 +15,11 @@ JOSTLE_C_BEGIN
 // Result of a function that can fail: 0 success, > 0 recoverable (try a smaller step), < 0 final.
 enum status {
     STATUS_OK = 0,
-    STATUS_RETRY = 1,    // try again: a step is rejected, the committed state is untouched
-    STATUS_FAILED = -1,  // the analysis failed: exit status 1
-    STATUS_INPUT = -2,   // wrong usage, deck or record: exit status 2
-    STATUS_SYSTEM = -3,  // no memory, cannot read or write: exit status 3
+    STATUS_RETRY = 1,     // try again: a step is rejected, the committed state is untouched
+    STATUS_COLLAPSE = 2,  // a storey has passed its limit of drift, at which the run ends
+    STATUS_FAILED = -1,   // the analysis failed: exit status 1
+    STATUS_INPUT = -2,    // wrong usage, deck or record: exit status 2
+    STATUS_SYSTEM = -3,   // no memory, cannot read or write: exit status 3
 };
 
 // One message: a single line, lower case, no full stop, naming the offending value and the limit.

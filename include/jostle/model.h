@@ -39,7 +39,13 @@ struct building {
     const double
         *stiffness;        // [F/L] (n_floor) initial, of the storey below each floor, all its parts
                            // together: its shear over its drift where no other storey drifts
-    const double *spring;  // [F/L] (n_floor) the same of the shear storeys alone
+    const double *spring;  // [F/L] (n_floor) the same of the shear storeys alone, and of P-delta,
+                           // which takes P/h off: it may be negative beside parts
+    const double *axial;   // [F] (n_floor) gravity load P that each storey carries, for P-delta;
+                           // NULL: without P-delta. The next three have values only with it
+    const double *pdelta;  // [F/L] (n_floor) P/h, which P-delta takes off the stiffness
+    const double *theta;   // (n_floor) stability coefficient P drift / (V h) in the first mode
+    double buckling;       // factor on all P at which the building buckles on initial stiffness
     const double *height;  // [L] (n_floor) storey heights; NULL: not given
     const double *omega;   // [1/T] (n_floor) circular frequencies of the building alone, ascending
     const double *shape;   // (n_floor, n_floor) row m: mode m+1, largest entry 1
@@ -51,6 +57,10 @@ struct building {
     const double *part_stiffness;    // [F/L] (n_floor, n_floor) initial d shear / d drift of all
                                      // parts; NULL: there is none
     const double *part_dashpot;      // [F T/L] (n_floor, n_floor) initial d shear / d drift rate
+    int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
+                                     // index of the first among those of all buildings
+    const double *force_by_drift;    // (n_floor, n_force in whole lanes) transposed
+    bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
     double damping_beta;             // [T] and beta, of the initial stiffness; 0: none
     const struct word *damping;      // the last statement of Rayleigh damping; NULL: none
@@ -79,6 +89,7 @@ struct storey {
     const struct storey_law *law;
     const double *constant;  // (law->n_constant)
     double yield;            // [F] shear at yield; infinite: elastic
+    double pdelta;           // [F/L] P/h of a storey with a history; elastic laws have it inside
     int history;             // offset of its values in the state's storey history
 };
 
@@ -121,6 +132,17 @@ struct link {
     const struct word *word;  // that names it in its statement, for messages
 };
 
+// Forces in one of the columns that are struck together, elastic: shears are the force to the right
+// on the upper end of a part, moments act on ends and are positive counterclockwise.
+enum column_force {
+    COLUMN_SHEAR_BELOW,   // [F] of the part below the struck point
+    COLUMN_SHEAR_ABOVE,   // [F] of the part above it
+    COLUMN_MOMENT_BELOW,  // [F L] at the floor below
+    COLUMN_MOMENT_POINT,  // [F L] at the struck point, on the part below it
+    COLUMN_MOMENT_ABOVE,  // [F L] at the floor above
+    COLUMN_FORCE_COUNT
+};
+
 // A column that is struck between the floors of its storey. The struck point has a mass and one
 // degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
 // the floors below and above: the column is clamped in both, and the rotation of its point has no
@@ -140,6 +162,8 @@ struct struck_column {
     double dashpot;    // [F T/L]
     double n;          // columns that are struck together
     double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
+    int dof[3];  // the struck point, the floor above, the floor below; WALL: the ground
+    double force[COLUMN_FORCE_COUNT][3];  // [F/L] or [F] for unit displacements of these
 };
 
 // The ground acceleration under some buildings: the sum of the signals.
@@ -163,6 +187,7 @@ enum field {
     FIELD_FORCE = 32,
     FIELD_PENETRATION = 64,
     FIELD_ALL = 127,
+    FIELD_MEMBERS = 128,  // forces of members, and shares of parts
 };
 extern const char *const field_names[];  // in the order of the bits; NULL-terminated
 
@@ -199,12 +224,15 @@ struct model {
     const struct storey *storey;         // (n_dof) the storey below each floor
     bool elastic;                        // every building is
     bool founded;                        // some building has a foundation
+    const double *collapse;       // [L] (n_dof) drift of the storey below each floor at which a run
+                                  // ends, collapsed; infinite: none. NULL: no storey has one
     const struct link *link;      // (n_link) contacts first (n_contact), then bilateral links
     const struct ground *ground;  // (n_ground)
     const struct load *load;      // (n_load)
     const double *displacement;   // [L] (n_dof) initial, relative to the ground
     const double *velocity;       // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
+    int n_force;  // that follow from the drifts of all buildings, each in whole lanes
 
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative

@@ -102,6 +102,7 @@
 #define record_read jostle_record_read
 #define report_create jostle_report_create
 #define report_floor_was_hit jostle_report_floor_was_hit
+#define report_force_names jostle_report_force_names
 #define report_free jostle_report_free
 #define report_hit_name jostle_report_hit_name
 #define report_hit_note jostle_report_hit_note
@@ -161,6 +162,7 @@
 #define study_table_read jostle_study_table_read
 #define study_view_choice jostle_study_view_choice
 #define study_view_hit jostle_study_view_hit
+#define study_view_members jostle_study_view_members
 #define study_view_run jostle_study_view_run
 #define sweep_named jostle_sweep_named
 #define unit_convert jostle_unit_convert

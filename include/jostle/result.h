@@ -15,6 +15,25 @@ JOSTLE_C_BEGIN
 
 enum { RESULT_FORMAT_VERSION = 1 };
 
+// A member of a frame or a wall: moments on its ends, counterclockwise positive; its shear; its
+// normal force, tension positive, NAN of beams and walls, as floors are rigid.
+enum member_force { MEMBER_M_I, MEMBER_M_J, MEMBER_V, MEMBER_N, MEMBER_FORCES };
+extern const char *const report_force_names[];  // (MEMBER_FORCES)
+struct member_extreme {
+    double max, max_time, min, min_time;  // [F] or [F L]; [T]
+};
+struct report_member {
+    const char *name;             // "column_2_3": storey 2, third line; "beam_1_2": floor 1, bay 2
+    double moment, shear, axial;  // largest absolute values; moment: of both ends
+    struct member_extreme extreme[MEMBER_FORCES];
+};
+
+// What resists in a building beside others: a part, or its shear storeys.
+struct report_share {
+    const char *name;
+    const double *shear, *shear_time;  // [F] [T] (n_floor) largest absolute storey shears
+};
+
 // One building of a report. Arrays (n_floor) in the deck's units; floor 1 first.
 struct report_building {
     const char *name;
@@ -23,9 +42,15 @@ struct report_building {
     const double *stiffness;              // [F/L]
     const double *height;                 // [L] 0 where not given
     const double *period;                 // [T] of the building alone, elastic, longest first
+    const double *axial, *theta;          // [F] and 1, as in struct building; NULL: no P-delta
     const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
     const double *peak_time[PEAK_COUNT];  // [T]
     const double *residual_drift;         // [L] of the storeys; NULL: none can yield
+    int n_member, n_share;                // shares: 0 where one alone resists
+    struct report_member *member;         // (n_member)
+    struct report_share *share;           // (n_share)
+    bool extremes;                        // those of members are known, not only the sizes
+    const char *path, *parts;             // of its group in the file, and of its shares
 };
 
 // A contact or a bilateral link of a report.
@@ -41,6 +66,19 @@ struct report_link {
     double restitution;  // coefficient asked for; NAN: none
     bool calibrated;     // the damping delivers it exactly
     struct link_peak peak;
+    // Of the spring of a struck column: forces in one column, the largest shear and moment of any
+    // sign, and these over the strengths (NAN: not given).
+    struct column_peak column[COLUMN_FORCE_COUNT];
+    double shear, moment, shear_demand, moment_demand;
+};
+
+// How a run has collapsed (struct collapse).
+struct report_collapse {
+    long happened;         // 1; 0: it has not
+    double time;           // [T] 0: it has not
+    const char *building;  // "": it has not
+    long storey;           // from 1; 0: it has not
+    double drift;          // [L] with its sign; 0: it has not
 };
 
 // What a result file says apart from its histories.
@@ -54,16 +92,18 @@ struct report {
     double duration, dt;  // [T] dt 0: adaptive steps
     unsigned fields;      // enum field: the histories in the file
     long n_row;           // rows of the histories
-    int n_building, n_contact, n_link;
+    int n_building, n_contact, n_link, n_column;
     struct report_building *building;  // (n_building) from left to right
     struct report_link *contact;       // (n_contact)
     struct report_link *link;          // (n_link) bilateral
+    struct report_link *column;        // (n_column) springs of struck columns
     long n_impact;
     struct impact *impact;        // (n_impact) in order of time
     double energy[ENERGY_COUNT];  // [F L] at the end
     double initial_energy;        // [F L] kinetic, strain and contact energy at t = 0
     double residual_peak;         // [F L]
     struct totals totals;
+    struct report_collapse collapse;
 };
 
 // The report of a run from memory. `file` and `version` are copied; `r` may be NULL: before the
@@ -81,8 +121,9 @@ bool report_link_joins(const struct report_link *c, const char *building, int fl
 // How tables explain the mark of such a floor, and how legends name it.
 extern const char report_hit_note[], report_hit_name[];
 
-// Writes the summary an engineer reads, at most 100 columns wide. Errors of `to` are the caller's.
-void report_print(const struct report *r, FILE *to);
+// Writes the summary an engineer reads, at most 100 columns wide. Errors: STATUS_SYSTEM (no
+// memory); those of `to` are the caller's.
+int report_print(const struct report *r, FILE *to, struct error *e);
 
 // What to do where the file exists.
 enum result_existing { RESULT_KEEP, RESULT_REPLACE };
@@ -143,7 +184,7 @@ struct result_sums {
 };
 
 // Checks that the data of a result file of any kind are as they were written. Errors: STATUS_FAILED
-// (they differ, or cannot be read), STATUS_INPUT (does not exist, is not HDF5, has no checksum),
+// (they differ), STATUS_INPUT (does not exist, is not HDF5, is damaged, has no checksum),
 // STATUS_SYSTEM; they name the path.
 int result_verify(const char *path, struct result_sums *out, struct error *e);
 

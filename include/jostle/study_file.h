@@ -133,15 +133,21 @@ struct study_view {
     int n_thread;
     double seconds;
     struct study_table table;
-    int n_contact, n_link;
-    const struct report_link *contact;  // (n_contact) names and floors
-    const struct report_link *link;     // (n_link)
+    int n_building, n_contact, n_link, n_column;
+    const struct report_building *building;  // (n_building) names and members
+    const struct report_link *contact;       // (n_contact) names and floors
+    const struct report_link *link;          // (n_link)
+    const struct report_link *column;        // (n_column) springs of struck columns
 };
 
 // Whether value `i` of `item` is the peak acceleration of a floor that was hit in the run with
 // these values (report_floor_was_hit); -1: the item is not accelerations.
 int study_view_hit(const struct study_view *v, const struct study_item *item, size_t i,
                    const double *value);
+
+// The building whose members have the values of `item`; NULL: it is no item of members.
+const struct report_building *study_view_members(const struct study_view *v,
+                                                 const struct study_item *item);
 
 // True if the file at `path` is the complete result of a study.
 bool study_file_is_study(const char *path);

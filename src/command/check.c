@@ -16,7 +16,7 @@ static int check_command(int argc, char **argv);
 const struct command command_check = {
     .name = "check",
     .usage = "DECK [-D NAME=VALUE]...",
-    .summary = "reads and checks a deck, prints the model",
+    .summary = "checks a deck and prints its model and the step that it needs",
     .run = check_command,
 };
 
@@ -81,6 +81,34 @@ static int print_storeys(const struct model *m, const struct building *g) {
     return printer_close(&t);
 }
 
+// The loads of P-delta at the base, and how far the building is from buckling under them.
+static void print_pdelta(const struct building *g, const struct unit_texts *t) {
+    int most = 0;
+    for (int i = 1; i < g->n_level; i++) {
+        most = g->theta[i] > g->theta[most] ? i : most;
+    }
+    safe_line(stdout,
+              "  P-delta: %.6g %s at the base, largest P drift / (V h) %.4g in storey %d, buckling "
+              "factor %.4g",
+              g->axial[0], t->force, g->theta[most], most + 1, g->buckling);
+}
+
+// The drifts at which a run ends.
+static void print_collapse(const struct model *m, const struct building *g) {
+    double least = INFINITY, most = 0.0;
+    for (int i = g->first; m->collapse && i < g->first + g->n_level; i++) {
+        least = fmin(least, m->collapse[i]);
+        most = isinf(m->collapse[i]) ? most : fmax(most, m->collapse[i]);
+    }
+    if (most > least) {
+        printf("  a run ends, collapsed, at a storey drift of %.4g to %.4g %s\n", least, most,
+               m->deck->units.length_name);
+    } else if (most > 0.0) {
+        printf("  a run ends, collapsed, at a storey drift of %.4g %s\n", most,
+               m->deck->units.length_name);
+    }
+}
+
 static void print_foundation(const struct model *m, const struct foundation *f) {
     const struct unit_system *u = &m->deck->units;
     char mass[UNIT_TEXT], sway[UNIT_TEXT], rocking[UNIT_TEXT];
@@ -113,6 +141,10 @@ static int print_building(const struct model *m, const struct building *g,
         }
         printf("\n");
     }
+    if (g->axial) {
+        print_pdelta(g, t);
+    }
+    print_collapse(m, g);
     const struct building *own = g->fixed ? g->fixed : g;
     for (int i = 0; i < own->n_part; i++) {
         safe_line(stdout, "  %s: %d x %d from %s", own->part[i].name, g->n_level, g->n_level,
@@ -186,7 +218,7 @@ static int print_links(const struct model *m) {
             last++;
         }
         char words[WORDS_SIZE], calibrated[48] = "";
-        law_words(l->law, l->value, words, sizeof words);
+        law_print_words(l->law, l->value, words, sizeof words);
         if (l->calibrated) {
             snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
         }

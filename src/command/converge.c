@@ -15,7 +15,7 @@ static int converge_command(int argc, char **argv);
 const struct command command_converge = {
     .name = "converge",
     .usage = "DECK [-D NAME=VALUE]... [-n LEVELS] [--rtol R] [--tsv|--csv|--json]",
-    .summary = "runs a deck at ever shorter steps and prints the errors of its results",
+    .summary = "runs a deck with halved steps and prints the errors of its results",
     .run = converge_command,
 };
 
@@ -269,11 +269,9 @@ static int converge_command(int argc, char **argv) {
         DECK_DEFINE_ROW,
         {"levels", 'n', "LEVELS", OPTION_WHOLE, OPTION_LETTER_ONLY, AT(n_level),
          CONVERGENCE_LEVELS_MIN, CONVERGENCE_LEVELS_MAX,
-         .doc = "runs, each at half the step of the one before, from that of the deck; 3 to 16, "
-                "default 4"},
+         .doc = "number of runs, each with half the step of the one before; 3 to 16, default: 4"},
         {"rtol", 0, "R", OPTION_NUMBER, 0, AT(rtol), 1e-12, 1.0,
-         .doc = "what counts as converged: an error bar of at most R times the result; default "
-                "1e-3"},
+         .doc = "limit of the error bar for convergence, relative to the result; default: 1e-3"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
          .doc = "a table separated by tabs, with the results of all levels"},
         {0}};
@@ -281,8 +279,8 @@ static int converge_command(int argc, char **argv) {
         {.row = rows},
         {.row = printer_rows, .at = AT(form)},
         {.row = option_help},
-        {.text = "\nNothing is written. Exit status: 0 all results have converged, 1 some have "
-                 "not.\n"},
+        {.text = "\nThe command writes no file. Exit status 0: all results have converged; 1: some "
+                 "have not.\n"},
         {0}};
     static const struct deck_command c = {&command_converge, parts, NULL, converge};
     struct options o = {.n_level = LEVELS_DEFAULT, .rtol = RTOL_DEFAULT};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#define _XOPEN_SOURCE 700  // sigaltstack
+#define _DEFAULT_SOURCE  // sigaltstack, MAP_ANONYMOUS
 #include "command/crash.h"
 
 #include <signal.h>
@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "command/command.h"
@@ -53,8 +54,20 @@ static void say_file(void) {
     }
 }
 
-// Calls nothing but what POSIX allows in a handler.
+// Whether there is memory for the HDF5 library. Unlike malloc this works when the heap is damaged.
+static bool is_memory_there(void) {
+    enum { ROOM = 16 << 20 };
+    void *room = mmap(NULL, ROOM, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) {
+        return false;
+    }
+    munmap(room, ROOM);
+    return true;
+}
+
+// Calls nothing but what POSIX allows in a handler, and what only enters the kernel.
 static void end(int number) {
+    const bool is_damaged = reads && is_memory_there();
     say("jostle: error: ended by a");
     for (int i = 0; i < N_HARM; i++) {
         if (harms[i].signal == number) {
@@ -63,8 +76,10 @@ static void end(int number) {
         }
     }
     say_file();
-    say("; a damaged HDF5 file or too little memory does that, else it is a mistake of jostle\n");
-    _exit(EXIT_SYSTEM);
+    say(is_damaged ? "; the file is damaged, or it is a mistake of jostle\n"
+                   : "; a damaged HDF5 file or too little memory does that, else it is a mistake "
+                     "of jostle\n");
+    _exit(is_damaged ? EXIT_INPUT : EXIT_SYSTEM);
 }
 
 static bool released;

@@ -20,9 +20,10 @@ const struct command command_deck = {
 enum { STATEMENTS_MAX = 128, USAGE_SIZE = 512 };
 
 static const char introduction[] =
-    "Units and defaults are given in SI; a number may carry any unit of the same dimension, and a\n"
-    "bare one is in the deck's units. A LIST is one value for all, or one for each. How words,\n"
-    "numbers, units and floors are written is in [deck.md](deck.md).\n\n";
+    "Units and defaults are given in SI. A number may carry any unit of the same dimension; a "
+    "bare\n"
+    "number is in the deck's units. A LIST is one value for all, or one value for each.\n"
+    "[deck.md](deck.md) explains words, numbers, units and floors.\n\n";
 
 // Every simple unit with the quantity it measures and its size in SI. The size of g is that of the
 // default gravity.
@@ -30,10 +31,11 @@ static void print_units(enum page page) {
     struct unit_system si;
     unit_system_init(&si);
     if (page == PAGE_MARKDOWN) {
-        printf("\n| unit | quantity | size |\n| --- | --- | --- |\n");
+        printf("\n| quantity | units with their sizes in SI |\n| --- | --- |");
     } else {
         printf("\n  %-5s %-15s %s\n", "unit", "quantity", "size");
     }
+    const char *before = "";
     for (int i = 0; unit_names[i]; i++) {
         const char *end;
         struct dimension dimension;
@@ -46,9 +48,18 @@ static void print_units(enum page page) {
         const char *noun = dimension_noun(dimension);
         const char *article = noun ? strchr(noun, ' ') : NULL;
         const char *quantity = article ? article + 1 : "stress";
-        printf(page == PAGE_MARKDOWN ? "| `%s` | %s | %.10g%s%s |\n" : "  %-5s %-15s %.10g%s%s\n",
-               unit_names[i], quantity, size, unit[0] ? " " : "", unit);
+        if (page == PAGE_TEXT) {
+            printf("  %-5s %-15s %.10g%s%s\n", unit_names[i], quantity, size, unit[0] ? " " : "",
+                   unit);
+        } else if (strcmp(quantity, before) != 0) {
+            printf("%s\n| %s%s%s%s | `%s` %.10g", before[0] ? " |" : "", quantity,
+                   unit[0] ? " [" : "", unit, unit[0] ? "]" : "", unit_names[i], size);
+        } else {
+            printf(", `%s` %.10g", unit_names[i], size);
+        }
+        before = quantity;
     }
+    printf(page == PAGE_MARKDOWN ? " |\n" : "");
 }
 
 static void print_language(enum page page, const struct deck_statement *s) {
@@ -81,7 +92,7 @@ static void print_kind(enum page page, const struct statement_kind *kind) {
         rows_entry(page, "laws", text);
     }
     rows_example(page, kind->example);
-    rows_print(page, kind->row, kind->n_row);
+    rows_print(page, kind->row, kind->n_row, NULL);
     for (int i = 0; i < kind->n_variant; i++) {
         const struct statement_variant *v = &kind->variant[i];
         if (v->name && page == PAGE_MARKDOWN) {
@@ -89,7 +100,7 @@ static void print_kind(enum page page, const struct statement_kind *kind) {
         } else if (v->name) {
             printf("\n  %s ... %s: %s\n", kind->name, v->name, v->summary);
         }
-        rows_print(page, v->row, v->n_row);
+        rows_print(page, v->row, v->n_row, NULL);
     }
     printf("\n");
 }

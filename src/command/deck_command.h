@@ -31,7 +31,7 @@ int deck_command_check_study(const struct model *m, struct error *e);
     {                                                                                              \
         "define", 'D', "NAME=VALUE", OPTION_WORDS, OPTION_LETTER_ONLY,                             \
             offsetof(struct load_request, define),                                                 \
-            .doc = "overrides a param of the deck; may be repeated"                                \
+            .doc = "replaces the value of a param or sweep; may be repeated"                       \
     }
 #define DECK_THREADS_ROW(place, text)                                                              \
     {                                                                                              \

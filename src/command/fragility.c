@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/crash.h"
 #include "command/printer.h"
 #include "command/study_print.h"
 #include "command/suite_options.h"
@@ -15,7 +16,7 @@ static int fragility_command(int argc, char **argv);
 
 const struct command command_fragility = {
     .name = "fragility",
-    .usage = "FILE.h5 [--tsv|--csv|--json] --edp EDP --limit VALUE[,VALUE...]\n"
+    .usage = "FILE.h5 [--tsv|--csv|--json] --edp EDP --limit VALUE[,VALUE...]|--collapse\n"
              "                        [--im NAME] [--over NAME] [--at NAME=VALUE]\n"
              "                        [--failed above|left-out] [--method counts|ida]",
     .summary = "fits lognormal fragility curves to a study",
@@ -28,6 +29,7 @@ struct request {
     struct suite_options suite;
     enum method method;
     enum printer_form form;
+    int collapse;  // not 0: --collapse
 };
 #define AT(member) offsetof(struct request, member)
 
@@ -253,7 +255,7 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
                          "--method ida needs samples; name their sweep with --over");
     }
     for (int i = 0; i < n; i++) {
-        if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST) {
+        if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST && !edp_is_collapse(&s->edp)) {
             return error_set(
                 e, STATUS_INPUT,
                 "--method ida cannot locate the first exceedance of 0 on %s, which is 0 "
@@ -291,6 +293,7 @@ static int open_and_fit(struct request *q, const char *path) {
     struct study_file *f;
     struct suite *s;
     struct error e;
+    crash_reading(NULL, path);
     if (study_file_open(path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }
@@ -306,15 +309,26 @@ static int open_and_fit(struct request *q, const char *path) {
 static int use(void *request, struct arena *a, const struct words *operand) {
     (void)a;
     struct request *q = request;
+    if (q->collapse && (q->suite.request.edp || q->suite.limits)) {
+        return command_usage(&command_fragility,
+                             "--collapse has a demand and a limit; leave out --edp and --limit");
+    }
+    if (q->collapse) {
+        q->suite.request.edp = EDP_COLLAPSE;
+        q->suite.limits = "0";
+    }
     return q->suite.request.edp && q->suite.limits
                ? open_and_fit(q, operand->word[0])
-               : command_usage(&command_fragility, "give --edp EDP and --limit VALUE");
+               : command_usage(&command_fragility,
+                               "give --edp EDP and --limit VALUE, or --collapse");
 }
 
 static const struct option_row rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
-     .doc = "what it is not to exceed: 20mm, 0.5%, 2MN; without a unit, in those of the deck"},
+     .doc = "limits of the demand: 20mm, 0.5%, 2MN; default unit: that of the deck"},
+    {"collapse", .kind = OPTION_SET, .at = AT(collapse), .set = 1,
+     .doc = "fits collapse (statement collapse), in place of a demand and a limit"},
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers)"},
@@ -322,7 +336,7 @@ static const struct option_row rows[] = {
 
 static const struct option_row form_rows[] = {
     {"method", 0, "counts|ida", OPTION_CHOICE, 0, AT(method),
-     .doc = "from the counts at each intensity (the default), or from the intensity at which each "
+     .doc = "fits the counts at each intensity (the default), or the intensity at which each "
             "sample first exceeds the limit"},
     {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
      .doc = "a line for each limit and intensity, separated by tabs"},
@@ -337,10 +351,9 @@ static int fragility_command(int argc, char **argv) {
         {.row = option_help},
         {.print = suite_options_print_edps},
         {.text =
-             "\nThe median and the dispersion are those of largest likelihood for the counts "
-             "(Baker\n2015, Earthquake Spectra 31, 579-599), or for the first exceedances and the "
-             "samples that have\nnone. A value equal to the limit does not exceed it. Standard "
-             "errors are those of\nindependent runs, or samples.\n"},
+             "\nThe median and the dispersion maximise the likelihood of the counts (Baker 2015, "
+             "Earthquake Spectra\n31, 579-599), or of the first exceedances. A value equal to the "
+             "limit does not exceed it.\nStandard errors hold for independent runs or samples.\n"},
         {0}};
     static const struct option_list list = {&command_fragility, parts, .operand = "result file",
                                             .use = use};

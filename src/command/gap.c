@@ -22,20 +22,17 @@ const struct command command_gap = {
         "       jostle gap DECK --limit EDP=VALUE [--range FROM:TO:N] [--tolerance LENGTH]\n"
         "                  [--percentile P] [--parameter PARAM] [-D NAME=VALUE]... [-j THREADS]\n"
         "                  [--tsv|--csv|--json]",
-    .summary = "prints the gap that would avoid contact, or meet a limit",
+    .summary = "finds the gap that avoids contact, or that meets a limit",
     .run = gap_command,
 };
 
 static const char explanation[] =
-    "\nRuns all runs of the deck's sweeps. Without --limit they are run without contact, links "
-    "acting,\n"
-    "and the largest closing displacement at each contact stands next to what codes combine from "
-    "the\n"
-    "largest displacements of both sides. With --limit gaps are scanned, and the last change is\n"
-    "bisected; the response is not a monotone function of the gap, so the scan bounds what is "
-    "seen.\n"
-    "A demand of the buildings is also computed without any contact. Nothing is written.\n"
-    "Exit status: 1 if runs failed or no gap meets the limit.\n";
+    "\nThe command runs all runs of the deck's sweeps and writes no file. Without --limit it opens "
+    "all\ncontacts, keeps the links, and prints the largest closing displacement of each contact "
+    "beside the\nseparations that codes require. With --limit it scans gaps and bisects the last "
+    "change. A scan can\nmiss a limit that is exceeded between two gaps, because the response is "
+    "not a monotone function of\nthe gap. Exit status 1: runs have failed, or no gap meets the "
+    "limit.\n";
 
 enum { POINTS_DEFAULT = 33 };
 
@@ -245,17 +242,17 @@ static int gap_command(int argc, char **argv) {
         DECK_DEFINE_ROW,
         DECK_THREADS_ROW(AT(n_thread), "threads, default: all cores"),
         {"limit", 0, "EDP=VALUE", OPTION_TEXT, 0, AT(limit),
-         .doc = "the gap beyond which the demand EDP is at most VALUE, with its unit or that of "
-                "the deck: drift-ratio=1%, force:A:5-B:5=2MN, impacts=0; jostle fragility --help "
-                "lists the demands"},
+         .doc = "finds the gap from which on the demand EDP is at most VALUE: drift-ratio=1%, "
+                "force:A:5-B:5=2MN, impacts=0; default unit: that of the deck; jostle fragility "
+                "--help lists the demands"},
         {"range", 0, "FROM:TO:N", OPTION_TEXT, 0, AT(range),
-         .doc = "gaps to scan; default 0 to the largest closing displacement, 33 gaps"},
+         .doc = "gaps to scan; default: 33 gaps from 0 to the largest closing displacement"},
         {"tolerance", 0, "LENGTH", OPTION_TEXT, 0, AT(tolerance),
-         .doc = "of the bisection; default a thousandth of the range"},
+         .doc = "tolerance of the bisection; default: a thousandth of the range"},
         {"percentile", 0, "P", OPTION_TEXT, 0, AT(percentile),
-         .doc = "of the runs that must meet the limit; default 100, all of them"},
+         .doc = "percentage of the runs that must meet the limit; default: 100"},
         {"parameter", 0, "PARAM", OPTION_TEXT, 0, AT(parameter),
-         .doc = "the parameter of the deck that is the gap; default: all contacts get it"},
+         .doc = "parameter of the deck that sets the gap; default: all contacts get the gap"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
          .doc = "a table separated by tabs: every run and contact, or every gap"},
         {0}};

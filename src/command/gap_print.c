@@ -204,6 +204,8 @@ static void print_point(struct printer *t, const struct gap_search_request *q,
     char note[STUDY_MESSAGE_MAX + 40] = "";
     if (p->n_failed > 0) {
         snprintf(note, sizeof note, "%ld failed: %s", p->n_failed, p->message);
+    } else if (p->n_collapsed > 0) {
+        snprintf(note, sizeof note, "%ld collapsed", p->n_collapsed);
     }
     printer_text(t, stage[p->stage]);
     if (text && p->stage == GAP_OPEN) {

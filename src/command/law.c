@@ -16,7 +16,7 @@ const struct command command_law = {
     .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv|--csv|--json] [--compare LAWS]...\n"
              "                  [--history FILE.tsv] [--plot FILE.png|.svg|.pdf] [--script DIR]\n"
              "                  [--fit FILE] [--force]",
-    .summary = "runs one isolated impact under a contact law",
+    .summary = "computes one isolated impact under a contact law",
     .run = law_command,
 };
 
@@ -99,7 +99,7 @@ static int write_figure(void *context, const struct figure_files *to, struct err
     struct impact_curve curve[IMPACT_FIGURE_CURVES];
     struct texts t = {.title = "Isolated impact"};
     if (l->n == 1) {
-        law_words(l->impact[0].choice.law, l->impact[0].value, t.title, sizeof t.title);
+        law_print_words(l->impact[0].choice.law, l->impact[0].value, t.title, sizeof t.title);
         subtitle(l, &t);
     } else {
         law_print_bodies(l, t.subtitle, sizeof t.subtitle);
@@ -184,27 +184,26 @@ static int use(void *options, struct arena *a, const struct words *operand) {
 static int law_command(int argc, char **argv) {
     static const struct option_row rows[] = {
         {"compare", 0, "LAWS", OPTION_WORDS, 0, AT(compare),
-         .doc = "sets other laws beside: LAW,LAW,... with the options of the first, or one with "
-                "its own, \"LAW -k K ...\"; may be repeated"},
+         .doc = "computes other laws too: LAW,LAW,... with the options of the first one, or one "
+                "law with its own options, \"LAW -k K ...\"; may be repeated"},
         {"history", 0, "FILE", OPTION_TEXT, 0, AT(history),
          .doc = "writes time, penetration, velocity and force"},
         {"plot", 0, "FILE", OPTION_TEXT, 0, AT(picture.output),
-         .doc = "draws force against time and penetration; ends in .png, .svg or .pdf"},
+         .doc = "draws the force against time and penetration; extension .png, .svg or .pdf"},
         {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
-         .doc = "writes the picture as DIR/impact.gp for gnuplot and its data, DIR/impact.dat"},
+         .doc = "writes the plot as DIR/impact.gp for gnuplot and its data, DIR/impact.dat"},
         {"fit", 0, "FILE", OPTION_TEXT, 0, AT(words.fit),
-         .doc = "finds -k and -zeta from a measured force: time and force, separated by blanks, "
-                "tabs, commas or semicolons"},
+         .doc = "finds -k and -zeta from a measured force: two columns, time and force, separated "
+                "by spaces, tabs, commas or semicolons"},
         {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
-         .doc = "overwrites what exists"},
+         .doc = "overwrites existing files"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
-         .doc = "prints name and value, a line each, in SI, not rounded"},
+         .doc = "one name and value per line, in SI, not rounded"},
         {0}};
     static const struct option_part parts[] = {
-        {.text = "LAW with its options stands as in a deck; bare numbers are in SI. `jostle laws` "
-                 "lists the laws.\n\n"
-                 "  -m1 M, -m2 M    masses of the bodies; without -m2 the other one is a wall\n"
-                 "  -v V            velocity with which they meet\n"},
+        {.text = "LAW and its options are those of a deck; bare numbers are in SI. `jostle laws` "
+                 "lists the laws.\n\n  -m1 M, -m2 M    masses of the bodies; without -m2 the other "
+                 "one is a wall\n  -v V            closing velocity\n"},
         {.row = rows},
         {.row = printer_rows, .at = AT(form)},
         {.row = option_help},

@@ -120,7 +120,7 @@ static int print_text(const struct law_impacts *l, FILE *to) {
     fprintf(to, "%s, effective mass %.6g kg\n\n", bodies, l->mass);
     for (int i = 0; i < l->n; i++) {
         char name[NAME_SIZE];
-        law_words(l->impact[i].choice.law, l->impact[i].value, name, sizeof name);
+        law_print_words(l->impact[i].choice.law, l->impact[i].value, name, sizeof name);
         fprintf(to, "%s%s\n", name, l->impact[i].choice.calibrated ? " (calibrated)" : "");
         if (l->measured.n > 0) {
             print_fit(&l->impact[i], to);
@@ -195,7 +195,7 @@ int law_print_history(const struct law_impact *i, FILE *to) {
     return printer_close(&t);
 }
 
-void law_words(const struct contact_law *law, const double *value, char *text, size_t size) {
+void law_print_words(const struct contact_law *law, const double *value, char *text, size_t size) {
     size_t used = (size_t)snprintf(text, size, "%s", law->name);
     for (int r = 0; r < law->n_row && used < size; r++) {
         const struct row *row = &law->row[r];

@@ -29,6 +29,6 @@ int law_print_history(const struct law_impact *i, FILE *to);
 
 // A law and the values of its rows as a deck would give them, "hertz -k 2.75e+09 -n 1.5", cut where
 // `text` ends.
-void law_words(const struct contact_law *law, const double *value, char *text, size_t size);
+void law_print_words(const struct contact_law *law, const double *value, char *text, size_t size);
 
 #endif

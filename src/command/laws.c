@@ -6,6 +6,9 @@
 #include "jostle/contact_law.h"
 #include "jostle/storey_law.h"
 #include "law/bilateral.h"
+#include "law/power.h"
+#include "law/restitution.h"
+#include "law/yield.h"
 
 static int laws_command(int argc, char **argv);
 
@@ -19,46 +22,78 @@ const struct command command_laws = {
 enum { LAWS_MAX = 128 };
 
 static const char introduction[] =
-    "d: penetration, v = dd/dt, v0: v at the instant of closure, m*: effective mass of the two\n"
-    "bodies, m1 m2 / (m1 + m2), or the mass itself against a wall; e: coefficient of restitution;\n"
-    "V: storey shear. Units and defaults are given in SI; a number may carry any unit of the same\n"
-    "dimension, and a bare one is in the deck's units. Of the options marked `one of`, exactly\n"
-    "one must be given.\n\n";
+    "Symbols: d is the penetration, v = dd/dt, v0 is v at the instant of closure, e is the "
+    "coefficient\n"
+    "of restitution, V is the storey shear. m* = m1 m2 / (m1 + m2) is the effective mass of two\n"
+    "bodies, or the mass of one body against a wall.\n\n"
+    "Units and defaults are given in SI. A number may carry any unit of the same dimension; a "
+    "bare\n"
+    "number is in the deck's units. Of the options marked `one of`, give exactly one.\n";
+
+// Options that many laws have in common. The Markdown page explains them once.
+static const struct row shared_rows[] = {
+    {"k", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &range_positive, NAN, "impact stiffness"},
+    RESTITUTION_ROW,
+    {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN,
+     "damping ratio zeta; if the formula has zeta d^n v or q, the number q = zeta v0 / k"},
+    LEAST_V0_ROW,
+    {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
+};
+
+static bool shared(const struct row *row) {
+    static const char *const damping[] = {"damping ratio", HYSTERESIS_ZETA_DOC};
+    for (size_t i = 0; i < sizeof shared_rows / sizeof shared_rows[0]; i++) {
+        const struct row *s = &shared_rows[i];
+        const unsigned given = ROW_REQUIRED | ROW_ONE_OF;
+        if (strcmp(s->key, row->key) == 0 && (s->flags & given) == (row->flags & given)) {
+            return strcmp(s->doc, row->doc) == 0 || strcmp(damping[0], row->doc) == 0 ||
+                   strcmp(damping[1], row->doc) == 0;
+        }
+    }
+    return false;
+}
+
+// The same for storey laws.
+static const struct row yield_rows[] = {YIELD_ROW, HARDENING_ROW};
+
+static bool yields(const struct row *row) {
+    return strcmp(row->key, yield_rows[0].key) == 0 || strcmp(row->key, yield_rows[1].key) == 0;
+}
+
+// What users need to know about the force besides its formula.
+static void print_features(enum page page, const struct contact_law *law) {
+    char text[128];
+    const bool v0 = law->traits & CONTACT_NEEDS_V0, mass = law->traits & CONTACT_NEEDS_MASS;
+    snprintf(text, sizeof text, "%s at closure, %s%s%s%s",
+             law->traits & CONTACT_JUMPS ? "jump" : "no jump",
+             law->traits & CONTACT_MAY_PULL ? "tension possible" : "no tension",
+             v0 || mass ? ", depends on " : "", v0 ? "v0" : "", mass ? "m*" : "");
+    rows_entry(page, "features", text);
+}
 
 static void print_contact_law(enum page page, const struct contact_law *law) {
     rows_heading(page, 3, law->name);
     rows_entry(page, "what", law->summary);
     rows_code(page, "force", law->formula);
-    rows_entry(page, "source", law->source);
-    rows_entry(page, "remarks", law->remarks);
-    static const struct {
-        enum contact_trait trait;
-        const char *text;
-    } known[] = {
-        {CONTACT_JUMPS, "the force jumps at closure"},
-        {CONTACT_MAY_PULL, "the force may be tension"},
-        {CONTACT_NEEDS_V0, "the force depends on v0"},
-        {CONTACT_NEEDS_MASS, "the force depends on m*"},
-    };
-    char text[256] = "";
-    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
-        if (law->traits & known[i].trait) {
-            size_t used = strlen(text);
-            snprintf(text + used, sizeof text - used, "%s%s", used ? "; " : "", known[i].text);
-        }
+    if (law->force && law != &bilateral_law) {
+        print_features(page, law);
     }
-    rows_entry(page, "solver", text[0] ? text : NULL);
+    rows_entry(page, "remarks", law->remarks);
+    rows_entry(page, "source", law->source);
     // The command that shows an impact, and on the page its picture, which `make docs` draws by it.
     char command[256];
     if (law->example) {
         snprintf(command, sizeof command, "jostle law %s %s -m1 25t -m2 40t -v 0.5m/s", law->name,
                  law->example);
         rows_example(page, command);
-        if (page == PAGE_MARKDOWN) {
-            printf("\n![Force of %s in this impact](pictures/law_%s.svg)\n", law->name, law->name);
-        }
     }
-    rows_print(page, law->row, law->n_row);
+    if (page == PAGE_MARKDOWN) {
+        rows_names(law->row, law->n_row, shared);
+    }
+    rows_print(page, law->row, law->n_row, shared);
+    if (law->example && page == PAGE_MARKDOWN) {
+        printf("\n![Force of %s in this impact](pictures/law_%s.svg)\n", law->name, law->name);
+    }
     printf("\n");
 }
 
@@ -68,7 +103,10 @@ static void print_storey_law(enum page page, const struct storey_law *law) {
     rows_code(page, "shear", law->formula);
     rows_entry(page, "source", law->source);
     rows_entry(page, "remarks", law->remarks);
-    rows_print(page, law->row, law->n_row);
+    if (page == PAGE_MARKDOWN) {
+        rows_names(law->row, law->n_row, yields);
+    }
+    rows_print(page, law->row, law->n_row, yields);
     printf("\n");
 }
 
@@ -78,6 +116,12 @@ static void print_all(enum page page) {
         rows_heading(page, 1, "Laws");
     }
     fputs(introduction, stdout);
+    if (page == PAGE_MARKDOWN) {
+        printf("\n[contact-values.md](contact-values.md) recommends laws and values.\n");
+        printf("\nMany contact laws have these options. Below, such a law only names them:\n");
+        rows_print(page, shared_rows, sizeof shared_rows / sizeof shared_rows[0], NULL);
+    }
+    printf("\n");
     rows_heading(page, 2,
                  page == PAGE_TEXT ? "Contact laws, for contact -law NAME\n"
                                    : "Contact laws, for `contact ... -law NAME`");
@@ -87,6 +131,12 @@ static void print_all(enum page page) {
     rows_heading(page, 2,
                  page == PAGE_TEXT ? "Storey laws, for storey BUILDING:FLOORS NAME\n"
                                    : "Storey laws, for `storey BUILDING:FLOORS NAME`");
+    if (page == PAGE_MARKDOWN) {
+        printf("All storey laws except elastic have these options. In the formulas V_y is -yield, "
+               "R is -hardening,\nk is the initial stiffness and d_y = V_y / k.\n");
+        rows_print(page, yield_rows, sizeof yield_rows / sizeof yield_rows[0], NULL);
+        printf("\n");
+    }
     for (int i = 0; i < n_storey_law; i++) {
         print_storey_law(page, storey_laws[i]);
     }

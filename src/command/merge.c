@@ -13,7 +13,7 @@ static int merge_command(int argc, char **argv);
 const struct command command_merge = {
     .name = "merge",
     .usage = "PART.h5... -o FILE.h5 [-q] [--force] [--partial]",
-    .summary = "joins the parts of a study to one result file",
+    .summary = "joins the parts of a study into one result file",
     .run = merge_command,
 };
 
@@ -53,7 +53,7 @@ static int merge(const struct merge_options *o) {
                   merged.n_run, q->result.path, merged.missing);
         return command_fail(&e);
     }
-    return study_end(merged.n_failed, merged.n_run, q->result.path, "");
+    return study_display_status(merged.n_failed, merged.n_run, q->result.path, "");
 }
 
 static int use(void *options, struct arena *a, const struct words *operand) {
@@ -86,18 +86,18 @@ static int merge_command(int argc, char **argv) {
     static const struct option_row rows[] = {
         {"output", 'o', "FILE", OPTION_TEXT, 0, AT(request.result.path),
          .doc = "the result file of the study"},
-        {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(quiet), .doc = "prints nothing but errors"},
+        {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(quiet), .doc = "prints errors only"},
         {"force", .kind = OPTION_SET, .at = AT(request.result.existing), .set = RESULT_REPLACE,
          .doc = "overwrites an existing result file"},
         {"partial", .kind = OPTION_SET, .at = AT(request.gaps), .set = STUDY_PARTIAL,
-         .doc = "writes the file even if parts are missing: their runs have status 2 and no "
-                "numbers"},
+         .doc =
+             "writes the file although parts are missing; their runs have status 2 and no values"},
         {0}};
     static const struct option_part parts[] = {
         {.row = rows},
         {.row = option_help},
-        {.text = "\nThe parts are what the commands write that jostle tasks prints. Exit status 1: "
-                 "runs have\nfailed, or are missing.\n"},
+        {.text = "\nPART.h5: outputs of the commands of jostle tasks. Exit status 1: runs have "
+                 "failed or are\nmissing.\n"},
         {0}};
     static const struct option_list list = {&command_merge, parts, .use = use};
     struct merge_options o = {

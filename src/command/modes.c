@@ -100,6 +100,25 @@ static int print_shapes(const struct building *g, int first, int last) {
     return printer_close(&t);
 }
 
+// What P-delta takes off each storey, and how far it is from buckling.
+static int print_pdelta(const struct model *m, const struct building *g) {
+    static const struct printer_column columns[] = {
+        COLUMN_TEXT("storey", 6),
+        {"P", NULL, NULL, &dimension_force, 12, 6, LOOK_G},
+        {"P drift / (V h)", NULL, NULL, NULL, 17, 4, LOOK_G}};
+    struct printer t = {.to = stdout, .units = &m->deck->units, .at_head = UNITS_BELOW_BARE};
+    printf("\nP-delta: buckling factor %.4g; stability coefficient in mode 1\n", g->buckling);
+    PRINTER_ADD(&t, columns);
+    printer_head(&t);
+    for (int i = g->n_level - 1; i >= 0; i--) {
+        printer_whole(&t, i + 1);
+        printer_number(&t, g->axial[i]);
+        printer_number(&t, g->theta[i]);
+        printer_line(&t);
+    }
+    return printer_close(&t);
+}
+
 static int print_building(const struct model *m, const struct building *g) {
     struct printer t;
     safe_line(stdout, "building %s, %d floor%s", g->name, g->n_level, g->n_level == 1 ? "" : "s");
@@ -113,7 +132,7 @@ static int print_building(const struct model *m, const struct building *g) {
         const int last = k + MODES_IN_A_ROW;
         status = print_shapes(g, k, last < g->n_floor ? last : g->n_floor);
     }
-    return status;
+    return status == EXIT_DONE && g->axial ? print_pdelta(m, g) : status;
 }
 
 struct options {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle plot: draws a figure of a result file by gnuplot, or writes its script.
-#include <assert.h>
 #include <string.h>
 
+#include "command/crash.h"
 #include "command/option.h"
 #include "command/picture.h"
 #include "command/progress.h"
@@ -10,7 +10,6 @@
 #include "core/safe.h"
 #include "core/text.h"
 #include "plot/figure.h"
-#include "plot/study_figure.h"
 
 static int plot_command(int argc, char **argv);
 
@@ -18,18 +17,19 @@ const struct command command_plot = {
     .name = "plot",
     .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR]\n"
              "                   [--force] [--edp EDP] ...",
-    .summary = "draws the results by gnuplot",
+    .summary = "draws the results with gnuplot",
     .run = plot_command,
 };
 
-enum { PLOT_PATH_SIZE = 4096 };
+enum { PLOT_PATH_SIZE = 4096, KINDS_MAX = 32 };
 
 struct request {
     const char *result, *other;
-    const struct figure *figure;  // NULL: the first that the files have the data for
+    const char *kind;             // NULL: not given
+    const struct figure *figure;  // NULL: the default of the subject
+    struct subject subject;
     struct runs runs;
     struct picture_options picture;
-    const char *kind;            // NULL: not given
     struct suite_options study;  // for studies
     char default_output[PLOT_PATH_SIZE];
 };
@@ -46,88 +46,26 @@ static const char *name_output(const char *result, const char *kind, char *name)
     return name;
 }
 
-// The picture of a study.
-struct job {
-    struct request *request;
-    const struct study_figure *figure;  // NULL: what shows the suite best
-    struct study_picture picture;
-};
-
-static void print_study_kinds(void) {
-    printf("\nOf a study KIND is one of\n");
-    for (int i = 0; i < n_study_figure; i++) {
-        printf("  %-10s %s\n", study_figures[i]->name, study_figures[i]->doc);
+static void print_figures(bool of_study) {
+    for (int i = 0; i < n_figure; i++) {
+        if (figures[i]->of_study == of_study) {
+            printf("  %-10s %s\n", figures[i]->name, figures[i]->doc);
+        }
     }
-    printf(
-        "\nWithout KIND it is ida, where an intensity and records are swept, else response.\n\n");
-}
-
-// EXIT_DONE with the figure asked for, or EXIT_INPUT.
-static int find_figure(struct job *j) {
-    const struct request *q = j->request;
-    if (!q->kind || (j->figure = study_figure_find(q->kind)) != NULL) {
-        return EXIT_DONE;
-    }
-    if (figure_find(q->kind)) {
-        return command_usage(&command_plot,
-                             "%s is for single runs; %s is a study; name a run of it, such as "
-                             "%s#1",
-                             q->kind, q->result, q->result);
-    }
-    const char *known[8];
-    int n = 0;
-    for (; n < n_study_figure && n < 8; n++) {
-        assert(study_figures[n]);
-        known[n] = study_figures[n]->name;
-    }
-    return command_unknown(&command_plot, "figure of studies", q->kind, known, n);
-}
-
-static int write_study_figure(void *context, const struct figure_files *to, struct error *e) {
-    const struct job *j = context;
-    return study_figure_write(j->figure, &j->picture, to, e);
-}
-
-static int draw(struct job *j, const struct suite *s, struct error *e) {
-    struct request *q = j->request;
-    double *limit = NULL;
-    j->picture.suite = s;
-    j->figure = j->figure ? j->figure : study_figure_default(s);
-    int status = suite_options_limits(&q->study, s, &limit, &j->picture.n_limit, e);
-    j->picture.limit = limit;
-    if (status != STATUS_OK) {
-        return status;
-    }
-    suite_options_warn(s);
-    struct picture_request picture = {
-        .options = q->picture, .name = j->figure->name, .write = write_study_figure, .context = j};
-    if (!picture_is_wanted(&q->picture)) {
-        picture.options.output = name_output(q->result, j->figure->name, q->default_output);
-    }
-    status = picture_make(&picture, e);
-    if (status == STATUS_OK && picture.options.output) {
-        safe_line(stdout, "%s", picture.options.output);
-    }
-    return status;
 }
 
 static void print_kinds(void) {
     printf("KIND is one of\n");
-    for (int i = 0; i < n_figure; i++) {
-        printf("  %-10s %s\n", figures[i]->name, figures[i]->doc);
-    }
-    printf("\nWithout KIND it is the first one that FILE.h5 holds the histories for. FILE.h5#7 is "
-           "run 7\nof a study whose deck has 'output -histories'.\n\n");
+    print_figures(false);
+    printf("\nWithout KIND jostle draws the first one for which FILE.h5 has the histories. "
+           "FILE.h5#7 is run 7\nof a study with 'output -histories'.\n\n");
 }
 
-static int unknown_figure(const char *word) {
-    const char *known[32];
-    int n = 0;
-    for (; n < n_figure && n < 32; n++) {
-        assert(figures[n]);
-        known[n] = figures[n]->name;
-    }
-    return command_unknown(&command_plot, "figure", word, known, n);
+static void print_study_kinds(void) {
+    printf("\nOf a study KIND is one of\n");
+    print_figures(true);
+    printf("\nWithout KIND jostle draws ida if an intensity and records are swept, else "
+           "response.\n\n");
 }
 
 static int write_figure(void *context, const struct figure_files *to, struct error *e) {
@@ -136,140 +74,163 @@ static int write_figure(void *context, const struct figure_files *to, struct err
     progress_start(&progress, 1, "points");
     q->runs.tell = progress_tell;
     q->runs.context = &progress;
-    const int status = figure_write(q->figure, &q->runs, to, e);
+    const int status = figure_write(q->figure, &q->subject, to, e);
     progress_end(&progress);
     return status;
 }
 
-static int make(struct request *q, const struct result_file *first,
-                const struct result_file *second, struct error *e) {
-    int status = runs_init(&q->runs, first, second, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    if (!q->figure) {
-        q->figure = figure_default(&q->runs);
-    }
+// Makes the picture of the subject and prints its name.
+static int make(struct request *q, struct error *e) {
+    q->figure = q->figure ? q->figure : figure_default(&q->subject);
     if (!picture_is_wanted(&q->picture)) {
         q->picture.output = name_output(q->result, q->figure->name, q->default_output);
     }
     const struct picture_request picture = {
-        .options = q->picture,
-        .name = q->figure->name,
-        .write = write_figure,
-        .context = q,
-    };
-    return picture_make(&picture, e);
+        .options = q->picture, .name = q->figure->name, .write = write_figure, .context = q};
+    const int status = picture_make(&picture, e);
+    if (status == STATUS_OK && q->picture.output) {
+        safe_line(stdout, "%s", q->picture.output);
+    }
+    return status;
 }
 
-static int open_and_make(struct request *q, struct error *e) {
+static int plot_runs(struct request *q, struct error *e) {
     struct result_file *first = NULL, *second = NULL;
     int status = result_open(q->result, &first, e);
     if (status == STATUS_OK && q->other) {
+        crash_reading(NULL, q->other);
         status = result_open(q->other, &second, e);
+        crash_reading(NULL, q->result);
     }
     if (status == STATUS_OK) {
-        status = make(q, first, second, e);
+        status = runs_init(&q->runs, first, second, e);
+    }
+    if (status == STATUS_OK) {
+        q->subject.runs = &q->runs;
+        status = make(q, e);
     }
     result_close(second);
     result_close(first);
     return status;
 }
 
-// Options and figures of studies are no use for one run.
-static int refuse(const struct request *q, const char *what) {
+static int plot_suite(struct request *q, struct error *e) {
+    struct suite_request request = *suite_options_request(&q->study);
+    struct study_file *f;
+    struct suite *s;
+    double *limit = NULL;
+    int status = study_file_open(q->result, &f, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    request.guess = q->figure ? q->figure->guess : SUITE_ANY;
+    status = suite_create(f, &request, &s, e);
+    if (status == STATUS_OK) {
+        status = suite_options_limits(&q->study, s, &limit, &q->subject.n_limit, e);
+        if (status == STATUS_OK) {
+            suite_options_warn(s);
+            q->subject.suite = s;
+            q->subject.limit = limit;
+            status = make(q, e);
+        }
+        suite_free(s);
+    }
+    study_file_close(f);
+    return status;
+}
+
+static int unknown_figure(const char *word, bool of_study) {
+    const char *known[KINDS_MAX];
+    int n = 0;
+    for (int i = 0; i < n_figure && n < KINDS_MAX; i++) {
+        if (figures[i]->of_study == of_study) {
+            known[n++] = figures[i]->name;
+        }
+    }
+    return command_unknown(&command_plot, of_study ? "figure of studies" : "figure", word, known,
+                           n);
+}
+
+// Options and figures of studies are no use for one run, where that can be opened.
+static int refuse_for_run(const struct request *q, const char *dashes, const char *what) {
     struct result_file *file;
     struct error e;
     if (result_open(q->result, &file, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     result_close(file);
-    return command_usage(&command_plot, "%s is for studies; %s is one run", what, q->result);
+    return command_usage(&command_plot, "%s%s is for studies; %s is one run", dashes, what,
+                         q->result);
 }
 
-static int plot_run(struct request *q) {
-    if (q->study.first) {
-        char name[32];
-        snprintf(name, sizeof name, "--%s", q->study.first->name);
-        return refuse(q, name);
-    }
+// Finds the figure. Returns EXIT_DONE, or what a figure or an option that is not for this file ends
+// in.
+static int choose(struct request *q, bool study) {
     q->figure = q->kind ? figure_find(q->kind) : NULL;
-    if (q->kind && !q->figure) {
-        return study_figure_find(q->kind) ? refuse(q, q->kind) : unknown_figure(q->kind);
-    }
-    struct error e;
-    if (open_and_make(q, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    if (q->picture.output) {
-        safe_line(stdout, "%s", q->picture.output);
-    }
-    return EXIT_DONE;
-}
-
-static int plot_suite(struct request *q) {
-    if (q->other) {
+    if (study && q->other) {
         return command_usage(&command_plot, "--compare is for single runs; %s is a study",
                              q->result);
     }
-    struct job j = {.request = q};
-    struct study_file *f;
-    struct suite *s;
-    struct error e;
-    int status = find_figure(&j);
-    if (status != EXIT_DONE) {
-        return status;
+    if (!study && q->study.first) {
+        return refuse_for_run(q, "--", q->study.first->name);
     }
-    if (study_file_open(q->result, &f, &e) != STATUS_OK) {
-        return command_fail(&e);
+    if (q->kind && !q->figure) {
+        return unknown_figure(q->kind, study);
     }
-    struct suite_request request = *suite_options_request(&q->study);
-    request.guess = j.figure ? j.figure->guess : SUITE_ANY;
-    status = suite_create(f, &request, &s, &e);
-    if (status == STATUS_OK) {
-        status = draw(&j, s, &e);
-        suite_free(s);
+    if (!q->figure || q->figure->of_study == study) {
+        return EXIT_DONE;
     }
-    study_file_close(f);
-    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    return study ? command_usage(&command_plot,
+                                 "%s is for single runs; %s is a study; name a run of it, such as "
+                                 "%s#1",
+                                 q->kind, q->result, q->result)
+                 : refuse_for_run(q, "", q->kind);
 }
 
 static int use(void *request, struct arena *a, const struct words *operand) {
     (void)a;
     struct request *q = request;
+    struct error e;
     if (operand->n < 1 || operand->n > 2) {
         return command_usage(&command_plot, "a result file and at most one figure are expected");
     }
     q->result = operand->word[0];
     q->kind = operand->n == 2 ? operand->word[1] : NULL;
-    const int status = picture_check(&command_plot, &q->picture);
+    crash_reading(NULL, q->result);
+    const bool study = study_file_is_study(q->result);
+    int status = picture_check(&command_plot, &q->picture);
+    if (status == EXIT_DONE) {
+        status = choose(q, study);
+    }
     if (status != EXIT_DONE) {
         return status;
     }
-    return study_file_is_study(q->result) ? plot_suite(q) : plot_run(q);
+    status = study ? plot_suite(q, &e) : plot_runs(q, &e);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static const struct option_row rows[] = {
     {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
-     .doc = "the picture; the ending says its kind (default: FILE-KIND.png in the current "
-            "directory)"},
+     .doc =
+         "the plot; its extension is its format (default: FILE-KIND.png in the current directory)"},
     {"compare", 0, "OTHER.h5", OPTION_TEXT, 0, AT(other),
-     .doc = "lays a second run of the same buildings over the first"},
+     .doc = "draws a second run of the same buildings over the first"},
     {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
-     .doc = "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, nothing else"},
+     .doc =
+         "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, it draws no plot"},
     {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
-     .doc = "overwrites what exists"},
+     .doc = "overwrites existing files"},
     {0}};
 
 static const struct option_row study_rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(study.request.edp),
-     .doc = "what is shown: drift, drift:A, drift:A:3, force ... (default: drift-ratio, or drift "
-            "where no heights are given); 'jostle fragility --help' lists all"},
+     .doc = "the demand: drift, drift:A, drift:A:3, force ... (default: drift-ratio, or drift "
+            "without heights); 'jostle fragility --help' lists all"},
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers)"},
     {"against", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
-     .doc = "the sweep or random parameter that response is drawn against"},
+     .doc = "the sweep or random parameter on the horizontal axis of response"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(study.limits),
      .doc = "limits of the demand, for fragility and ida"},
     {0}};

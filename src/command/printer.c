@@ -10,7 +10,7 @@
 
 const struct option_row printer_rows[] = {
     {"csv", .kind = OPTION_SET, .set = FORM_CSV,
-     .doc = "the same separated by commas, quoted where that is needed (RFC 4180)"},
+     .doc = "the same, separated by commas and quoted as RFC 4180 says"},
     {"json", .kind = OPTION_SET, .set = FORM_JSON,
      .doc = "the same as {\"columns\": [...], \"data\": [[...], ...]}; a missing number is null"},
     {0}};
@@ -92,12 +92,23 @@ void printer_text(struct printer *t, const char *text) {
     put(t, text, NULL);
 }
 
+void printer_read(double value, int digits, char *text, size_t size) {
+    const bool whole = fabs(value) >= 1e4 && fabs(value) < 999999.5;
+    if (isnan(value)) {
+        snprintf(text, size, "-");
+    } else {
+        snprintf(text, size, whole ? "%.*f" : "%.*g", whole ? 0 : digits, value);
+    }
+}
+
 void printer_number(struct printer *t, double value) {
     static const char *const format[] = {[LOOK_G] = "%.*g", [LOOK_F] = "%.*f", [LOOK_E] = "%.*e"};
     const struct printer_column *c = next_of_text(t);
     struct text_exact exact;
     char text[64] = "-";
-    if (c && !isnan(value)) {
+    if (c && c->look == LOOK_READ) {
+        printer_read(value, c->digits, text, sizeof text);
+    } else if (c && !isnan(value)) {
         snprintf(text, sizeof text, format[c->look], c->digits, value);
     }
     const bool null = t->form == FORM_JSON && !isfinite(value);

@@ -14,9 +14,9 @@
 
 enum printer_form { FORM_TEXT, FORM_TSV, FORM_CSV, FORM_JSON };  // the last three are data
 
-// How text shows a number: as %.*g, %.*f or %.*e; and a name: whole, or by safe_cell, which keeps
-// the end of a long one.
-enum printer_look { LOOK_G, LOOK_F, LOOK_E, LOOK_TAIL, LOOK_WHOLE = 0 };
+// How text shows a number: as %.*g, %.*f, %.*e or by printer_read; and a name: whole, or by
+// safe_cell, which keeps the end of a long one.
+enum printer_look { LOOK_G, LOOK_F, LOOK_E, LOOK_READ, LOOK_TAIL, LOOK_WHOLE = 0 };
 
 struct printer_column {
     const char *head;                   // over the column of text; NULL: it is not in text
@@ -73,6 +73,10 @@ void printer_numbers(struct printer *t, const double *value, int n);
 void printer_whole(struct printer *t, long value);
 void printer_sign(struct printer *t, int value);  // an empty cell for values below 0
 void printer_empty(struct printer *t);            // null in JSON
+
+// A number as readers like it, with so many digits: those of five or six before the point are
+// whole, with no power of ten to be read. NaN is '-'.
+void printer_read(double value, int digits, char *text, size_t size);
 
 // Ends a line. Cells that are left are empty.
 void printer_line(struct printer *t);

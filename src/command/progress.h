@@ -44,6 +44,6 @@ void study_display_end(struct study_display *d);
 
 // The exit status of a study whose file is written; says on stderr if runs have failed. `first` is
 // the message of the first of them, "" where it is not known.
-int study_end(long n_failed, long n_run, const char *path, const char *first);
+int study_display_status(long n_failed, long n_run, const char *path, const char *first);
 
 #endif

@@ -62,7 +62,7 @@ static void put_default(const struct row *row, const char *unit, char *cell) {
         snprintf(cell, CELL, "one of");
     } else if (row->kind == ROW_CHOICE && !isnan(row->fallback)) {
         snprintf(cell, CELL, "%s", row->range->word[(int)row->fallback]);
-    } else if (is_number(row) && !isnan(row->fallback)) {
+    } else if (is_number(row) && isfinite(row->fallback)) {
         bool bare = unit[0] == '\0' || row->fallback == 0.0;
         snprintf(cell, CELL, "%.6g%s%.80s", row->fallback, bare ? "" : " ", bare ? "" : unit);
     }
@@ -107,27 +107,73 @@ static void wrap(const char *text, int column) {
     printf("\n");
 }
 
-static void print_line(enum page page, const struct line *l, const int *width) {
-    if (page == PAGE_TEXT) {
-        int column = printf("  ");
-        for (int c = 0; c < MEANING; c++) {
-            const char *text = l->cell[c];
-            printf("%s%*s  ", text, width[c] - text_columns(text, strlen(text)), "");
-            column += width[c] + 2;
-        }
-        wrap(l->meaning, column);
-        return;
+static void print_text(const struct line *l, const int *width) {
+    int column = printf("  ");
+    for (int c = 0; c < MEANING; c++) {
+        const char *text = l->cell[c];
+        printf("%s%*s  ", text, width[c] - text_columns(text, strlen(text)), "");
+        column += width[c] + 2;
     }
-    printf("|");
-    for (int c = 0; c < N_COLUMN; c++) {
-        const char *quote = c == OPTION && l->cell[c][0] == '-' ? "`" : "";
-        printf(" %s%s%s |", quote, text_of(l, c), quote);
-    }
-    printf("\n");
+    wrap(l->meaning, column);
 }
 
-void rows_print(enum page page, const struct row *row, int n_row) {
+// One row of the Markdown table. Unit, range and default share a cell, because most are empty.
+static void print_markdown(const struct line *l) {
+    printf("| `%s` | %s |", l->cell[OPTION], l->meaning);
+    const char *before = " ";
+    for (int c = UNIT; c <= DEFAULT; c++) {
+        const char *text = l->cell[c];
+        const bool value = c == DEFAULT && text[0] && text[0] != 'r' && text[0] != 'o';
+        if (text[0]) {
+            printf("%s%s%s", before, value ? "default " : "", text);
+            before = ", ";
+        }
+    }
+    printf(" |\n");
+}
+
+static void print_rows_markdown(const struct row *row, int n_row,
+                                bool (*left_out)(const struct row *row)) {
+    const char *power = power_key(row, n_row);
+    bool any = false;
+    for (int i = 0; i < n_row; i++) {
+        if (left_out && left_out(&row[i])) {
+            continue;
+        }
+        if (!any) {
+            printf("\n| option | meaning | value |\n| --- | --- | --- |\n");
+            any = true;
+        }
+        struct line l = make_line(&row[i], power);
+        print_markdown(&l);
+    }
+}
+
+void rows_names(const struct row *row, int n_row, bool (*named)(const struct row *row)) {
+    const char *power = power_key(row, n_row);
+    const char *before = "- options: ";
+    for (int i = 0; i < n_row; i++) {
+        if (named(&row[i])) {
+            char unit[CELL];
+            put_unit(&row[i], power, unit);
+            const bool shown = row[i].flags & ROW_REQUIRED && unit[0];
+            printf("%s`-%s`%s%s%s", before, row[i].key, shown ? " [" : "", shown ? unit : "",
+                   shown ? "]" : "");
+            before = ", ";
+        }
+    }
+    if (before[0] == ',') {
+        printf("\n");
+    }
+}
+
+void rows_print(enum page page, const struct row *row, int n_row,
+                bool (*left_out)(const struct row *row)) {
     if (n_row == 0) {
+        return;
+    }
+    if (page == PAGE_MARKDOWN) {
+        print_rows_markdown(row, n_row, left_out);
         return;
     }
     int width[N_COLUMN] = {0};
@@ -143,13 +189,10 @@ void rows_print(enum page page, const struct row *row, int n_row) {
         widen(width, &l);
     }
     printf("\n");
-    print_line(page, &head, width);
-    if (page == PAGE_MARKDOWN) {
-        printf("| --- | --- | --- | --- | --- |\n");
-    }
+    print_text(&head, width);
     for (int i = 0; i < n_row; i++) {
         struct line l = make_line(&row[i], power);
-        print_line(page, &l, width);
+        print_text(&l, width);
     }
 }
 
@@ -189,9 +232,10 @@ void rows_heading(enum page page, int depth, const char *text) {
 }
 
 void rows_generated(const char *command) {
-    printf("<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
-           "<!-- Printed by `jostle %s --markdown`; `make docs` writes it anew. -->\n\n",
-           command);
+    printf(
+        "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
+        "<!-- Printed by `jostle %s --markdown`: change the source, then run `make docs`. -->\n\n",
+        command);
 }
 
 struct reference {
@@ -211,7 +255,7 @@ int rows_command(const struct command *c, int argc, char **argv,
                  int (*print)(enum page page, const char *name)) {
     static const struct option_row rows[] = {
         {"markdown", .kind = OPTION_SET, .at = offsetof(struct reference, page),
-         .set = PAGE_MARKDOWN, .doc = "the page of the documentation"},
+         .set = PAGE_MARKDOWN, .doc = "prints the page of the documentation"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     const struct option_list list = {c, parts, .use = use};

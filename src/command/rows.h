@@ -10,8 +10,13 @@
 // Plain text of at most 100 columns, or Markdown.
 enum page { PAGE_TEXT, PAGE_MARKDOWN };
 
-// A table of the rows: option, unit, range, default, meaning. Units and defaults are in SI.
-void rows_print(enum page page, const struct row *row, int n_row);
+// A table of the rows: option, unit, range, default, meaning. Units and defaults are in SI. The
+// Markdown table is without the rows for which `left_out` is true (NULL: it has all rows).
+void rows_print(enum page page, const struct row *row, int n_row,
+                bool (*left_out)(const struct row *row));
+
+// One line of the Markdown page with the options for which `named` is true, without their meaning.
+void rows_names(const struct row *row, int n_row, bool (*named)(const struct row *row));
 
 // "label: text", wrapped in plain text. `text` NULL: prints nothing.
 void rows_entry(enum page page, const char *label, const char *text);

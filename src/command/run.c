@@ -87,7 +87,7 @@ static int print_summary(const struct model *m, const struct results *r, const c
     struct report *report;
     int status = report_create(m, r, path, JOSTLE_VERSION, &report, e);
     if (status == STATUS_OK) {
-        report_print(report, stdout);
+        status = report_print(report, stdout, e);
         report_free(report);
     }
     return status;
@@ -234,7 +234,7 @@ static int run_study(const struct model *first, const struct run_options *o,
     if (!o->load.quiet && show_study_summary(result->path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    return study_end(p.n_failed, p.n_run, result->path, p.failure);
+    return study_display_status(p.n_failed, p.n_run, result->path, p.failure);
 }
 
 static int run_model(void *options, const struct model *m) {
@@ -266,19 +266,19 @@ static int run_command(int argc, char **argv) {
                 "directory"},
         DECK_DEFINE_ROW,
         DECK_THREADS_ROW(AT(n_thread),
-                         "threads for a study, default: all cores; one analysis runs on one"),
-        {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(load.quiet),
-         .doc = "prints nothing but errors"},
+                         "threads of a study, default: all cores; a single analysis uses one"),
+        {"quiet", 'q', .kind = OPTION_TRUE, .at = AT(load.quiet), .doc = "prints errors only"},
         {"shard", 0, "K/N", OPTION_OWN, .own = read_shard,
-         .doc = "part K of N of a study, into NAME.K-of-N.h5; jostle merge joins them"},
+         .doc = "runs part K of N of a study, into NAME.K-of-N.h5 without -o; jostle merge joins "
+                "the parts"},
         {"force", .kind = OPTION_SET, .at = AT(existing), .set = RESULT_REPLACE,
          .doc = "overwrites an existing result file"},
         {"restart", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_RESTART,
-         .doc = "forgets the runs of a study that was interrupted; without it the same command "
-                "goes on with them"},
+         .doc = "discards the finished runs of an interrupted study; without this option the same "
+                "command continues the study"},
         {"accept", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_ACCEPT,
-         .doc = "goes on with these runs although the deck, a file that they have read or the "
-                "version of the numerics has changed; the result file tells"},
+         .doc = "continues an interrupted study although statements, records or the version of the "
+                "numerics have changed; the result file lists the changes"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     static const struct deck_command c = {&command_run, parts, settle, run_model};

@@ -2,6 +2,7 @@
 // jostle show: the results of a file as a summary, as long tables, or as JSON.
 #include "command/show.h"
 
+#include "command/crash.h"
 #include "command/option.h"
 #include "command/show_study.h"
 #include "jostle/study_file.h"
@@ -52,7 +53,7 @@ static int show_of_run(const char *path, const struct request *q) {
     const struct report *r = result_report(file);
     int status = EXIT_DONE;
     if (q->form == FORM_TEXT) {
-        report_print(r, stdout);
+        status = report_print(r, stdout, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
     } else if (q->form == FORM_JSON) {
         show_json(r, stdout);
     } else {
@@ -69,31 +70,31 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (q->edp.n > 0 && !q->longer) {
         return command_usage(&command_show, "--edp is for --long");
     }
+    crash_reading(NULL, path);
     return study_file_is_study(path) ? show_of_study(path, q) : show_of_run(path, q);
 }
 
 static int show_command(int argc, char **argv) {
     static const struct option_row rows[] = {
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
-         .doc = "one long table: table, name, quantity, location, value, unit, time, hit; "
-                "separated by tabs. Of a study: run, parameters, status, table, name, quantity, "
-                "location, value, unit, hit. hit is 1 for accelerations of floors that were hit, "
-                "which depend on the contact stiffness, 0 for other accelerations"},
+         .doc = "one table separated by tabs: table, name, quantity, location, value, unit, time, "
+                "hit; for a study: run, parameters, status, table, name, quantity, location, "
+                "value, unit, hit. hit is 1 for accelerations of floors that were hit, which "
+                "depend on the contact stiffness, and 0 for other accelerations"},
         {"csv", .kind = OPTION_SET, .at = AT(form), .set = FORM_CSV,
-         .doc = "the same separated by commas, quoted where that is needed (RFC 4180)"},
+         .doc = "the same, separated by commas and quoted as RFC 4180 says"},
         {"json", .kind = OPTION_SET, .at = AT(form), .set = FORM_JSON,
-         .doc = "everything but the histories as JSON; a missing number is null. Of a study: the "
-                "table as {\"columns\": [...], \"data\": [[...], ...]}"},
+         .doc = "all results except the histories as JSON; a missing number is null. For a study: "
+                "the table as {\"columns\": [...], \"data\": [[...], ...]}"},
         {"long", .kind = OPTION_TRUE, .at = AT(longer),
-         .doc = "of a study: what engineers ask for, a line each: parameters, edp, location, "
-                "value, unit, status (done or failed), hit; as TSV, or with --csv or --json as "
-                "those"},
+         .doc = "for a study, the demands, a line each: parameters, edp, location, value, unit, "
+                "status (done or failed), hit; as TSV, or with --csv or --json"},
         {"edp", 0, "EDP", OPTION_WORDS, 0, AT(edp),
-         .doc = "with --long: one line a run for this demand; may be repeated. 'jostle fragility "
-                "--help' lists what EDP can be"},
+         .doc = "with --long: one line per run for this demand; may be repeated. 'jostle fragility "
+                "--help' lists the demands"},
         {0}};
     static const struct option_part parts[] = {
-        {.text = "FILE.h5#7 is run 7 of a study whose deck has 'output -histories'.\n\n"},
+        {.text = "FILE.h5#7 is run 7 of a study with 'output -histories'.\n\n"},
         {.row = rows},
         {.row = option_help},
         {0}};

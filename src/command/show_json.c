@@ -72,15 +72,44 @@ static void put_members(struct json *j, const struct column_table *t, const void
     }
 }
 
+// The members of frames and walls, and the shares of what resists.
+static void put_forces(struct json *j, const struct report_building *b) {
+    if (b->n_member > 0) {
+        open_list(j, "members", '[');
+        for (int i = 0; i < b->n_member; i++) {
+            open_list(j, NULL, '{');
+            put_members(j, &layout_member, &b->member[i], 1);
+            put_members(j, &layout_member_peak, &b->member[i], 1);
+            if (b->extremes) {
+                put_members(j, &layout_member_extreme, &b->member[i], 1);
+            }
+            close_list(j, '}');
+        }
+        close_list(j, ']');
+    }
+    if (b->n_share > 0) {
+        open_list(j, "parts", '[');
+        for (int i = 0; i < b->n_share; i++) {
+            open_list(j, NULL, '{');
+            put_members(j, &layout_share, &b->share[i], 1);
+            put_members(j, &layout_share_peak, &b->share[i], b->n_floor);
+            close_list(j, '}');
+        }
+        close_list(j, ']');
+    }
+}
+
 static void put_building(struct json *j, const struct report_building *b) {
     open_list(j, NULL, '{');
     put_text(j, "name", b->name);
     key(j, "floors");
     fprintf(j->to, "%d", b->n_floor);
     put_members(j, &layout_building, b, b->n_floor);
+    put_members(j, &layout_pdelta, b, b->n_floor);
     open_list(j, "envelope", '{');
     put_members(j, &layout_peak, b, b->n_floor);
     close_list(j, '}');
+    put_forces(j, b);
     close_list(j, '}');
 }
 
@@ -125,6 +154,11 @@ void show_json(const struct report *r, FILE *to) {
         put_link(&j, &r->link[i], &layout_link_peak);
     }
     close_list(&j, ']');
+    open_list(&j, "columns", '[');
+    for (int i = 0; i < r->n_column; i++) {
+        put_link(&j, &r->column[i], &layout_column_peak);
+    }
+    close_list(&j, ']');
     open_list(&j, "impacts", '[');
     for (long i = 0; i < r->n_impact; i++) {
         open_list(&j, NULL, '{');
@@ -137,6 +171,7 @@ void show_json(const struct report *r, FILE *to) {
     close_list(&j, '}');
     open_list(&j, "totals", '{');
     put_members(&j, &layout_totals, r, 1);
+    put_members(&j, &layout_collapse, r, 1);
     close_list(&j, '}');
     fputs("\n}\n", to);
 }

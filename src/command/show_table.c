@@ -74,6 +74,35 @@ static void building(const struct table *t, const struct report_building *b,
     }
 }
 
+// The forces of a member of a frame, extremes with their times.
+static void member(const struct table *t, const char *name, const struct report_member *m,
+                   bool extremes) {
+    const struct column_table *of = &layout_member_extreme;
+    for (int c = 0; c < layout_member_peak.n_column; c++) {
+        row(t, &layout_member_peak, c, m, 0, name, 0, NAN, -1);
+    }
+    for (int c = 0; extremes && c < of->n_column; c += 2) {
+        row(t, of, c, m, 0, name, 0, *(const double *)layout_at(of, c + 1, m, 0), -1);
+    }
+}
+
+// The members and shares of a building, named BUILDING/MEMBER and BUILDING/PART.
+static void forces(const struct table *t, const struct table *parts,
+                   const struct report_building *b) {
+    char name[160];
+    for (int i = 0; i < b->n_member; i++) {
+        snprintf(name, sizeof name, "%s/%s", b->name, b->member[i].name);
+        member(t, name, &b->member[i], b->extremes);
+    }
+    for (int i = 0; i < b->n_share; i++) {
+        snprintf(name, sizeof name, "%s/%s", b->name, b->share[i].name);
+        for (int k = 0; k < b->n_floor; k++) {
+            row(parts, &layout_share_peak, 0, &b->share[i], (size_t)k, name, k + 1,
+                b->share[i].shear_time[k], -1);
+        }
+    }
+}
+
 // One row for each member of a struct.
 static void members(const struct table *t, const struct column_table *of, const char *name,
                     const void *base, long location, double time) {
@@ -99,13 +128,17 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
         COLUMN_DATA("value"), COLUMN_DATA("unit"), COLUMN_DATA("time"),     COLUMN_DATA("hit")};
     struct printer c = {.to = to, .form = form};
     const struct table buildings = {&c, r, "buildings"}, contacts = {&c, r, "contacts"};
+    const struct table columns_of = {&c, r, "columns"};
     const struct table links = {&c, r, "links"}, impacts = {&c, r, "impacts"};
+    const struct table of_members = {&c, r, "members"}, parts = {&c, r, "parts"};
     const struct table energy = {&c, r, "energy"}, totals = {&c, r, "totals"};
     PRINTER_ADD(&c, columns);
     printer_head(&c);
     for (int i = 0; i < r->n_building; i++) {
         building(&buildings, &r->building[i], &layout_building);
+        building(&buildings, &r->building[i], &layout_pdelta);
         building(&buildings, &r->building[i], &layout_peak);
+        forces(&of_members, &parts, &r->building[i]);
     }
     for (int i = 0; i < r->n_contact; i++) {
         members(&contacts, &layout_link, r->contact[i].name, &r->contact[i], 0, NAN);
@@ -115,14 +148,20 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
         members(&links, &layout_link, r->link[i].name, &r->link[i], 0, NAN);
         members(&links, &layout_link_peak, r->link[i].name, &r->link[i], 0, NAN);
     }
+    for (int i = 0; i < r->n_column; i++) {
+        members(&columns_of, &layout_link, r->column[i].name, &r->column[i], 0, NAN);
+        members(&columns_of, &layout_column_peak, r->column[i].name, &r->column[i], 0, NAN);
+    }
     for (long i = 0; i < r->n_impact; i++) {
         members(&impacts, &layout_impact, r->contact[r->impact[i].contact].name, &r->impact[i],
                 i + 1, r->impact[i].t_start);
     }
     for (int i = 0; i < layout_energy.n_column; i++) {
-        const double time = i < ENERGY_COUNT ? r->duration : i == ENERGY_COUNT ? 0.0 : (double)NAN;
+        const double end = r->collapse.happened ? r->collapse.time : r->duration;
+        const double time = i < ENERGY_COUNT ? end : i == ENERGY_COUNT ? 0.0 : (double)NAN;
         row(&energy, &layout_energy, i, r, 0, "", 0, time, -1);
     }
     members(&totals, &layout_totals, "", r, 0, NAN);
+    members(&totals, &layout_collapse, "", r, 0, NAN);
     return printer_close(&c);
 }

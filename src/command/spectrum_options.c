@@ -24,20 +24,16 @@ static const struct command *const self = &command_spectrum;
 static const double default_damping[] = {0.05};
 
 static const char introduction[] =
-    "For each RECORD: peak ground acceleration, velocity and displacement, Arias intensity,\n"
-    "cumulative absolute velocity and significant duration. Then the elastic response spectrum, "
-    "of\n"
-    "several records the mean and percentiles: pseudo-acceleration PSA, pseudo-velocity PSV and\n"
-    "displacement SD; in TSV also the true largest relative velocity SV and total acceleration "
-    "SA.\n"
-    "\n";
+    "For each RECORD: peak ground acceleration, velocity and displacement, Arias intensity, "
+    "cumulative\nabsolute velocity, significant duration. Then the elastic response spectrum, or "
+    "the mean and\npercentiles of several records: pseudo-acceleration PSA, pseudo-velocity PSV "
+    "and displacement SD. In\nTSV also the largest relative velocity SV and total acceleration "
+    "SA.\n\n";
 static const char explanation[] =
-    "\n"
-    "The ground acceleration is linear between samples and zero before and after them; its\n"
-    "integrals start from rest, without correction of the baseline. g is 9.80665 m/s2. The mean "
-    "is\n"
-    "arithmetic; percentiles are interpolated between the sorted values. With -o or --script the\n"
-    "table of the spectrum is left out.\n";
+    "\nThe ground acceleration is linear between samples and zero before and after them. Its "
+    "integrals\nstart from rest, without baseline correction. g is 9.80665 m/s2. The mean is "
+    "arithmetic; percentiles\nare interpolated between the sorted values. With -o or --script "
+    "there is no table of the spectrum.\n";
 
 static int read_damping(void *request, struct arena *a, const char *text) {
     struct spectrum_request *q = request;
@@ -197,49 +193,46 @@ static const struct option_row rows[] = {
     {"damping", 0, "LIST", OPTION_OWN, .own = read_damping,
      .doc = "damping ratios, 0.02,0.05 or 2%,5% (default: 5%)"},
     {"periods", 0, "P", OPTION_OWN, .own = read_periods,
-     .doc = "FROM:TO:N, evenly spaced by their logarithms, or LIST, ascending; in s, 0 or 0.001 "
-            "to 1000 (default: 0.01:10:31 for a table, 0.01:10:301 for --tsv, --csv, --json and "
-            "pictures)"},
+     .doc = "periods in s: FROM:TO:N with equal ratios, or an ascending LIST; 0 or 0.001 to 1000 "
+            "(default: 0.01:10:31 for a table, 0.01:10:301 for --tsv, --csv, --json and plots)"},
     {"scale", 0, "S", OPTION_OWN, .own = read_scale, .doc = "multiplies each record by S"},
     {"pga", 0, "A", OPTION_OWN, .own = read_pga,
      .doc = "scales each record to this peak, 0.35g or 3.4m/s2"},
     {"target", 0, "FILE", OPTION_TEXT, 0, AT(target),
-     .doc = "scales each record to a spectrum, by the mean of ln(target / PSA); FILE has rows of "
-            "period and PSA under a line with their units, period [s], PSA [g]"},
+     .doc = "scales each record to a target spectrum by the mean of ln(target / PSA); FILE has "
+            "rows of period and PSA below a line with their units, period [s], PSA [g]"},
     {"match", 0, "P", OPTION_OWN, .own = read_match,
-     .doc = "periods over which that mean is taken, as for --periods (default: 301 over the whole "
-            "target)"},
+     .doc = "periods of this mean, as for --periods (default: 301 over the whole target)"},
     {"deck", .kind = OPTION_SET, .at = AT(form), .set = SPECTRUM_DECK,
-     .doc = "prints the records and their factors as sweeps for a deck, nothing else"},
+     .doc = "prints only the records and their factors, as sweeps for a deck"},
     {"format", 0, "F", OPTION_TEXT, 0, AT(record.format),
-     .doc = "format of the records; found if not given"},
+     .doc = "format of the records; default: detected from their content"},
     {"channel", 0, "N", OPTION_OWN, .own = read_channel,
-     .doc = "channel of the records, where a file holds several"},
+     .doc = "channel of the records, if a file has several"},
     {"unit", 0, "U", OPTION_TEXT, 0, AT(record.unit),
-     .doc = "unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it"},
+     .doc = "unit of the values, such as g, m/s2 or gal, if the file does not state it"},
     {"dt", 0, "DT", OPTION_OWN, .own = read_dt,
-     .doc = "time between samples, if a file does not say it"},
+     .doc = "time between samples, if the file does not state it"},
     {"demean", .kind = OPTION_TRUE, .at = AT(record.demean),
      .doc = "subtracts the mean of the values from each record"},
     {"intensities", .kind = OPTION_SET, .at = AT(content), .set = CONTENT_INTENSITIES,
-     .doc = "no spectra"},
+     .doc = "prints the intensities only"},
     {"pounding", 0, "DECK", OPTION_TEXT, 0, AT(load.path),
-     .doc = "the largest contact force of a deck over the periods of two structures, which it "
-            "takes from its params T1 and T2; --periods is for both (default: 0.1:2:20)"},
+     .doc = "the largest contact force over the periods of two structures, the params T1 and T2 of "
+            "DECK; --periods is for both (default: 0.1:2:20)"},
     {"define", 'D', "NAME=VALUE", OPTION_WORDS, OPTION_LETTER_ONLY, AT(load.define),
-     .doc = "overrides a param of that deck; may be repeated"},
+     .doc = "replaces the value of a param of that deck; may be repeated"},
     DECK_THREADS_ROW(AT(n_thread), "threads for its runs (default: all cores)"),
     {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
-     .doc = "draws the pseudo-acceleration, or the force; .png, .svg or .pdf"},
+     .doc = "draws the pseudo-acceleration, or the contact force; extension .png, .svg or .pdf"},
     {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
      .doc = "writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat; pounding.gp and "
             ".dat with --pounding"},
     {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
-     .doc = "overwrites what exists"},
+     .doc = "overwrites existing files"},
     {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
-     .doc = "tab-separated values, not rounded, one line a record (and statistic, target), damping "
-            "and "
-            "period; with --intensities one line a record"},
+     .doc = "tab-separated values, not rounded: one line per record (or statistic, target), "
+            "damping and period; with --intensities one line per record"},
     {0}};
 
 int spectrum_command(int argc, char **argv) {

@@ -4,10 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/choice.h"
 #include "command/sweeps.h"
 #include "core/safe.h"
 #include "core/text.h"
-#include "result/choice.h"
 #include "result/layout.h"
 #include "study/edp.h"
 
@@ -26,6 +26,10 @@ const char *study_print_status(const struct study_outcome *outcome) {
 }
 
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
+    const struct report_building *b = study_view_members(v, item);
+    if (b && i < (size_t)b->n_member) {
+        return b->member[i].name;
+    }
     if (item->owner) {
         return item->owner;
     }
@@ -33,8 +37,9 @@ const char *study_print_name(const struct study_view *v, const struct study_item
         return "";
     }
     const bool contact = strcmp(item->parent, "contacts") == 0;
-    const size_t n = (size_t)(contact ? v->n_contact : v->n_link);
-    return i < n ? (contact ? v->contact : v->link)[i].name : "";
+    const bool column = strcmp(item->parent, "columns") == 0;
+    const size_t n = (size_t)(contact ? v->n_contact : column ? v->n_column : v->n_link);
+    return i < n ? (contact ? v->contact : column ? v->column : v->link)[i].name : "";
 }
 
 static void add_values(struct study_peaks *p, const struct study_view *v,
@@ -42,9 +47,12 @@ static void add_values(struct study_peaks *p, const struct study_view *v,
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         struct study_peak *peak = &p->peak[k];
-        // Times of peaks are no quantities of their own.
+        // Times of peaks are no quantities of their own, and signed extremes are many.
         const char *underscore = strrchr(item->name, '_');
-        const bool shown = item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
+        const bool detail =
+            underscore && (strcmp(underscore, "_time") == 0 || strcmp(underscore, "_max") == 0 ||
+                           strcmp(underscore, "_min") == 0);
+        const bool shown = item->leaf && !detail;
         for (size_t i = 0; shown && i < item->n; i++) {
             const double x = r->value[item->first + i];
             if (!isnan(x) && (!peak->found || x > peak->value)) {
@@ -57,6 +65,7 @@ static void add_values(struct study_peaks *p, const struct study_view *v,
 
 void study_peaks_add(struct study_peaks *p, const struct study_view *v, const struct study_run *r) {
     if (r->outcome->status == STUDY_DONE) {
+        p->n_collapsed += edp_collapsed(v, r->value);
         add_values(p, v, r);
     } else if (r->outcome->status == STUDY_MISSING) {
         p->n_missing++;
@@ -102,6 +111,9 @@ static void print_head(const struct study_peaks *p, const struct study_view *v, 
             v->n_study, p->n_failed);
     if (p->n_missing > 0) {
         fprintf(to, ", %ld missing", p->n_missing);
+    }
+    if (p->n_collapsed > 0) {
+        fprintf(to, ", %ld collapsed", p->n_collapsed);
     }
     fputc('\n', to);
     for (int i = 0; i < v->n_sweep; i++) {

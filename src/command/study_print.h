@@ -17,7 +17,7 @@ struct study_peak {
 };
 struct study_peaks {
     struct study_peak *peak;  // (n_item)
-    long n_failed, n_missing;
+    long n_failed, n_missing, n_collapsed;
     long failed;  // the first run that did
     char message[STUDY_MESSAGE_MAX];
 };

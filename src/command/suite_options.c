@@ -9,22 +9,22 @@
 const struct option_row suite_options_rows[] = {
     {"over", 0, "NAME", OPTION_TEXT, 0, offsetof(struct suite_options, request.over),
      .doc = "sweeps whose values are samples, as NAME or NAME,NAME (default: record, or the only "
-            "sweep of texts, alone or with what goes together with it, and the samples of random "
-            "sweeps)"},
+            "sweep of texts, with the sweeps paired with it, and the samples of random sweeps)"},
     {"at", 0, "NAME=VALUE", OPTION_WORDS, 0, offsetof(struct suite_options, at),
-     .doc = "looks at the runs with this value of a sweep only; may be repeated"},
+     .doc = "uses the runs with this value of a sweep only; may be repeated"},
     {"failed", 0, "above|left-out", OPTION_CHOICE, 0,
      offsetof(struct suite_options, request.failed),
-     .doc = "runs that failed count as above every value (the default), or not at all"},
+     .doc = "failed runs count as above every value (the default), or are left out"},
     {0}};
 
 void suite_options_print_edps(void) {
-    printf("\nEDP is one of these; the largest one of a run, of counts and energies the sum:\n");
+    printf("\nEDP is one of these demands: the largest value of a run; of counts and energies the "
+           "sum.\n");
     for (int i = 0; i < n_edp_quantity; i++) {
-        printf("  %-16s %s\n", edp_quantities[i].name, edp_quantities[i].doc);
+        printf("  %-20s %s\n", edp_quantities[i].name, edp_quantities[i].doc);
     }
-    printf("\nof all buildings, contacts or links, or of those named: drift:A, drift:A:3 (of "
-           "floor 3),\n"
+    printf("\nIt covers all buildings, contacts or links, or those named: drift:A, drift:A:3 "
+           "(storey 3),\n"
            "force:NAME.\n");
 }
 

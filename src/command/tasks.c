@@ -110,22 +110,20 @@ static int tasks_command(int argc, char **argv) {
     static const struct option_row rows[] = {
         {"parts", 'n', "PARTS", OPTION_WHOLE, OPTION_LETTER_ONLY, AT(n_part), 1, STUDY_RUNS_MAX,
          .what = "a number of parts",
-         .doc = "parts, a line each; default: 16, or the runs if there are fewer"},
+         .doc = "number of parts; default: 16, or the number of runs if this is smaller"},
         {"output", 'o', "FILE", OPTION_TEXT, 0, AT(output),
-         .doc = "the result file of the study; parts are FILE.K-of-N.h5 beside it"},
+         .doc = "the result file of the study; the parts are FILE.K-of-N.h5 beside it"},
         DECK_DEFINE_ROW,
         DECK_THREADS_ROW(AT(n_thread), "threads of each command; default: 1"),
         {"merge", .kind = OPTION_SET, .at = AT(lines), .set = TASKS_MERGE,
-         .doc = "prints instead the command that joins the parts in the end"},
+         .doc = "prints only the command that joins the parts at the end"},
         {0}};
     static const struct option_part parts[] = {
         {.row = rows},
         {.row = option_help},
-        {.text =
-             "\nEach line is for sh. Lines may run in any order and anywhere where the deck and "
-             "its records\n"
-             "are; one that is run again goes on where it was, and does nothing when its part "
-             "is done.\n"},
+        {.text = "\nEach line is a command for sh. The lines may run in any order, on any machine "
+                 "that has the deck\nand its records. A line that runs again continues where it "
+                 "stopped; a finished part is left as\nit is.\n"},
         {0}};
     static const struct deck_command c = {&command_tasks, parts, NULL, print_tasks};
     struct tasks_options o = {.n_thread = 1, .lines = TASKS_RUN};

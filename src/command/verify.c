@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <string.h>
 
+#include "command/crash.h"
 #include "command/deck_command.h"
 #include "command/interrupt.h"
 #include "core/arena.h"
@@ -104,7 +105,7 @@ static const struct option_row rows[] = {
      .doc = "computes K runs of a study again, drawn at random, and compares their values bit by "
             "bit"},
     {"seed", 0, "S", OPTION_WHOLE, 0, AT(rerun.seed), 1, INT_MAX,
-     .doc = "of this draw, a whole number from 1; default 1"},
+     .doc = "seed of the random draw, a whole number from 1; default: 1"},
     {"run", 0, "N", OPTION_WORDS, 0, AT(run), 1, STUDY_RUNS_MAX, .what = "the number of a run",
      .doc = "computes run N of the study again; may be repeated"},
     {"deck", 0, "DECK", OPTION_TEXT, 0, AT(load.path),
@@ -133,7 +134,10 @@ static int use(void *options, struct arena *a, const struct words *operand) {
     o->rerun.n_run = o->run.n;
     struct result_sums sums;
     struct error e;
-    if (result_verify(o->path, &sums, &e) != STATUS_OK) {
+    crash_reading(NULL, o->path);
+    const int status = result_verify(o->path, &sums, &e);
+    crash_reading(NULL, NULL);
+    if (status != STATUS_OK) {
         return command_fail(&e);
     }
     safe_line(stdout, "%s: the data are as they were written", o->path);
@@ -143,13 +147,13 @@ static int use(void *options, struct arena *a, const struct words *operand) {
 
 static int verify_command(int argc, char **argv) {
     static const struct option_part parts[] = {
-        {.text = "FILE.h5 is the result of a run, of a study or of a part of one. Its data are "
-                 "compared "
-                 "with\nthe SHA-256 checksum that the file has of them.\n\n"},
+        {.text = "FILE.h5 is the result of a run, of a study or of a part. jostle compares its "
+                 "data with the SHA-256\nchecksum in the file.\n\n"},
         {.row = rows},
         {.row = option_help},
-        {.text = "\nExit status 0: the data and the runs are the same; 1: they differ; 2: wrong "
-                 "usage, not a\nresult file, or the deck is not that of the study.\n"},
+        {.text = "\nExit status 0: the data and the runs are equal; 1: they differ; 2: wrong "
+                 "usage, not a result file,\na file that is too damaged to be read, or the deck is "
+                 "not that of the study.\n"},
         {0}};
     static const struct option_list list = {&command_verify, parts, .operand = "result file",
                                             .use = use};

@@ -5,6 +5,10 @@
 #include <assert.h>
 #include <string.h>
 
+bool text_same(const char *a, const char *b) {
+    return a && b ? strcmp(a, b) == 0 : a == b;
+}
+
 const char *text_stem(const char *path, size_t *n) {
     const char *slash = strrchr(path, '/');
     const char *name = slash ? slash + 1 : path;

@@ -34,6 +34,9 @@ enum { TEXT_LISTED_MAX = 24 };  // texts that a message lists at most
 // and short; "..." replaces the texts that do not fit. Returns `to`.
 const char *text_list(char *to, size_t size, const char *const *known, int n);
 
+// Equal texts, or none both times; NULL: there is none.
+bool text_same(const char *a, const char *b);
+
 // The name of a file, without its folder; *n is its length without the extension. A dot at the
 // start of the name does not begin an extension.
 const char *text_stem(const char *path, size_t *n);

@@ -11,8 +11,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "jostle/row.h"
-
 const struct dimension dimension_none = OF_NONE;
 const struct dimension dimension_force = OF_FORCE;
 const struct dimension dimension_length = OF_LENGTH;
@@ -276,26 +274,4 @@ void unit_text(const struct unit_system *s, struct dimension dimension, char *te
 
 const char *unit_suffix(const char *text) {
     return strcmp(text, "1") == 0 || strcmp(text, "unknown") == 0 ? "" : text;
-}
-
-// The ranges that most rows use, and dimensions that depend on an exponent.
-
-const struct range range_positive = {.min = 0, .max = INFINITY, .min_open = true, .text = "> 0"};
-
-const struct range range_non_negative = {.min = 0, .max = INFINITY, .text = ">= 0"};
-
-bool range_holds(const struct range *r, double value) {
-    return !r || ((r->min_open ? value > r->min : value >= r->min) &&
-                  (r->max_open ? value < r->max : value <= r->max));
-}
-
-struct dimension row_dimension(const struct row *row, double power) {
-    struct dimension dimension = row->dimension;
-    if (row->flags & (ROW_PER_LENGTH_POWER | ROW_PER_VELOCITY_POWER)) {
-        dimension.length -= power;
-    }
-    if (row->flags & ROW_PER_VELOCITY_POWER) {
-        dimension.time += power;
-    }
-    return dimension;
 }

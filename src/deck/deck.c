@@ -66,14 +66,6 @@ static int deck_start(struct deck *d, const char *text, size_t size, const char 
     return d->diagnostics.out_of_memory ? error_no_memory(e) : STATUS_OK;
 }
 
-static int read_top(struct deck *d, char **text, size_t *size, struct error *e) {
-    int status = text_file(d->arena, d->path, DECK_BYTES_MAX, text, size, e);
-    if (status == STATUS_OK && memchr(*text, 0, *size)) {
-        return error_set(e, STATUS_INPUT, "%s is not text: it contains a 0 byte", d->path);
-    }
-    return status;
-}
-
 int deck_open(const char *path, const char *const *define, int n_define, struct deck **out,
               struct error *e) {
     *out = NULL;
@@ -83,7 +75,7 @@ int deck_open(const char *path, const char *const *define, int n_define, struct 
     }
     char *text;
     size_t size;
-    int status = read_top(d, &text, &size, e);
+    int status = text_file(d->arena, d->path, DECK_BYTES_MAX, &text, &size, e);
     if (status == STATUS_OK) {
         status = deck_start(d, text, size, define, n_define, e);
     }
@@ -175,6 +167,10 @@ double deck_gravity(struct deck *d) {
 static int checksum_statements(struct deck *d, struct checksum *out, struct error *e) {
     struct checksum_sum sum;
     struct statement s;
+    if (d->reader->n_frame == 0) {
+        deck_free(d);
+        return error_set(e, STATUS_INPUT, "it is not text");
+    }
     checksum_start(&sum);
     while (scan_statement(d, &d->reader->frame[0], &s)) {
         if (strcmp(s.word[0].text, "title") != 0) {

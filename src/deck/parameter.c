@@ -3,6 +3,7 @@
 #include "deck/parameter.h"
 
 #include <assert.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -205,6 +206,25 @@ void deck_define_bind(struct deck *d, const struct deck *first) {
         d->reader->define[i].value.text = first->reader->define[i].value.text;
         d->reader->define[i].beside = first->reader->define[i].beside;
     }
+}
+
+static int compare_texts(const void *a, const void *b) {
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+const char *const *deck_define_texts(const struct deck *d, struct arena *a) {
+    const size_t n = (size_t)d->reader->n_define;
+    const char **text = arena_alloc(a, n, sizeof *text);
+    for (size_t i = 0; text && i < n; i++) {
+        const struct define *define = &d->reader->define[i];
+        const char *quote = define->value.quoted ? "\"" : "";
+        text[i] = arena_format(a, "%s=%s%s%s", define->name, quote, define->value.text, quote);
+        text = text[i] ? text : NULL;
+    }
+    if (text) {
+        qsort(text, n, sizeof *text, compare_texts);
+    }
+    return text;
 }
 
 static void report_unused(struct deck *d, const struct parameter *p) {

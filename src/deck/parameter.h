@@ -31,6 +31,9 @@ void deck_define_check(struct deck *d);
 void deck_define_bind(struct deck *d, const struct deck *first);
 // Changes `define` into -D NAME=NUMBER. The change acts when the deck is read again.
 void deck_define_turn(struct deck *d, struct define *define, const char *name, int number);
+// The texts NAME=VALUE as the deck takes them, in the order of their bytes: a short name of a file
+// is its path, and a text of paired sweeps its number. NULL: no memory.
+const char *const *deck_define_texts(const struct deck *d, struct arena *a);
 // The -D of the parameter; NULL: there is none.
 struct define *deck_define_find(const struct deck *d, const char *name);
 

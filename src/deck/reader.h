@@ -31,7 +31,8 @@ struct source {
     const char *name;  // as messages show it
     const char *text;  // (size) with a final 0
     size_t size;
-    char *cell;  // a copy of text in which a 0 ends each word
+    char *cell;     // a copy of text in which a 0 ends each word
+    bool absolute;  // as of a deck_path
     bool on_disk;
     dev_t device;  // together with inode: identifies a file on disk
     ino_t inode;
@@ -113,7 +114,8 @@ struct reader {
 struct source *source_add(struct deck *d, const char *name, const char *text, size_t size);
 // `name` as a path relative to the directory of `s`; NULL: no memory.
 const char *source_path(struct deck *d, const struct source *s, const char *name);
-// Starts reading `s`. The caller has checked that a frame is free.
+// Starts reading `s`, unless it has a 0 byte, which is reported. The caller has checked that a
+// frame is free.
 void source_enter(struct deck *d, struct source *s);
 // "line 3", or "line 3 of other.deck" if `p` is in another file than `from`.
 const char *source_mention(struct deck *d, const struct place *p, const struct place *from);

@@ -203,13 +203,15 @@ void parameter_read(struct deck *d, const struct word *w, struct parameter *p) {
 struct deck_path *deck_path_enter(struct deck *d, const struct word *w, const char *name) {
     const struct source *from = text_origin(d, w);
     const struct source top = {.name = d->path};
-    const char *path = source_path(d, from && from->text ? from : &top, name);  // a -D has no text
+    from = from && from->text ? from : &top;  // a -D has no text
+    const char *path = source_path(d, from, name);
     struct deck_path *file = arena_alloc(d->arena, 1, sizeof *file);
     if (!path || !file) {
         diagnostics_no_memory(&d->diagnostics);
         return NULL;
     }
-    *file = (struct deck_path){.path = path, .next = d->files};
+    *file = (struct deck_path){
+        .path = path, .absolute = from->absolute || name[0] == '/', .next = d->files};
     d->files = file;
     return file;
 }

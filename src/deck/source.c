@@ -90,8 +90,29 @@ const char *source_path(struct deck *d, const struct source *s, const char *name
     return path;
 }
 
+// Reports the first 0 byte of a source, which is then not read: it may be anything but a deck.
+static bool has_zero(struct deck *d, const struct source *s) {
+    const char *zero = memchr(s->text, 0, s->size);
+    if (!zero) {
+        return false;
+    }
+    const char *start = s->text + text_start(s), *feed;
+    struct word w = {.text = "", .place = {.source = s, .line = 1, .width = 1}};
+    while ((feed = memchr(start, '\n', (size_t)(zero - start)))) {
+        start = feed + 1;
+        w.place.line++;
+    }
+    w.place.column = text_columns(start, (size_t)(zero - start)) + 1;
+    deck_error(d, &w, "a 0 byte; a deck is text");
+    d->torn = true;
+    return true;
+}
+
 void source_enter(struct deck *d, struct source *s) {
     struct reader *r = d->reader;
+    if (has_zero(d, s)) {
+        return;
+    }
     r->bytes += s->size;
     r->frame[r->n_frame++] = (struct frame){.source = s, .offset = text_start(s), .line = 1};
 }

@@ -12,15 +12,14 @@
 const struct deck_statement deck_statements[] = {
     {"title", "title \"TEXT\"", "title of the analysis"},
     {"units", "units FORCE LENGTH TIME",
-     "the deck's units, N m s if not given; mass is FORCE*TIME^2/LENGTH"},
-    {"gravity", "gravity G", "acceleration of gravity, 9.80665 m/s^2 if not given"},
-    {"param", "param NAME VALUE", "a parameter; -D NAME=VALUE overrides it"},
+     "units of the deck, default N m s; the unit of mass is FORCE*TIME^2/LENGTH"},
+    {"gravity", "gravity G", "acceleration of gravity; default: 9.80665 m/s^2"},
+    {"param", "param NAME VALUE", "a named value; -D NAME=VALUE replaces it"},
     {"sweep", sweep_usage,
-     "a parameter that takes one value after another, in place of that of its param if there is "
-     "one; sweeps multiply, but those with the same -as are paired, value by value, and so do "
-     "random "
-     "ones without: normal MEAN SD, lognormal MEDIAN DISPERSION or uniform LOW HIGH"},
-    {"include", "include FILE", "reads another deck here"},
+     "a parameter that takes one value after another; it replaces a param of the same name. Sweeps "
+     "multiply. Sweeps with the same -as are paired, and so are random sweeps. Distributions: "
+     "normal MEAN SD, lognormal MEDIAN DISPERSION, uniform LOW HIGH"},
+    {"include", "include FILE", "reads another deck at this position"},
 };
 const int n_deck_statement = sizeof deck_statements / sizeof deck_statements[0];
 
@@ -174,11 +173,6 @@ static struct source *load(struct deck *d, const struct word *w, const char *pat
         deck_error_of(d, w, &e);
         return NULL;
     }
-    if (memchr(text, 0, size)) {
-        struct text_short t;
-        deck_error(d, w, "%s is not text: it contains a 0 byte", text_short(&t, path));
-        return NULL;
-    }
     struct source *s = source_add(d, path, text, size);
     if (!s) {
         diagnostics_no_memory(&d->diagnostics);
@@ -215,6 +209,9 @@ static void run_include(struct deck *d, const struct statement *s) {
     struct source *source = file ? load(d, w, file->path) : NULL;
     if (file) {
         file->included = true;
+    }
+    if (source) {
+        source->absolute = file->absolute;
     }
     if (source && check_include(d, w, source)) {
         source_enter(d, source);

@@ -42,10 +42,10 @@ static struct contact_response bilateral_force(const double *c, const double *h,
 
 const struct contact_law bilateral_law = {
     .name = "bilateral",
-    .summary = "spring and viscous damper acting in both directions",
+    .summary = "spring and viscous damper that act in both directions",
     .formula = "F = k d + c |v|^a sign(v)",
     .source = "Soong & Dargush (1997), Passive Energy Dissipation Systems, section 3.5",
-    .remarks = "connects two buildings; a < 1 limits the damper force at high velocity",
+    .remarks = "An exponent a below 1 limits the damper force at high velocity.",
     .row = bilateral_rows,
     .n_row = BILATERAL_ROWS,
     .n_constant = BILATERAL_ROWS,

@@ -14,11 +14,14 @@ extern const struct range restitution_range;
 #define RESTITUTION_ROW                                                                            \
     { "e", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &restitution_range, NAN, "coefficient of restitution" }
 
+// The meaning of -zeta in laws of the family k d^n (1 + q v / v0).
+#define HYSTERESIS_ZETA_DOC "dimensionless damping q = zeta v0 / k"
+
 // The row of -vmin: a smaller velocity at closure counts as this value in v0.
 #define LEAST_V0_ROW                                                                               \
     {                                                                                              \
         "vmin", ROW_NUMBER, 0, OF_VELOCITY, &range_positive, 1e-3,                                 \
-            "velocity at closure below which v0 counts as this"                                    \
+            "least value of v0: slower closures count as this velocity"                            \
     }
 
 // Damping ratio of a linear dashpot that delivers e when its tension is kept:

@@ -16,7 +16,7 @@ extern const struct range yield_hardening_range;  // >= 0 and < 1
 #define HARDENING_ROW                                                                              \
     {                                                                                              \
         "hardening", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &yield_hardening_range, NAN,               \
-            "stiffness after yield over initial stiffness"                                         \
+            "ratio of the stiffness after yield to the initial stiffness"                          \
     }
 
 #endif

@@ -16,6 +16,8 @@ struct list {
     int n, capacity;
 };
 
+struct selection;
+
 enum damping_kind {
     DAMPING_RATIOS,        // Rayleigh: value[0] at mode[0], value[1] at mode[1]
     DAMPING_COEFFICIENTS,  // Rayleigh: alpha, beta
@@ -38,8 +40,15 @@ struct building_draft {
     int n_floor;                        // 0: wrong in the deck, and reported
     double *mass, *stiffness, *height;  // (n_floor); stiffness of shear storeys; height NULL: none
     bool any_stiffness;                 // a shear storey has a stiffness, right or wrong
+    bool any_height;                    // it has -height, right or wrong
     bool any_part;                      // a statement gives a part, right or wrong
+    bool any_frame, any_wall;           // the same of a frame, of a wall
+    struct word pdelta;                 // its building word in pdelta; text NULL: no P-delta
+    double *load;                       // (n_floor) gravity loads there, for P-delta; NULL: none
     struct list parts;                  // of struct part, beside the shear storeys
+    struct frame_draft *frame;          // model/frame_draft.h; NULL: it has none
+    struct list walls;                  // of struct wall_draft
+    struct base_draft *base;            // of all lines and walls; NULL: fixed
     struct list damping;                // of struct damping_draft
     struct storey *storey;              // (n_floor)
     struct word *storey_word;           // (n_floor) the word that gives the law; text NULL: elastic
@@ -82,6 +91,15 @@ struct link_draft {
     bool overlap;  // an initial penetration is allowed
 };
 
+// A limit of drift at which a run ends.
+struct collapse_draft {
+    bool is_ratio;  // of the storey height
+    double limit;   // [L] or ratio
+    int n_selection;
+    const struct selection *storeys;  // (n_selection); NULL: all
+    struct word word;
+};
+
 struct struck_draft {
     struct struck_column column;
     struct word word;  // for messages
@@ -92,6 +110,7 @@ struct builder {
     struct arena *arena;  // of the deck
     struct record_cache *records;
     struct list buildings, grounds, links, loads, columns;
+    struct list collapses;  // of struct collapse_draft
     struct name_index building_index;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The damping forces of a building, and the forces of its parts.
+// The damping forces of a building.
 #include "jostle/model.h"
 
 #include <assert.h>
 #include <math.h>
 
 #include "core/lanes.h"
-#include "model/parts.h"
 
 void building_damping_force(const struct building *g, const double *v, double *force) {
     const int n = g->n_floor;
@@ -35,27 +34,4 @@ double building_damping_ratio(const struct building *g, int mode) {
     }
     double critical = 2.0 * g->omega[mode - 1] * mass;
     return critical > 0.0 ? damping / critical : NAN;
-}
-
-void parts_respond(const struct building *g, const double *history, const double *drift,
-                   const double *rate, const struct part_sums *to, double *after) {
-    if (g->elastic && !to->by_drift && !to->by_rate) {
-        lanes_add_symmetric(g->n_floor, g->part_stiffness, drift, to->shear, to->shear);
-        return;
-    }
-    for (int i = 0; i < g->n_part; i++) {
-        const struct part *p = &g->part[i];
-        p->kind->respond(p, history + p->history, drift, rate, to,
-                         after ? after + p->history : NULL);
-    }
-}
-
-double parts_stored(const struct building *g, const double *history, const double *drift) {
-    assert(drift);
-    double sum = 0.0;
-    for (int i = 0; i < g->n_part; i++) {
-        const struct part *p = &g->part[i];
-        sum += p->kind->stored(p, history + p->history, drift);
-    }
-    return sum;
 }

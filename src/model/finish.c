@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From drafts to the const model: what the deck as a whole must have, and the order of the stages.
 #include "model/finish.h"
+#include "model/frame_draft.h"
 
 #include "model/struck_column.h"
 
@@ -20,10 +21,11 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
         if (!d->any_stiffness && !d->any_part) {
             deck_error(b->deck, &d->word,
                        "building %s has no stiffness; give -stiffness (0: a free body), or a "
-                       "statement matrix",
+                       "statement frame, wall or matrix",
                        d->name);
         }
     }
+    frame_draft_finish(b);
     struct deck *d = b->deck;
     if (!d->torn) {
         if (!b->any_building) {
@@ -48,6 +50,7 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
         finish_chain(b, m);
         finish_links(b, m);
         finish_loads(b, m);
+        finish_collapse(b, m);
         finish_time(b, m);
     }
     status = has_errors(b, e);

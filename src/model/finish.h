@@ -22,6 +22,9 @@ bool finish_acts_under(const struct ground_draft *g, int building);
 void finish_links(struct builder *b, struct model *m);
 void finish_loads(struct builder *b, struct model *m);
 
+// Limits of drift at which runs end.
+void finish_collapse(struct builder *b, struct model *m);
+
 // Duration, steps, rows of output, stability of the integrator.
 void finish_time(struct builder *b, struct model *m);
 

@@ -7,9 +7,11 @@
 #include "core/lanes.h"
 #include "law/lists.h"
 #include "model/finish.h"
+#include "model/forces.h"
 #include "model/foundation.h"
 #include "model/modes.h"
 #include "model/parts.h"
+#include "model/pdelta.h"
 #include "model/struck_column.h"
 
 // An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
@@ -17,7 +19,7 @@ static const struct building *twin(const struct building *first, int n, const st
     size_t bytes = (size_t)of->n_floor * sizeof *of->mass;
     for (int i = 0; i < n; i++) {
         if (first[i].n_floor == of->n_floor && first[i].n_part == 0 && of->n_part == 0 &&
-            memcmp(first[i].mass, of->mass, bytes) == 0 &&
+            !first[i].pdelta && memcmp(first[i].mass, of->mass, bytes) == 0 &&
             memcmp(first[i].spring, of->spring, bytes) == 0) {
             return &first[i];
         }
@@ -30,7 +32,7 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
     struct building *g = &all[i];
     const struct building *same = twin(all, i, g);
     const struct building_draft *d = builder_draft(b, i);
-    if (same && !damping_is_modal(d)) {
+    if (same && !damping_is_modal(d) && !d->load) {
         g->omega = same->omega;
         g->shape = same->shape;
         damping_matrix(b, d, g->omega, NULL, g);
@@ -47,6 +49,10 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
         return status;
     }
     damping_matrix(b, d, omega, shape, g);
+    status = d->load ? pdelta_apply(b, d, g, omega, shape, e) : STATUS_OK;
+    if (status != STATUS_OK) {
+        return status;
+    }
     modes_scale_to_largest(g->n_floor, shape);
     g->omega = omega;
     g->shape = shape;
@@ -99,7 +105,8 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     for (int i = 0; i < g->n_floor; i++) {
         struct storey *s = &storey[g->first + i];
         *s = g->fixed ? (struct storey){0} : d->storey[i];  // else they are in its part
-        if (!s->law) {
+        s->pdelta = g->pdelta && !g->fixed ? g->pdelta[i] : 0.0;
+        if (!s->law || (s->law == &storey_elastic && s->pdelta != 0.0)) {
             double *constant =
                 arena_alloc(b->arena, (size_t)storey_elastic.n_constant, sizeof *constant);
             if (!constant) {
@@ -113,6 +120,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= s->law->n_history == 0;
         g->smooth |= s->law->n_history > 0 && !(s->law->traits & STOREY_STRAIGHT);
     }
+    forces_create(g, g->elastic, &m->n_force, b->arena);
     for (int i = 0; i < g->n_part; i++) {
         const bool linear = g->part[i].kind->traits & PART_LINEAR;
         g->elastic &= linear;
@@ -185,6 +193,8 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     for (int i = 0; column && i < m->n_column; i++) {
         column[i] = struck_column_draft(b, i)->column;
         building[m->n_building + i].ground = building[column[i].building].ground;
+        struck_column_place(&column[i], building[m->n_building + i].first,
+                            building[column[i].building].first);
     }
     m->column = column;
     m->building = building;

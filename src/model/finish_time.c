@@ -28,7 +28,8 @@ static void count_steps(struct builder *b, struct model *m) {
     double ratio = m->duration / m->dt;
     double n = ceil(ratio - fmax(ROUNDING, 4.0 * DBL_EPSILON * ratio));
     if (!(n <= STEPS_MAX)) {
-        deck_error(b->deck, &b->step, "%.3g steps are too many; at most %.3g", n, STEPS_MAX);
+        deck_error(b->deck, &b->step, "%s%.3g steps are too many; at most %.3g",
+                   isinf(ratio) ? "over " : "", fmin(ratio, DBL_MAX), STEPS_MAX);
         n = 1.0;
     }
     m->n_step = n < 1.0 ? 1 : (long)n;
@@ -113,6 +114,13 @@ static void limit_explicit_steps(struct builder *b, struct model *m) {
         double spring = most_at_a_floor(m, i, BILATERAL_STIFFNESS);
         double dashpot = most_at_a_floor(m, i, BILATERAL_DASHPOT);
         double limit = stability_step(&stability, spring, dashpot);
+        if (!(limit > 0.0)) {
+            deck_error(b->deck, &b->step,
+                       "building %s has a mode with negative damping, in which no adaptive step "
+                       "is stable; use integrator newmark or step fixed DT",
+                       g->name);
+            return;
+        }
         if (m->duration > ADAPTIVE_STEPS_MAX * limit) {
             const char *unit = b->deck->units.time_name;
             deck_error(b->deck, &b->step,

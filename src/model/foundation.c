@@ -23,6 +23,7 @@
 #include "law/lists.h"
 #include "model/modes.h"
 #include "model/parts.h"
+#include "model/pdelta.h"
 
 // The part of a building with a foundation. The storeys that yield are kept one by one. All that is
 // linear is one matrix.
@@ -123,8 +124,23 @@ static const struct part_kind founded_yields = {
     .stored = founded_stored,
 };
 
-// The matrix of all that is linear: the parts of the building and its elastic storeys, B' D B, and
-// the springs below the slab.
+// P-delta acts on how far a storey leans, e_i + r_i phi = d_i (less u_b in the first storey): the
+// share of phi is not in it. Takes P/h off the matrix (all, all).
+static void founded_take_pdelta(const struct founded *f, const struct building *fixed, double *k) {
+    const int all = f->n + 2;
+    for (int i = 0; fixed->pdelta && i < f->n; i++) {
+        for (int j = 0; j < all; j++) {
+            for (int l = 0; l < all; l++) {
+                const double lean_j = founded_entry(f, i, j) + f->share[i];
+                const double lean_l = founded_entry(f, i, l) + f->share[i];
+                k[j * all + l] -= fixed->pdelta[i] * (lean_j * lean_l);
+            }
+        }
+    }
+}
+
+// The matrix of all that is linear: the parts of the building and its elastic storeys, B' D B, the
+// springs below the slab, and P-delta.
 static const double *founded_matrix(struct arena *a, const struct founded *f,
                                     const struct building *fixed, const struct foundation *draft,
                                     double height) {
@@ -138,7 +154,8 @@ static const double *founded_matrix(struct arena *a, const struct founded *f,
         for (int l = 0; l < n; l++) {
             const bool spring = i == l && f->storey[i].law->n_history == 0;
             const double d = (fixed->part_stiffness ? fixed->part_stiffness[i * n + l] : 0.0) +
-                             (spring ? fixed->spring[i] : 0.0);
+                             (spring ? fixed->spring[i] : 0.0) +
+                             (spring && fixed->pdelta ? fixed->pdelta[i] : 0.0);
             for (int j = 0; d != 0.0 && j < all; j++) {
                 product[i * all + j] += d * founded_entry(f, l, j);
             }
@@ -154,6 +171,7 @@ static const double *founded_matrix(struct arena *a, const struct founded *f,
             k[j * all + l] = k[l * all + j] = sum;
         }
     }
+    founded_take_pdelta(f, fixed, k);
     return k;
 }
 
@@ -203,6 +221,7 @@ static bool founded_take_storeys(struct arena *a, struct founded *f, const struc
     for (int i = 0; own && share && i < f->n; i++) {
         own[i] = storey[i];
         own[i].law = own[i].law ? own[i].law : &storey_elastic;
+        own[i].pdelta = fixed->pdelta ? fixed->pdelta[i] : 0.0;  // as a storey alone unloads
         own[i].history = *n_history;
         *n_history += own[i].law->n_history;
         share[i] = fixed->height[i] / height;
@@ -212,73 +231,99 @@ static bool founded_take_storeys(struct arena *a, struct founded *f, const struc
     return own && share;
 }
 
-int foundation_put(struct builder *b, const struct building_draft *d, const struct building *fixed,
-                   int *n_before, struct building *out, struct error *e) {
-    const struct foundation *draft = d->foundation;
-    struct arena *a = b->arena;
-    const size_t n = (size_t)fixed->n_floor, all = n + 2;
-    enum { MASS, SPRING, STIFFNESS, OMEGA, BAND, N_ARRAY };
-    double *x = arena_alloc(a, N_ARRAY * all, sizeof *x);
-    double *shape = arena_alloc(a, all * all, sizeof *shape);
-    double *still = arena_alloc(a, all * all, sizeof *still);
+// The part of the building and its matrices; NULL: no memory.
+static struct part *founded_part(struct arena *a, const struct building_draft *d,
+                                 const struct building *fixed, double height) {
     struct founded *f = arena_alloc(a, 1, sizeof *f);
     struct part *part = arena_alloc(a, 1, sizeof *part);
-    struct building *kept = arena_alloc(a, 1, sizeof *kept);
-    double height = 0.0;
     int n_history = 0;
-    assert(fixed->height);
-    for (size_t i = 0; i < n; i++) {
-        height += fixed->height[i];
-    }
-    if (arena_failed(a)) {
-        return error_no_memory(e);
+    if (!f || !part) {
+        return NULL;
     }
     *f = (struct founded){.n = fixed->n_floor};
-    *kept = *fixed;
     if (!founded_take_storeys(a, f, fixed, d->storey, height, &n_history) ||
-        !(f->linear = founded_matrix(a, f, fixed, draft, height))) {
-        return error_no_memory(e);
+        !(f->linear = founded_matrix(a, f, fixed, d->foundation, height))) {
+        return NULL;
     }
     *part = (struct part){
         .kind = n_history > 0 ? &founded_yields : &founded_linear,
         .name = "foundation",
-        .n = (int)all,
+        .n = f->n + 2,
         .data = f,
         .n_history = n_history,
-        .history = *n_before,
     };
-    *n_before += n_history;
-    memcpy(x + MASS * all, fixed->mass, n * sizeof *x);
-    x[MASS * all + n] = draft->mass;
-    x[MASS * all + n + 1] = draft->inertia / (height * height);
-    *out = *fixed;
-    out->fixed = kept;
-    out->foundation = draft;
-    out->n_floor = (int)all;
-    out->mass = x + MASS * all;
-    out->spring = x + SPRING * all;
-    out->stiffness = x + STIFFNESS * all;
-    out->omega = x + OMEGA * all;
-    out->shape = shape;
-    out->damping_diagonal = out->damping_off = x + BAND * all;
-    out->damping_full = founded_damping(a, fixed, draft, height);
-    out->n_part = 1;
-    out->part = part;
-    out->part_dashpot = still;
-    // The initial stiffness is the tangent at rest.
+    return part;
+}
+
+// Masses, and the stiffness at rest, of the building with its part; false: no memory.
+static bool founded_properties(struct arena *a, const struct building *fixed, double height,
+                               struct building *out) {
+    const size_t n = (size_t)fixed->n_floor, all = n + 2;
+    const size_t n_history = (size_t)out->part->n_history;
+    double *mass = arena_alloc(a, all, sizeof *mass);
+    double *spring = arena_alloc(a, all, sizeof *spring);
+    double *band = arena_alloc(a, all, sizeof *band);
+    double *stiffness = arena_alloc(a, all, sizeof *stiffness);
     double *initial = arena_alloc(a, all * all, sizeof *initial);
-    double *history = arena_alloc(a, (size_t)n_history, sizeof *history);
+    double *still = arena_alloc(a, all * all, sizeof *still);
+    double *history = arena_alloc(a, n_history, sizeof *history);
     if (arena_failed(a)) {
+        return false;
+    }
+    memcpy(mass, fixed->mass, n * sizeof *mass);
+    mass[n] = out->foundation->mass;
+    mass[n + 1] = out->foundation->inertia / (height * height);
+    founded_respond(out->part, history, still, still, &(struct part_sums){.by_drift = initial},
+                    NULL);
+    for (size_t i = 0; i < all; i++) {
+        stiffness[i] = initial[i * all + i];
+    }
+    out->mass = mass;
+    out->spring = spring;
+    out->stiffness = stiffness;
+    out->part_stiffness = initial;
+    out->part_dashpot = still;
+    out->damping_diagonal = out->damping_off = band;
+    out->damping_full = founded_damping(a, fixed, out->foundation, height);
+    return out->damping_full != NULL;
+}
+
+int foundation_put(struct builder *b, const struct building_draft *d, const struct building *fixed,
+                   int *n_history, struct building *out, struct error *e) {
+    struct arena *a = b->arena;
+    const size_t all = (size_t)fixed->n_floor + 2;
+    double height = 0.0;
+    assert(fixed->height);
+    for (int i = 0; i < fixed->n_floor; i++) {
+        height += fixed->height[i];
+    }
+    struct building *kept = arena_alloc(a, 1, sizeof *kept);
+    struct part *part = founded_part(a, d, fixed, height);
+    double *omega = arena_alloc(a, all, sizeof *omega);
+    double *shape = arena_alloc(a, all * all, sizeof *shape);
+    if (!kept || !part || !omega || !shape) {
         return error_no_memory(e);
     }
-    founded_respond(part, history, still, still, &(struct part_sums){.by_drift = initial}, NULL);
-    out->part_stiffness = initial;
-    for (size_t i = 0; i < all; i++) {
-        x[STIFFNESS * all + i] = initial[i * all + i];
+    *kept = *fixed;
+    part->history = *n_history;
+    *n_history += part->n_history;
+    *out = *fixed;
+    out->fixed = kept;
+    out->foundation = d->foundation;
+    out->n_floor = (int)all;
+    out->n_part = 1;
+    out->part = part;
+    out->omega = omega;
+    out->shape = shape;
+    if (!founded_properties(a, fixed, height, out)) {
+        return error_no_memory(e);
     }
     const int status =
-        modes_solve((int)all, out->mass, out->spring, initial, x + OMEGA * all, shape, e);
-    modes_scale_to_largest((int)all, shape);
+        modes_solve((int)all, out->mass, out->spring, out->part_stiffness, omega, shape, e);
+    if (status == STATUS_OK) {
+        modes_scale_to_largest((int)all, shape);
+        pdelta_check_founded(b, d, out);
+    }
     return status;
 }
 
@@ -329,4 +374,21 @@ const struct storey *foundation_storey(const struct model *m, const struct build
     assert(i >= 0 && i < g->n_level);
     return g->fixed ? &((const struct founded *)g->part->data)->storey[i]
                     : &m->storey[g->first + i];
+}
+
+double foundation_across(const struct model *m, int dof, const double *x) {
+    for (int k = 0; m->founded && k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        const int i = dof - g->first, n = g->n_level;
+        if (g->fixed && i >= 0 && i < n) {
+            const double *own = x + g->first;
+            double height = 0.0;
+            for (int j = 0; j < n; j++) {
+                height += g->height[j];
+            }
+            const double below = i > 0 ? own[i - 1] : own[n];
+            return own[i] - below - g->height[i] / height * own[n + 1];
+        }
+    }
+    return x[dof] - m->chain.joint[dof] * x[dof - 1];
 }

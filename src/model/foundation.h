@@ -23,4 +23,8 @@ const struct storey *foundation_storey(const struct model *m, const struct build
 // degrees of freedom. In place: the values of floors are replaced.
 void foundation_storeys(const struct building *g, double *drift, double *shear);
 
+// The drift of the storey below floor `dof` at the displacements x (n_dof), an array of
+// core/lanes.h, or the same difference of others: with a foundation, that of the storey alone.
+double foundation_across(const struct model *m, int dof, const double *x);
+
 #endif

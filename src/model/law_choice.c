@@ -9,9 +9,9 @@
 
 const struct row law_choice_rows[LAW_CHOICE_ROWS] = {
     [LAW_CHOICE_CALIBRATE] = {"calibrate", ROW_FLAG, 0, OF_NONE, NULL, NAN,
-                              "replace the published damping by that which delivers -e exactly"},
+                              "damping that delivers -e exactly, instead of the published damping"},
     [LAW_CHOICE_K_FROM] = {"k-from", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-                           "hertz or slab: -k from the bodies that meet, whose options go with it"},
+                           "hertz or slab: -k from the dimensions and moduli of the bodies"},
 };
 
 const struct contact_law *law_choice_find(struct deck *d, const struct word *name) {

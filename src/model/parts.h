@@ -14,6 +14,11 @@ void parts_respond(const struct building *g, const double *history, const double
 // Recoverable energy of the parts of building `g` [F L].
 double parts_stored(const struct building *g, const double *history, const double *drift);
 
+// The functions of a linear part, whose shears are its stiffness times the drifts.
+void parts_linear_respond(const struct part *p, const double *history, const double *drift,
+                          const double *rate, const struct part_sums *to, double *after);
+double parts_linear_stored(const struct part *p, const double *history, const double *drift);
+
 // Entry (i, j) of the matrix on floor displacements, from a matrix on drifts (n, n).
 static inline double parts_on_floors(const double *on_drifts, int n, int i, int j) {
     const double *x = on_drifts + (size_t)i * (size_t)n + (size_t)j;

@@ -17,13 +17,8 @@ enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_RO
         {"frequency", ROW_NUMBER, ROW_REQUIRED, OF_FREQUENCY, &signals_frequency_range,            \
          NAN,         "frequency"},                                                                \
     [SINE_PHASE] = {"phase", ROW_NUMBER, 0, OF_NONE, NULL, 0.0, "phase in radians"},               \
-    [SINE_CYCLES] = {"cycles",                                                                     \
-                     ROW_NUMBER,                                                                   \
-                     0,                                                                            \
-                     {0},                                                                          \
-                     &range_positive,                                                              \
-                     NAN,                                                                          \
-                     "number of cycles; endless if not given"}
+    [SINE_CYCLES] = {                                                                              \
+        "cycles", ROW_NUMBER, 0, {0}, &range_positive, NAN, "number of cycles; default: no end"}
 
 // Makes a sine from these options, from the time `start` on. Without -cycles it never ends. Warns
 // about a phase in degrees.

@@ -19,15 +19,15 @@ const struct row stiffness_hertz_rows[STIFFNESS_HERTZ_ROWS] = {
     [RADIUS1] = {"radius1", ROW_NUMBER, ROW_REQUIRED, OF_LENGTH, &range_positive, NAN,
                  "radius of a body at the contact"},
     [RADIUS2] = {"radius2", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN,
-                 "radius of the other body, a flat face if not given"},
+                 "radius of the other body; default: a flat face"},
     [MODULUS1] = {"modulus1", ROW_NUMBER, ROW_REQUIRED, OF_STRESS, &range_positive, NAN,
                   "Young's modulus of the first body"},
     [MODULUS2] = {"modulus2", ROW_NUMBER, 0, OF_STRESS, &range_positive, NAN,
-                  "Young's modulus of the other body, the same if not given"},
+                  "Young's modulus of the other body; default: that of the first one"},
     [POISSON1] = {"poisson1", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &poisson_range, NAN,
                   "Poisson's ratio of the first body"},
     [POISSON2] = {"poisson2", ROW_NUMBER, 0, OF_NONE, &poisson_range, NAN,
-                  "Poisson's ratio of the other body, the same if not given"},
+                  "Poisson's ratio of the other body; default: that of the first one"},
 };
 
 const struct row stiffness_slab_rows[STIFFNESS_SLAB_ROWS] = {

@@ -158,3 +158,29 @@ void struck_column_finish(struct builder *b) {
         add_spring(b, i, n_building + i);
     }
 }
+
+// One column has the bending stiffness EI and takes the force f of the struck point. With the drift
+// d of the storey, and without f, its shear is 12 EI d / h^3 and the moment at both ends
+// 6 EI d / h^2. The force f adds the end forces of a clamped beam with a load: shears (1 - N) f and
+// -N f, moments f a b^2 / h^2 and -f a^2 b / h^2. The moment at the point follows from the shear
+// below it.
+void struck_column_place(struct struck_column *c, int point, int first) {
+    const double h = c->height, a = c->below, b = h - a;
+    const double drift = c->bending / c->n / (h * h);
+    const double by_force[] = {1.0 - c->weight, -c->weight, a * b * b / (h * h), 0.0,
+                               -a * a * b / (h * h)};
+    const double by_drift[] = {12.0 * drift / h, 12.0 * drift / h, 6.0 * drift, 0.0, 6.0 * drift};
+    const double k = c->stiffness / c->n;
+    const double force[] = {k, -k * c->weight, -k * (1.0 - c->weight)};
+    static const double of_drift[] = {0.0, 1.0, -1.0};
+    c->dof[0] = point;
+    c->dof[1] = first + c->floor - 1;
+    c->dof[2] = c->floor > 1 ? first + c->floor - 2 : WALL;
+    for (int i = 0; i < 3; i++) {
+        for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+            c->force[q][i] = by_force[q] * force[i] + by_drift[q] * of_drift[i];
+        }
+        c->force[COLUMN_MOMENT_POINT][i] =
+            c->force[COLUMN_SHEAR_BELOW][i] * a - c->force[COLUMN_MOMENT_BELOW][i];
+    }
+}

@@ -16,6 +16,18 @@ int struck_column_at(const struct builder *b, int building, double level);
 
 struct struck_draft *struck_column_draft(const struct builder *b, int i);
 
+// Sets what depends on the place of the column among the degrees of freedom, of which `point` is
+// its struck point, and `first` the first floor of its building.
+void struck_column_place(struct struck_column *c, int point, int first);
+
+// A force in the column at displacements u (n_dof).
+static inline double struck_column_force(const struct struck_column *c, enum column_force force,
+                                         const double *u) {
+    const double *row = c->force[force];
+    const double below = c->dof[2] == WALL ? 0.0 : u[c->dof[2]];
+    return row[0] * u[c->dof[0]] + row[1] * u[c->dof[1]] + row[2] * below;
+}
+
 // The building that a body belongs to: itself, or that of its column. WALL: WALL.
 static inline int struck_column_host(const struct model *m, int body) {
     return body < m->n_building ? body : m->column[body - m->n_building].building;

@@ -75,12 +75,13 @@ static bool read_repeat(struct piece field, struct compound *out) {
     return true;
 }
 
-// True if the text is a number, a sign and digits to the end.
+// True if the text is a number without an exponent, a sign and digits to the end.
 static bool lacks_letter(struct piece s) {
     bool ambiguous;
+    const size_t point = skip_digits(s, is_one_of(s, 0, "+-"));
     const size_t sign = number_length(s, &ambiguous);
-    return sign > 0 && sign + 1 < s.n && is_one_of(s, sign, "+-") &&
-           skip_digits(s, sign + 1) == s.n;
+    return sign > 0 && sign == skip_digits(s, point + 1) && sign + 1 < s.n &&
+           is_one_of(s, sign, "+-") && skip_digits(s, sign + 1) == s.n;
 }
 
 struct compound compound_of(struct piece field) {

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 
 struct entry {
     struct entry *next;
@@ -49,13 +50,9 @@ void record_cache_free(struct record_cache *c) {
     free(c);
 }
 
-static bool same_text(const char *a, const char *b) {
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 static bool same(const struct record_request *a, const struct record_request *b) {
-    return strcmp(a->path, b->path) == 0 && same_text(a->format, b->format) && a->dt == b->dt &&
-           same_text(a->unit, b->unit) && a->gravity == b->gravity && a->channel == b->channel &&
+    return strcmp(a->path, b->path) == 0 && text_same(a->format, b->format) && a->dt == b->dt &&
+           text_same(a->unit, b->unit) && a->gravity == b->gravity && a->channel == b->channel &&
            a->demean == b->demean && a->plain == b->plain;
 }
 

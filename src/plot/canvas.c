@@ -10,9 +10,10 @@
 #include "plot/script.h"
 
 static const double SMALL = 0.75;  // of small_font
-static const char small_font[] = " font small_font";
-static const double BOLD = 1.15;  // width of bold text over that of plain text
-static const double TIGHT = 0.9;  // numbers above each other that are nearer [em] touch
+static const char small_font[] = " font small_font", block_font[] = " font block_font";
+static const double BOLD = 1.15;   // width of bold text over that of plain text
+static const double OVERHANG = 2;  // of an upright text over both ends of its axis [em]
+static const double TIGHT = 0.9;   // numbers above each other that are nearer [em] touch
 
 void canvas_place(const struct canvas *c, double x, double y) {
     fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
@@ -28,9 +29,10 @@ void canvas_label(const struct canvas *c, const char *text, double width) {
 void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     struct area *a = &c->area;
     if (c->kind == CANVAS_BLOCK) {
-        canvas_label(c, subtitle, (a->right - a->left) / BOLD);
+        const bool fits = BOLD * script_width(subtitle) <= a->right - a->left;
+        canvas_label(c, subtitle, fits ? INFINITY : (a->right - a->left) / SMALL);
         canvas_place(c, a->left, a->top - 0.7);
-        fprintf(c->to, " left font block_font\n");
+        fprintf(c->to, " left%s\n", fits ? block_font : small_font);
         a->top -= 1.5;
         return;
     }
@@ -222,18 +224,25 @@ static void write_upright(const struct canvas *c, const char *text, double x, st
 }
 
 void canvas_upright(const struct canvas *c, struct area a, const struct axis *axis) {
-    char text[160], name[160], g[32];
+    char text[160];
     axis_text(axis, axis->name, c->units, text, sizeof text);
-    const char *unit = strstr(text, " [");
-    const bool fits = !unit || script_width(text) <= a.top - a.bottom;
-    if (fits) {
+    const double height = a.top - a.bottom;
+    char *unit = strstr(text, " [");
+    if (!unit || script_width(text) <= height) {
         write_upright(c, text, a.left - 4.4, a, "");
         return;
     }
-    snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
-    axis_in_g(axis, c->units, g, sizeof g);
-    write_upright(c, name, a.left - 5.35, a, "");
-    write_upright(c, unit + 1, a.left - 4.05, a, g[0] ? small_font : "");
+    *unit++ = '\0';
+    char *in_g = strstr(unit, " = ");
+    if (in_g && SMALL * script_width(unit) > height + OVERHANG) {
+        *in_g++ = '\0';
+        write_upright(c, text, a.left - 6.1, a, "");
+        write_upright(c, unit, a.left - 4.9, a, small_font);
+        write_upright(c, in_g, a.left - 3.9, a, small_font);
+        return;
+    }
+    write_upright(c, text, a.left - 5.35, a, "");
+    write_upright(c, unit, a.left - 4.05, a, in_g ? small_font : "");
 }
 
 void canvas_axes(const struct canvas *c, struct area a, const struct axis *x,

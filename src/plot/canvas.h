@@ -73,8 +73,8 @@ void canvas_label(const struct canvas *c, const char *text, double width);
 // " at screen X,Y" of a label at a point in em.
 void canvas_place(const struct canvas *c, double x, double y);
 
-// The name of an upright axis beside `a`, for several panels above each other. The unit takes a
-// second line where there is no room.
+// The name of an upright axis beside `a`, for several panels above each other. Where there is no
+// room, the unit takes a second line, and one of it in g a third.
 void canvas_upright(const struct canvas *c, struct area a, const struct axis *axis);
 
 #endif

@@ -83,9 +83,20 @@ const struct figure *figure_find(const char *name) {
     return NULL;
 }
 
-const struct figure *figure_default(const struct runs *s) {
+bool figure_can_draw(const struct figure *f, const struct subject *p) {
+    struct error e;
+    return f->of_study == (p->suite != NULL) && (!f->check || f->check(p, &e) == STATUS_OK);
+}
+
+const struct figure *figure_default(const struct subject *p) {
+    const struct suite *s = p->suite;
+    if (s) {
+        const bool scaled = s->is_intensity && s->abscissa->number && !s->mixed && s->n_point > 1 &&
+                            s->n_sample > 1 && s->n_group == 1;
+        return figure_find(scaled ? "ida" : "response");
+    }
     int i = 0;
-    while (i < n_figure - 1 && figures[i]->lacks && figures[i]->lacks(s)) {
+    while (i < n_figure - 1 && !figure_can_draw(figures[i], p)) {
         i++;
     }
     return figures[i];
@@ -163,27 +174,20 @@ void figure_close(const struct canvas *c) {
     fprintf(c->to, "unset multiplot\nunset output\n");
 }
 
-static int check(const struct figure *f, const struct runs *s, struct error *e) {
-    const char *lack = f->lacks ? f->lacks(s) : NULL;
-    if (!lack) {
-        return STATUS_OK;
-    }
-    const char *between = s->n > 1 ? " or " : "";
-    return error_set(e, STATUS_INPUT, "%s cannot be drawn: %s%s%s has no %s", f->name,
-                     s->r[0]->file, between, s->n > 1 ? s->r[1]->file : "", lack);
-}
-
-int figure_write(const struct figure *f, const struct runs *s, const struct figure_files *to,
+int figure_write(const struct figure *f, const struct subject *p, const struct figure_files *to,
                  struct error *e) {
-    assert(s->n > 0);
-    const struct figure_head head = {f->name, f->doc, s->r[0]->version, &s->r[0]->units, f->sheet};
+    const struct suite *s = p->suite;
+    const struct figure_head head = {f->name, f->doc, s ? s->view->version : p->runs->r[0]->version,
+                                     s ? &s->view->units : &p->runs->r[0]->units, f->sheet};
     struct canvas c;
-    int status = check(f, s, e);
-    if (status == STATUS_OK) {
-        status = figure_open(&head, to, &c, e);
+    struct error why;
+    int status = f->check ? f->check(p, &why) : STATUS_OK;
+    if (status != STATUS_OK) {
+        return error_set(e, status, "%s cannot be drawn: %s", f->name, why.message);
     }
+    status = figure_open(&head, to, &c, e);
     if (status == STATUS_OK) {
-        status = f->draw(s, &c, e);
+        status = f->draw(p, &c, e);
         figure_close(&c);
     }
     return status;

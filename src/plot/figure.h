@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure is one const descriptor in one file, figure_NAME.c, named by one line in
-// figure_list.inc. It writes a gnuplot script, and its data to stand beside it.
+// A figure of runs or of a study is one const descriptor in one file, figure_NAME.c, named by one
+// line in figure_list.inc. It writes a gnuplot script, and its data to stand beside it.
 #ifndef JOSTLE_FIGURE_H
 #define JOSTLE_FIGURE_H
 
@@ -8,19 +8,31 @@
 
 #include "plot/canvas.h"
 #include "plot/runs.h"
+#include "study/suite.h"
 
 // The shape of the picture: across, or upright like a page.
 enum sheet { SHEET_ACROSS, SHEET_PAGE };
+
+// What a figure shows: one or two runs, or the suite of a study.
+struct subject {
+    const struct runs *runs;    // NULL: a study
+    const struct suite *suite;  // NULL: runs
+    const double *limit;        // (n_limit) of the demand of the suite
+    int n_limit;
+};
 
 struct figure {
     const char *name;
     const char *doc;  // half a line
     enum sheet sheet;
-    // What the runs lack to be drawn, "floor displacements; see output -fields"; NULL: nothing.
-    const char *(*lacks)(const struct runs *s);
+    bool of_study;           // it shows a suite, not runs
+    enum suite_guess guess;  // of a suite: the sweep that the figure goes along
+    // Why the figure cannot be drawn, as the end of "NAME cannot be drawn: "; NULL: it always can.
+    // Errors: STATUS_INPUT.
+    int (*check)(const struct subject *p, struct error *e);
     // Writes head, legend and panels into the canvas's area, within `set multiplot`. Errors:
     // STATUS_INPUT (a damaged file), STATUS_SYSTEM. Write errors are the caller's.
-    int (*draw)(const struct runs *s, struct canvas *c, struct error *e);
+    int (*draw)(const struct subject *p, struct canvas *c, struct error *e);
 };
 extern const struct figure *const figures[];
 extern const int n_figure;
@@ -28,8 +40,12 @@ extern const int n_figure;
 // The figure called `name`; NULL if there is none.
 const struct figure *figure_find(const char *name);
 
-// The first figure of the list that lacks nothing.
-const struct figure *figure_default(const struct runs *s);
+// True if the figure shows such a subject and nothing that it needs is missing.
+bool figure_can_draw(const struct figure *f, const struct subject *p);
+
+// Runs: the first figure of the list that can be drawn. A suite: ida, where records are scaled, or
+// response.
+const struct figure *figure_default(const struct subject *p);
 
 // Endings of picture files: "png", "svg", "pdf". NULL: `path` ends in none of them.
 const char *figure_ending(const char *path);
@@ -58,9 +74,9 @@ int figure_open(const struct figure_head *head, const struct figure_files *to, s
                 struct error *e);
 void figure_close(const struct canvas *c);
 
-// Writes the whole script and its data. Errors: STATUS_INPUT (what the figure needs is not in the
-// files), and those of draw. Write errors are the caller's.
-int figure_write(const struct figure *f, const struct runs *s, const struct figure_files *to,
+// Writes the whole script and its data. Errors: STATUS_INPUT (the figure cannot be drawn), and
+// those of draw. Write errors are the caller's.
+int figure_write(const struct figure *f, const struct subject *p, const struct figure_files *to,
                  struct error *e);
 
 #endif

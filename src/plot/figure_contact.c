@@ -11,6 +11,7 @@
 
 enum { STRIPS_MAX = 6, BINS = 500, PEAKS_MAX = 500 };
 enum { PULSE_ROWS = 3 };  // fewer do not tell the course of an impact: it is dotted
+enum { FINE_ROWS = 10 };  // fewer are coarse: the figure says how to get more
 
 // A contact, or behind the contacts a link, of the first run.
 struct view {
@@ -27,11 +28,10 @@ struct view {
     struct span all;          // and of the links: they share the name of the axis, and its unit
 };
 
-static const char *lacks(const struct runs *s) {
-    if (s->r[0]->n_contact + s->r[0]->n_link == 0) {
-        return s->n > 1 ? "contacts; name the run that has them first" : "contacts";
-    }
-    return runs_have(s, FIELD_FORCE) ? NULL : "contact forces; see output -fields";
+static int check(const struct subject *p, struct error *e) {
+    const struct report *r = p->runs->r[0];
+    return r->n_contact + r->n_link > 0 ? runs_need(p->runs, FIELD_FORCE, "contact forces", e)
+                                        : runs_lack_contacts(p->runs, e);
 }
 
 static const struct report_link *link_of(const struct report *r, int i) {
@@ -296,16 +296,17 @@ static bool is_rigid(const struct report *r) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
-    const char *peaks = v->missed ? "; upright lines are peaks between rows" : "";
+    const bool coarse = v->impact[0] >= 0 && v->rows[0] < FINE_ROWS;
     struct legend l = {0};
-    char text[160];
+    char text[160], peaks[96];
+    snprintf(peaks, sizeof peaks, "%s%s", v->missed ? "; upright lines: peaks between rows" : "",
+             coarse ? "; finer by output -every 1" : "");
     if (v->n_active == 0) {
         snprintf(text, sizeof text, "contact forces; no contact closed");
     } else if (is_rigid(r) || is_rigid(v->s->r[v->s->n - 1])) {
         snprintf(text, sizeof text, "contact forces; rigid impacts have none, only rest has");
     } else if (v->n < v->n_active) {
-        snprintf(text, sizeof text, "contact forces; the %d largest of %d%s", v->n, v->n_active,
-                 peaks);
+        snprintf(text, sizeof text, "the %d largest of %d forces%s", v->n, v->n_active, peaks);
     } else {
         const char *contacts = r->n_contact > 0 ? "contact forces" : "";
         const char *between = r->n_contact > 0 && r->n_link > 0 ? " and " : "";
@@ -317,7 +318,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.s = s, .force = span_none, .all = span_none};
     int status = STATUS_OK;
     choose(&v);
@@ -349,7 +351,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_contact = {
     .name = "contact",
-    .doc = "force of each contact and link over time, and the hardest impact",
-    .lacks = lacks,
+    .doc = "force of each contact and link over time, and the strongest impact",
+    .check = check,
     .draw = draw,
 };

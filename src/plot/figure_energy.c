@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the energy went: the parts of the account (docs/theory.md, section 6) on top of each
-// other, what came in as a line, and below what the account misses. The parts that do not come back
-// stand below. Two runs stand side by side on the same scale.
+// The components of the energy account (docs/theory.md, section 6), stacked, with dissipated ones
+// at the bottom. The input is a line. The residual is below. Two runs stand side by side on the
+// same scale.
 #include <math.h>
 
 #include "plot/figure.h"
@@ -69,15 +69,14 @@ static void write_subtitle(const struct runs *s, char *text, size_t size) {
     const struct report *r = s->r[0];
     char unit[64], in[32], contact[32];
     if (s->n > 1) {
-        snprintf(text, size, "where the energy went");
+        snprintf(text, size, "energy components");
         return;
     }
     script_unit(&r->units, dimension_energy, unit, sizeof unit);
     script_number(r->initial_energy + r->energy[ENERGY_INPUT], in, sizeof in);
     script_number(r->energy[ENERGY_CONTACT], contact, sizeof contact);
     if (r->n_contact + r->n_link > 0) {
-        snprintf(text, size, "energy: %s %s in, %s %s into %s", in, unit, contact, unit,
-                 work_name(s));
+        snprintf(text, size, "energy: %s %s in, %s into %s", in, unit, contact, work_name(s));
     } else {
         snprintf(text, size, "energy: %s %s in", in, unit);
     }
@@ -116,7 +115,8 @@ static void draw_run(const struct runs *s, const struct view *v, int run, struct
     panel_close(c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.energy = span_none, .residual = span_none};
     int status = STATUS_OK;
     for (int k = 0; k < s->n && status == STATUS_OK; k++) {
@@ -149,6 +149,6 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_energy = {
     .name = "energy",
-    .doc = "where the energy went, part on part, and what the account misses",
+    .doc = "energy components, stacked, and the residual",
     .draw = draw,
 };

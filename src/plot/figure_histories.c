@@ -29,8 +29,8 @@ struct view {
     struct data data[RUNS_MAX];
 };
 
-static const char *lacks(const struct runs *s) {
-    return runs_have(s, FIELD_DISPLACEMENT) ? NULL : "floor displacements; see output -fields";
+static int check(const struct subject *p, struct error *e) {
+    return runs_need(p->runs, FIELD_DISPLACEMENT, "floor displacements", e);
 }
 
 static void choose_floors(struct view *v) {
@@ -322,7 +322,8 @@ static void draw_panels(const struct view *v, struct canvas *c) {
     draw_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.32), 7, 0.5, 3.2, 0.5));
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.s = s};
     char subtitle[320];
     choose_floors(&v);
@@ -347,7 +348,8 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_histories = {
     .name = "histories",
-    .doc = "displacements of the floors that hit hardest, and the ground acceleration",
-    .lacks = lacks,
+    .doc =
+        "displacements of the floors with the largest contact force, and the ground acceleration",
+    .check = check,
     .draw = draw,
 };

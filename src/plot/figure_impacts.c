@@ -31,11 +31,8 @@ struct view {
     bool more;  // pairs than bands
 };
 
-static const char *lacks(const struct runs *s) {
-    if (s->r[0]->n_contact > 0) {
-        return NULL;
-    }
-    return s->n > 1 ? "contacts; name the run that has them first" : "contacts";
+static int check(const struct subject *p, struct error *e) {
+    return p->runs->r[0]->n_contact > 0 ? STATUS_OK : runs_lack_contacts(p->runs, e);
 }
 
 static int floor_of(const struct report_link *c) {
@@ -247,7 +244,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     (void)e;
     struct view v = {.s = s};
     collect(&v);
@@ -273,7 +271,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_impacts = {
     .name = "impacts",
-    .doc = "every impact at its time and floor, the larger the harder",
-    .lacks = lacks,
+    .doc = "every impact at its time and floor, with an area proportional to its force",
+    .check = check,
     .draw = draw,
 };

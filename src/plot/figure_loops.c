@@ -9,7 +9,7 @@
 #include "plot/panel.h"
 #include "plot/script.h"
 
-enum { BINS = 800, IMPACTS_MAX = 12, LOOP_ROWS = 3 };
+enum { BINS = 800, IMPACTS_MAX = 12, LOOP_ROWS = 6, FINE_ROWS = 10 };
 enum { STOREYS_MAX = 2, PANELS_MAX = 1 + STOREYS_MAX };
 
 struct view {
@@ -17,6 +17,7 @@ struct view {
     int contact[RUNS_MAX];                           // the hardest; -1: none
     long impact[RUNS_MAX];                           // its hardest impact
     size_t rows[RUNS_MAX];                           // within that
+    bool others;                                     // loops of other impacts are drawn
     int building[STOREYS_MAX], storey[STOREYS_MAX];  // from 0
     int n_storey;
     struct span x[PANELS_MAX], y[PANELS_MAX];  // the contact's first
@@ -39,17 +40,18 @@ static bool has_contact(const struct runs *s) {
            isfinite(s->r[0]->contact[contact[0]].peak.force);
 }
 
-static const char *lacks(const struct runs *s) {
+static int check(const struct subject *p, struct error *e) {
+    const struct runs *s = p->runs;
     bool any = has_contact(s);
     for (int i = 0; i < s->r[0]->n_building && !any; i++) {
         any = has_storeys(s, i);
     }
     if (any) {
-        return NULL;
+        return STATUS_OK;
     }
-    return runs_have(s, storey_fields | contact_fields)
-               ? "storeys, and no impact with a force"
-               : "forces with their deformations; see output -fields";
+    const unsigned fields = storey_fields | contact_fields;
+    return runs_have(s, fields) ? runs_lack(s, "storeys, and no impact with a force", e)
+                                : runs_need(s, fields, "forces with their deformations", e);
 }
 
 static void add_storey(struct view *v, int building) {
@@ -120,7 +122,8 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
         fprintf(to, "$loops%d << EOD\n# penetration force, an impact a block\nNaN NaN\n\n", run);
         for (long i = 0; i < r->n_impact; i++) {
             if (r->impact[i].contact == contact && is_shown(r, i)) {
-                write_loop(&d, &r->impact[i], to);
+                const bool loop = write_loop(&d, &r->impact[i], to) >= LOOP_ROWS;
+                v->others = v->others || (loop && i != v->impact[run]);
             }
         }
         fprintf(to, "EOD\n$hardest%d << EOD\n# penetration force\nNaN NaN\n", run);
@@ -209,7 +212,7 @@ static void draw_storey(const struct view *v, struct canvas *c, struct area a, i
 static void write_head(const struct view *v, struct canvas *c) {
     const char *text = "forces against deformations";
     struct legend l = {0};
-    if (v->impact[0] >= 0 && v->rows[0] < 10) {
+    if (v->impact[0] >= 0 && v->rows[0] < FINE_ROWS) {
         text = "forces against deformations; output -every 1 gives whole contact loops";
     }
     canvas_head(c, v->s->title, text);
@@ -224,11 +227,15 @@ static void write_head(const struct view *v, struct canvas *c) {
                                   .point = POINT_DISC},
                    "hardest impact, at rows", "");
     }
+    if (v->others && v->s->n == 1) {
+        legend_add(&l, panel_line(script_colour[0], 0), "other impacts", "");
+    }
     runs_legend(v->s, NULL, &l);
     legend_write(&l, c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.s = s, .all_x = span_none, .all_y = span_none};
     for (int i = 0; i < PANELS_MAX; i++) {
         v.x[i] = v.y[i] = span_none;
@@ -269,6 +276,6 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 const struct figure figure_loops = {
     .name = "loops",
     .doc = "contact force against penetration, storey shear against drift",
-    .lacks = lacks,
+    .check = check,
     .draw = draw,
 };

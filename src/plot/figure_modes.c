@@ -14,9 +14,10 @@ enum { BUILDINGS_MAX = SCRIPT_COLOURS, MODES_MAX = 4 };
 struct view {
     const struct runs *s;
     int n_building, n_mode;
-    bool heights;  // all shown buildings have them
-    double top;    // [L], or floors
-    bool points;   // there is room for those of all floors
+    bool heights;                 // all shown buildings have them
+    double top;                   // [L], or floors
+    bool points;                  // there is room for those of all floors
+    bool unknown[BUILDINGS_MAX];  // its shapes, for want of its stiffness
 };
 
 static const struct report_building *shown(const struct view *v, int run, int k) {
@@ -46,15 +47,18 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
 
 // A row for each floor: its level and the modes; those that a low building does not have, and those
 // that are not known, are NaN.
-static int write_shapes(const struct view *v, int run, int k, FILE *to, struct error *e) {
+static int write_shapes(struct view *v, int run, int k, FILE *to, struct error *e) {
     const struct report_building *b = shown(v, run, k);
     const int n = b->n_floor;
-    double *shape = malloc(((size_t)n + 1) * (size_t)n * sizeof *shape);
+    double *shape = malloc(((size_t)n + 2) * (size_t)n * sizeof *shape);
     if (!shape) {
         return error_no_memory(e);
     }
-    double *omega = shape + (size_t)n * (size_t)n;
-    int status = modes_solve(n, b->mass, b->stiffness, NULL, omega, shape, e);
+    double *omega = shape + (size_t)n * (size_t)n, *stiffness = omega + n;
+    for (int i = 0; i < n; i++) {
+        stiffness[i] = b->stiffness[i] - (b->axial ? b->axial[i] / b->height[i] : 0);
+    }
+    int status = modes_solve(n, b->mass, stiffness, NULL, omega, shape, e);
     if (status == STATUS_OK) {
         modes_scale_to_largest(n, shape);
         // known: these are the periods of the building. They are not if the building has parts,
@@ -62,8 +66,9 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
         bool known = true;
         for (int m = 0; m < b->n_floor; m++) {
             const double cycles = omega[m] * b->period[m] / (2 * acos(-1.0));
-            known = known && (omega[m] == 0 || fabs(cycles - 1) < 1e-6);
+            known = known && (omega[m] > 0 ? fabs(cycles - 1) < 1e-6 : !isfinite(b->period[m]));
         }
+        v->unknown[k] = v->unknown[k] || !known;
         fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);
         for (int i = -1; i < n; i++) {
             fprintf(to, "%.7g", runs_level(b, i + 1, v->heights));
@@ -129,7 +134,8 @@ static void add_entry(const struct view *v, struct legend *l, int k) {
         n += (size_t)snprintf(text + n, sizeof text - n, "%s %s", m > 0 ? "," : "", period);
     }
     if (isfinite(b->period[0])) {
-        snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);
+        snprintf(text + n, sizeof text - n, " %s%s", v->s->r[0]->units.time_name,
+                 v->unknown[k] ? ", shapes not in the file" : "");
     }
     const bool line = b->n_floor > 1 || b->stiffness[0] > 0;
     legend_add(l,
@@ -158,8 +164,9 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
-    const struct view v = choose(s, c);
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
+    struct view v = choose(s, c);
     int status = STATUS_OK;
     for (int k = 0; k < s->n * v.n_building && status == STATUS_OK; k++) {
         status = write_shapes(&v, k / v.n_building, k % v.n_building, c->data, e);

@@ -16,42 +16,34 @@ static const struct strip strips[] = {
 };
 enum { STRIPS = sizeof strips / sizeof strips[0] };
 
-static const struct figure *drawn(const struct runs *s, const char *name) {
+static const struct figure *drawn(const struct subject *p, const char *name) {
     const struct figure *f = name ? figure_find(name) : NULL;
-    return f && !(f->lacks && f->lacks(s)) ? f : NULL;
+    return f && figure_can_draw(f, p) ? f : NULL;
 }
 
-static double strip_height(const struct runs *s, const struct strip *strip) {
-    return drawn(s, strip->figure[0]) || drawn(s, strip->figure[1]) ? strip->height : 0;
+static double strip_height(const struct subject *p, const struct strip *strip) {
+    return drawn(p, strip->figure[0]) || drawn(p, strip->figure[1]) ? strip->height : 0;
 }
 
-static int draw_block(const struct figure *f, const struct runs *s, const struct canvas *page,
+static int draw_strip(const struct strip *strip, const struct subject *p, const struct canvas *page,
                       struct area a, struct error *e) {
-    struct canvas block = *page;
-    block.kind = CANVAS_BLOCK;
-    block.area = a;
-    return f->draw(s, &block, e);
-}
-
-static int draw_strip(const struct strip *strip, const struct runs *s, const struct canvas *page,
-                      struct area a, struct error *e) {
-    const struct figure *left = drawn(s, strip->figure[0]), *right = drawn(s, strip->figure[1]);
-    const double middle = left && right ? (a.left + a.right) / 2 : left ? a.right : a.left;
+    const struct figure *const f[] = {drawn(p, strip->figure[0]), drawn(p, strip->figure[1])};
+    const double middle = (a.left + a.right) / 2;
     int status = STATUS_OK;
-    if (left) {
-        struct area part = a;
-        part.right = middle - (right ? 0.8 : 0);
-        status = draw_block(left, s, page, part, e);
-    }
-    if (right && status == STATUS_OK) {
-        struct area part = a;
-        part.left = middle + (left ? 0.8 : 0);
-        status = draw_block(right, s, page, part, e);
+    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
+        struct canvas block = *page;
+        block.kind = CANVAS_BLOCK;
+        block.area = a;
+        if (f[1 - i]) {
+            *(i == 0 ? &block.area.right : &block.area.left) = middle + (i == 0 ? -0.8 : 0.8);
+        }
+        status = f[i] ? f[i]->draw(p, &block, e) : STATUS_OK;
     }
     return status;
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+    const struct runs *s = p->runs;
     const struct report *r = s->r[0];
     char text[200];
     snprintf(text, sizeof text, "%d building%s, %ld impact%s, %.4g %s", r->n_building,
@@ -63,13 +55,13 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     canvas_head(c, s->title, text);
     double total = 0, above = 0;
     for (int i = 0; i < STRIPS; i++) {
-        total += strip_height(s, &strips[i]);
+        total += strip_height(p, &strips[i]);
     }
     int status = STATUS_OK;
     for (int i = 0; i < STRIPS && status == STATUS_OK; i++) {
-        const double height = strip_height(s, &strips[i]) / total;
+        const double height = strip_height(p, &strips[i]) / total;
         const struct area part = canvas_part(c, 0, 1, 1 - above - height, 1 - above);
-        status = draw_strip(&strips[i], s, c, canvas_inset(part, 0.5, 0.5, 0.8, 0.8), e);
+        status = draw_strip(&strips[i], p, c, canvas_inset(part, 0.5, 0.5, 0.8, 0.8), e);
         above += height;
     }
     return status;

@@ -290,7 +290,8 @@ static void write_head(const struct selection *s, struct canvas *c) {
     write_legend(s, c);
 }
 
-static int draw(const struct runs *runs, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *runs = subject->runs;
     (void)e;
     struct selection s = choose(runs);
     s.points = canvas_has_room(c, s.floors);

@@ -30,8 +30,8 @@ struct view {
     struct span acceleration;
 };
 
-static const char *lacks(const struct runs *s) {
-    return runs_have(s, FIELD_ACCELERATION) ? NULL : "floor accelerations; see output -fields";
+static int check(const struct subject *p, struct error *e) {
+    return runs_need(p->runs, FIELD_ACCELERATION, "floor accelerations", e);
 }
 
 static void add(struct view *v, int building, int floor) {
@@ -203,7 +203,8 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     panel_close(c);
 }
 
-static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+    const struct runs *s = subject->runs;
     struct view v = {.s = s, .acceleration = span_none};
     int status = choose(&v, e);
     for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
@@ -218,7 +219,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
 
 const struct figure figure_spectrum = {
     .name = "spectrum",
-    .doc = "response spectra of the floors that hit hardest and of the roofs",
-    .lacks = lacks,
+    .doc = "response spectra of the floors with the largest contact force and of the roofs",
+    .check = check,
     .draw = draw,
 };

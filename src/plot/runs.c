@@ -77,6 +77,10 @@ int runs_init(struct runs *s, const struct result_file *first, const struct resu
         if (r->run > 0) {
             s->title = arena_format(r->arena, "run %ld: %s", r->run, s->title);
         }
+        if (s->title && r->collapse.happened) {
+            s->title = arena_format(r->arena, "%s (collapsed at %.4g %s)", s->title,
+                                    r->collapse.time, r->units.time_name);
+        }
         return s->title ? STATUS_OK : error_no_memory(e);
     }
     if (strcmp(s->name[0], s->name[1]) == 0) {
@@ -126,6 +130,21 @@ bool runs_have(const struct runs *s, unsigned fields) {
         }
     }
     return true;
+}
+
+int runs_lack(const struct runs *s, const char *what, struct error *e) {
+    return error_set(e, STATUS_INPUT, "%s%s%s has no %s", s->r[0]->file, s->n > 1 ? " or " : "",
+                     s->n > 1 ? s->r[1]->file : "", what);
+}
+
+int runs_need(const struct runs *s, unsigned fields, const char *what, struct error *e) {
+    char text[96];
+    snprintf(text, sizeof text, "%s; see output -fields", what);
+    return runs_have(s, fields) ? STATUS_OK : runs_lack(s, text, e);
+}
+
+int runs_lack_contacts(const struct runs *s, struct error *e) {
+    return runs_lack(s, s->n > 1 ? "contacts; name the run that has them first" : "contacts", e);
 }
 
 // How hard something is hit. Rigid impacts have no force, which is NAN then.

@@ -41,7 +41,7 @@ struct runs {
     const struct report *r[RUNS_MAX];          // borrowed
     char name[RUNS_MAX][64];                   // the files, as short as tells them apart
     // The first run's title, or its deck where it has none; before the title of one run of a study,
-    // its number. In the arena of the first run.
+    // its number; behind it, of one run, when it has collapsed. In the arena of the first run.
     const char *title;
     // Called by figures that take their time; NULL: nothing to tell.
     void (*tell)(void *context, long n_done, long n);
@@ -76,6 +76,13 @@ int runs_read(const struct runs *s, int run, const struct history *h, int n, str
 
 // True if all runs hold all these histories, bits of enum field.
 bool runs_have(const struct runs *s, unsigned fields);
+
+// STATUS_OK if they do; else the error "FILE has no WHAT; see output -fields".
+int runs_need(const struct runs *s, unsigned fields, const char *what, struct error *e);
+
+// The errors "FILE has no WHAT", and that the first run has no contacts.
+int runs_lack(const struct runs *s, const char *what, struct error *e);
+int runs_lack_contacts(const struct runs *s, struct error *e);
 
 // The contact with the largest force of the first run that has one, for each run: its index, or -1.
 // Contacts of two runs are the same if they join the same floors.

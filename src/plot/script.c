@@ -146,13 +146,15 @@ void script_shorten(const char *name, double width, char *cut, size_t size) {
         n++;
     }
     const char *end = name + strlen(name), *head = end, *tail = end;
+    const char *between = "";
     double shown = width_between(name, end);
     for (int kept = n - 1; kept > 0 && shown > width; kept--) {
         head = skip(name, (kept + 1) / 2);
         tail = skip(name, n - kept / 2);
-        shown = width_between(name, head) + script_width("\u2026") + width_between(tail, end);
+        between = tail[-1] == ' ' ? "\u2026 " : "\u2026";
+        shown = width_between(name, head) + script_width(between) + width_between(tail, end);
     }
-    snprintf(cut, size, "%.*s%s%s", (int)(head - name), name, head < end ? "\u2026" : "", tail);
+    snprintf(cut, size, "%.*s%s%s", (int)(head - name), name, between, tail);
 }
 
 void script_cut(const char *text, double width, char *cut, size_t size) {

@@ -25,7 +25,8 @@ double script_width(const char *text);
 // A text whose end is cut off behind `width` em.
 void script_cut(const char *text, double width, char *cut, size_t size);
 
-// A name with as much of its middle left out as makes it at most `width` em wide.
+// A name with as much of its middle left out as makes it at most `width` em wide. A word that the
+// end begins with keeps the blank before it.
 void script_shorten(const char *name, double width, char *cut, size_t size);
 
 // The unit, powers as raised digits, products with raised points.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of figures of studies, and what they have in common.
 #include "plot/study_figure.h"
 
 #include <assert.h>
@@ -8,49 +7,6 @@
 
 #include "core/safe.h"
 #include "plot/script.h"
-
-#define STUDY_FIGURE(name) extern const struct study_figure study_figure_##name;
-#include "plot/study_figure_list.inc"
-#undef STUDY_FIGURE
-
-#define STUDY_FIGURE(name) &study_figure_##name,
-const struct study_figure *const study_figures[] = {
-#include "plot/study_figure_list.inc"
-};
-#undef STUDY_FIGURE
-const int n_study_figure = sizeof study_figures / sizeof study_figures[0];
-
-const struct study_figure *study_figure_find(const char *name) {
-    assert(name);
-    for (int i = 0; i < n_study_figure; i++) {
-        if (strcmp(study_figures[i]->name, name) == 0) {
-            return study_figures[i];
-        }
-    }
-    return NULL;
-}
-
-const struct study_figure *study_figure_default(const struct suite *s) {
-    const bool incremental = s->is_intensity && s->abscissa->number && !s->mixed &&
-                             s->n_point > 1 && s->n_sample > 1 && s->n_group == 1;
-    return study_figure_find(incremental ? "ida" : "response");
-}
-
-int study_figure_write(const struct study_figure *f, const struct study_picture *p,
-                       const struct figure_files *to, struct error *e) {
-    const struct figure_head head = {f->name, f->doc, p->suite->view->version,
-                                     &p->suite->view->units, SHEET_ACROSS};
-    struct canvas c;
-    int status = f->check(p, e);
-    if (status == STATUS_OK) {
-        status = figure_open(&head, to, &c, e);
-    }
-    if (status == STATUS_OK) {
-        status = f->draw(p, &c, e);
-        figure_close(&c);
-    }
-    return status;
-}
 
 void study_demand_init(struct study_demand *d, const struct suite *s) {
     const bool ratio = s->edp.quantity->divisor != NULL;
@@ -74,6 +30,9 @@ struct axis study_demand_axis(const struct study_demand *d, const struct suite *
                          .dimension = s->edp.dimension,
                          .span = span_with_room(span, span.low < 0 ? (double)NAN : 0)};
 }
+
+// An axis of an intensity begins at 0 where no more than this share of it has no values.
+static const double EMPTY = 0.3;
 
 static bool is_geometric(const struct suite *s) {
     const double *x = s->point;
@@ -100,7 +59,8 @@ struct axis study_abscissa_axis(const struct suite *s) {
         axis.span = (struct span){axis.span.low / room, axis.span.high * room};
         return axis;
     }
-    axis.span = span_with_room(axis.span, s->is_intensity && axis.span.low >= 0 ? 0 : (double)NAN);
+    const bool near = axis.span.low >= 0 && axis.span.low <= EMPTY * axis.span.high;
+    axis.span = span_with_room(axis.span, s->is_intensity && near ? 0 : (double)NAN);
     return axis;
 }
 

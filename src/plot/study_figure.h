@@ -1,44 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of a study is one const descriptor in one file, study_NAME.c, named by one line in
-// study_figure_list.inc.
+// What the figures of studies have in common.
 #ifndef JOSTLE_STUDY_FIGURE_H
 #define JOSTLE_STUDY_FIGURE_H
 
 #include "plot/figure.h"
 #include "plot/panel.h"
-#include "study/suite.h"
-
-// What is drawn.
-struct study_picture {
-    const struct suite *suite;
-    const double *limit;  // (n_limit) of the demand
-    int n_limit;
-};
-
-struct study_figure {
-    const char *name;
-    const char *doc;         // half a line
-    enum suite_guess guess;  // of the sweep it goes along
-    // Why it cannot be drawn. Errors: STATUS_INPUT.
-    int (*check)(const struct study_picture *p, struct error *e);
-    // As of struct figure.
-    int (*draw)(const struct study_picture *p, struct canvas *c, struct error *e);
-};
-extern const struct study_figure *const study_figures[];
-extern const int n_study_figure;
-
-// The figure called `name`; NULL if there is none.
-const struct study_figure *study_figure_find(const char *name);
-
-// The figure that shows best what the suite holds.
-const struct study_figure *study_figure_default(const struct suite *s);
-
-// Writes the whole script and its data. Errors: STATUS_INPUT, and those of draw. Write errors are
-// the caller's.
-int study_figure_write(const struct study_figure *f, const struct study_picture *p,
-                       const struct figure_files *to, struct error *e);
-
-// --- what they have in common --------------------------------------------------------------------
 
 // The demand as it is drawn: ratios in percent.
 struct study_demand {

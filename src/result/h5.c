@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Failures, types, groups and links: what h5_write.c and h5_read.c share.
+// Types, groups and links: what h5_write.c and h5_read.c share.
 #include "result/h5.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,123 +13,15 @@
 #include "core/arena.h"
 #include "core/file.h"
 
-// In bytes. What the library takes before it is asked for again fits into ROOM: half a mebibyte for
-// a file, one for converting what it reads, and some KiB for each object. RESERVE is so large that
-// the C library maps it by itself, away from the pages that core/heap.c has got ready.
-enum {
-    CONVERSION_BUFFER = 16384,
-    HEADER_CACHE = 1 << 18,
-    ROOM = 2 << 20,
-    RESERVE = 4 << 20,
-    ASK_EVERY = 16
-};
+// In bytes. RESERVE is so large that the C library maps it by itself, away from the pages that
+// core/heap.c has got ready.
+enum { CONVERSION_BUFFER = 16384, HEADER_CACHE = 1 << 18, RESERVE = 4 << 20 };
 
 // Half as many entries as a node of the file's trees has: of those of groups, which have some ten
 // links, in their leaves, and of those of chunks, of which most datasets have one. The library's
 // own numbers, 16, 4 and 32, make a run of a study larger by a fifth, and each compressed history
 // by 2 KiB.
 enum { GROUP_NODE = 4, GROUP_LEAF = 5, CHUNK_NODE = 2 };
-
-// `volatile`: the compiler must not see that the block is not used.
-static bool is_there(size_t bytes) {
-    void *volatile block = malloc(bytes);
-    const bool is = block;
-    free(block);
-    return is;
-}
-
-// Keeps the description of the innermost error: the first one visited.
-static herr_t innermost(unsigned n, const H5E_error2_t *entry, void *context) {
-    struct h5 *h = context;
-    if (n == 0 && entry->desc) {
-        snprintf(h->cause, sizeof h->cause, "%s", entry->desc);
-    }
-    return 0;
-}
-
-// The library wraps the system's message: "... error message = 'No space left on device', ...".
-static void unwrap(char *cause) {
-    static const char mark[] = "error message = '";
-    char *start = strstr(cause, mark);
-    if (!start) {
-        return;
-    }
-    start += sizeof mark - 1;
-    char *end = strchr(start, '\'');
-    size_t n = end ? (size_t)(end - start) : strlen(start);
-    memmove(cause, start, n);
-    cause[n] = '\0';
-}
-
-static const char no_memory[] = "out of memory";
-
-bool h5_lacks_memory(const struct h5 *h) {
-    return strcmp(h->cause, no_memory) == 0;
-}
-
-int h5_damaged(const struct h5 *h, const char *path, struct error *e) {
-    return h5_lacks_memory(h) ? error_no_memory(e)
-                              : error_set(e, STATUS_INPUT, "%s is damaged: %s", path, h->cause);
-}
-
-#ifndef H5E_ID
-#define H5E_ID H5E_ATOM  // before HDF5 1.14
-#endif
-
-// The library's lists of properties and of objects are in memory only. Where they lack an entry, an
-// allocation failed at a place that did not report it.
-static herr_t find_memory(unsigned n, const H5E_error2_t *entry, void *lacks) {
-    *(bool *)lacks |= n == 0 && (entry->min_num == H5E_NOSPACE || entry->min_num == H5E_CANTALLOC ||
-                                 entry->maj_num == H5E_PLIST || entry->maj_num == H5E_ID);
-    return 0;
-}
-
-// Where there is no memory for the library, a group is not missing and a file is not damaged.
-static void take_memory(struct h5 *h) {
-    bool lacks = !is_there(ROOM);
-    if (!lacks && !h5_lacks_memory(h)) {
-        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_memory, &lacks);
-    }
-    if (lacks) {
-        snprintf(h->cause, sizeof h->cause, "%s", no_memory);
-    }
-}
-
-bool h5_failed(struct h5 *h, long long result) {
-    if (result < 0 && !h->failed) {
-        h->failed = true;
-        h5_spend_reserve(h);
-        snprintf(h->cause, sizeof h->cause, "unknown error of the HDF5 library");
-        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, h);
-        unwrap(h->cause);
-        take_memory(h);
-    }
-    return h->failed;
-}
-
-void h5_fail(struct h5 *h, const char *format, ...) {
-    if (h->failed) {
-        return;
-    }
-    h->failed = true;
-    h5_spend_reserve(h);
-    va_list list;
-    va_start(list, format);
-    vsnprintf(h->cause, sizeof h->cause, format, list);
-    va_end(list);
-    take_memory(h);
-}
-
-bool h5_has_room(struct h5 *h) {
-    if (!h->failed && h->n_ask++ % ASK_EVERY == 0 && !is_there(ROOM)) {
-        h5_no_memory(h);
-    }
-    return !h->failed;
-}
-
-void h5_no_memory(struct h5 *h) {
-    h5_fail(h, "%s", no_memory);
-}
 
 static void *of_arena(struct h5 *h, void *p) {
     if (!p) {
@@ -300,6 +191,7 @@ void h5_unlock(struct h5 *h) {
 
 void h5_open(struct h5 *h, const char *path, size_t sieve) {
     h->file = -1;
+    h->read_path = path;
     hid_t access = h5_start(h) ? H5Pcreate(H5P_FILE_ACCESS) : -1;
     if (!h5_failed(h, access) && set_header_cache(h, access) &&
         !h5_failed(h, H5Pset_fapl_sec2(access)) &&

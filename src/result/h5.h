@@ -41,6 +41,7 @@ struct h5_heap {
 
 struct h5 {
     hid_t file;
+    const char *read_path;        // borrowed: of a file that is read; NULL: it is written
     int lock;                     // descriptor that keeps the lock of a file that is written
     hid_t text;                   // type of texts: UTF-8, any length
     hid_t references;             // type of lists of references to objects
@@ -76,6 +77,7 @@ struct h5_dataset {
     hsize_t chunk_rows;  // 0: contiguous; otherwise rows of a chunk, unwritten rows read as NaN
     int compress;        // level of deflate for chunks; 0: none
     bool many_users;     // a scale that thousands of datasets refer to
+    bool may_be_cut;     // h5_cut may follow; it needs chunk_rows
 };
 
 // Checks that there is memory for what the library does next, as it crashes where memory runs out;
@@ -162,6 +164,9 @@ struct h5_box {
 // The box of a dataset with dimensions `dim` (n_dim) that starts at value `first`, in the order of
 // rows, and holds at most `most` >= 1 values that follow one another.
 struct h5_box h5_box(const hsize_t *dim, int n_dim, hsize_t first, hsize_t most);
+
+// Shortens a dataset that `may_be_cut` to so many rows.
+void h5_cut(struct h5 *h, hid_t dataset, size_t rows);
 
 // Write and read the values of a box, NULL: all, which are of `type` in memory; the library
 // converts them.

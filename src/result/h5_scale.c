@@ -3,9 +3,11 @@
 // lays them out: a dataset names the scales of its dimensions in its attribute DIMENSION_LIST, and
 // a scale the datasets that use it, and in which dimension, in REFERENCE_LIST.
 //
-// The library's own H5DSattach_scale writes the second list anew for each dataset. With the
-// thousands of datasets that share the times of a long row that takes most of the time of a run, so
-// here all uses are kept and each list is written once.
+// The library's own H5DSattach_scale writes REFERENCE_LIST again for each dataset. With HDF5 1.10.8
+// the run of a row of 500 buildings takes 1.5 times as long by it; a row of 2000 buildings, and a
+// study of 20 runs of 500 buildings, twice as long. So all uses are kept here and each list is
+// written once. A study of 10,000 runs of two buildings has few datasets and takes as long either
+// way.
 #include <stdlib.h>
 #include <string.h>
 

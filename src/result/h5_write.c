@@ -77,9 +77,10 @@ static hid_t storage_list(struct h5 *h, const struct h5_dataset *d) {
     for (int i = 0; i < d->n_dim; i++) {
         bytes *= d->dim[i];
     }
-    if (d->chunk_rows > 0 && bytes > 0) {
+    if (d->chunk_rows > 0 && (bytes > 0 || d->may_be_cut)) {
         assert(d->n_dim <= 2);
-        return chunked_list(h, &(struct h5_chunk){d->n_dim, d->chunk_rows, d->dim[1], d->compress});
+        const hsize_t width = d->dim[1] > 0 ? d->dim[1] : 1;
+        return chunked_list(h, &(struct h5_chunk){d->n_dim, d->chunk_rows, width, d->compress});
     }
     return bytes <= FEW_BYTES ? h->compact : h->plain;
 }
@@ -87,7 +88,9 @@ static hid_t storage_list(struct h5 *h, const struct h5_dataset *d) {
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     const hid_t usual = storage_list(h, d), access = usual == h->chunked ? h->access : H5P_DEFAULT;
     hid_t list = h->failed || !d->many_users ? usual : H5Pcopy(usual), dataset = -1;
-    hid_t space = H5Screate_simple(d->n_dim, d->dim, NULL);
+    // A chunk may not be wider than its dataset ever is.
+    const hsize_t most[2] = {d->dim[0], d->dim[1] > 0 ? d->dim[1] : H5S_UNLIMITED};
+    hid_t space = H5Screate_simple(d->n_dim, d->dim, d->may_be_cut ? most : NULL);
     // A scale of thousands of datasets lists them in an attribute of more than the 64 KiB that an
     // object header takes, so it keeps its attributes outside.
     if (d->many_users && !h5_failed(h, list)) {
@@ -130,6 +133,18 @@ hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
         return -1;
     }
     return dataset;
+}
+
+void h5_cut(struct h5 *h, hid_t dataset, size_t rows) {
+    const hid_t space = h->failed ? -1 : H5Dget_space(dataset);
+    hsize_t size[2];
+    if (h->failed || h5_failed(h, space)) {
+        return;
+    }
+    const int n_dim = H5Sget_simple_extent_dims(space, size, NULL);
+    size[0] = rows;
+    H5Sclose(space);
+    h5_failed(h, n_dim == 1 || n_dim == 2 ? H5Dset_extent(dataset, size) : -1);
 }
 
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data) {

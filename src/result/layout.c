@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "core/arena.h"
+
 // A row of a table of struct `type`.
 #define ROW(type, name, kind, member, dimension, long_name)                                        \
     { name, long_name, dimension, COLUMN_##kind, offsetof(struct type, member), 0 }
@@ -45,6 +47,21 @@ static const struct column totals_column[] = {
 };
 const struct column_table layout_totals = TABLE(totals_column, report);
 
+static const struct column collapse_column[] = {
+    ROW(report, "collapsed", LONG, collapse.happened, NULL,
+        "1: a storey has reached its limit of drift and the run has ended there, 0: none has"),
+    ROW(report, "collapse_time", DOUBLE, collapse.time, &dimension_time,
+        "time of the collapse, 0 if there is none"),
+    ROW(report, "collapse_building", TEXT, collapse.building, NULL, "building that has collapsed"),
+    ROW(report, "collapse_storey", LONG, collapse.storey, NULL,
+        "storey that has collapsed, 0 if none has"),
+    ROW(report, "collapse_drift", DOUBLE, collapse.drift, &dimension_length,
+        "its drift then, 0 if there is none"),
+    TOTAL("steps_cut_indefinite", indefinite,
+          "rejected steps whose matrix a negative stiffness made not positive definite"),
+};
+const struct column_table layout_collapse = TABLE(collapse_column, report);
+
 // First those with a history, in the order of enum energy.
 #define ENERGY(name, member, long_name)                                                            \
     ROW(report, name, DOUBLE, member, &dimension_energy, long_name)
@@ -74,6 +91,14 @@ static const struct column building_column[] = {
 };
 const struct column_table layout_building = TABLE(building_column, report_building);
 
+static const struct column pdelta_column[] = {
+    FLOORS("gravity_load", axial, &dimension_force,
+           "gravity load that the storey below each floor carries, for P-delta"),
+    FLOORS("stability_coefficient", theta, NULL,
+           "gravity load times drift over shear times height of the storey, in the first mode"),
+};
+const struct column_table layout_pdelta = TABLE(pdelta_column, report_building);
+
 // A peak and its time.
 #define PEAK(name, number, dimension, long_name)                                                   \
     FLOORS(name, peak[number], dimension, long_name),                                              \
@@ -92,6 +117,57 @@ static const struct column peak_column[] = {
            "end"),
 };
 const struct column_table layout_peak = TABLE(peak_column, report_building);
+
+#define MEMBER(name, kind, member, dimension, long_name)                                           \
+    ROW(report_member, name, kind, member, dimension, long_name)
+static const struct column member_column[] = {MEMBER("name", TEXT, name, NULL, "name")};
+const struct column_table layout_member = TABLE(member_column, report_member);
+
+static const struct column member_peak_column[] = {
+    MEMBER("moment", DOUBLE, moment, &dimension_energy, "largest absolute moment on either end"),
+    MEMBER("shear", DOUBLE, shear, &dimension_force, "largest absolute shear"),
+    MEMBER("axial", DOUBLE, axial, &dimension_force,
+           "largest absolute normal force, NaN of beams and walls"),
+};
+const struct column_table layout_member_peak = TABLE(member_peak_column, report_member);
+
+#define EXTREME(name, number, dimension, long_name)                                                \
+    MEMBER(name "_max", DOUBLE, extreme[number].max, dimension, "largest " long_name),             \
+        MEMBER(name "_max_time", DOUBLE, extreme[number].max_time, &dimension_time,                \
+               "time of the largest " long_name),                                                  \
+        MEMBER(name "_min", DOUBLE, extreme[number].min, dimension, "smallest " long_name),        \
+        MEMBER(name "_min_time", DOUBLE, extreme[number].min_time, &dimension_time,                \
+               "time of the smallest " long_name)
+static const struct column member_extreme_column[] = {
+    EXTREME("M_i", MEMBER_M_I, &dimension_energy, "moment on the lower or left end"),
+    EXTREME("M_j", MEMBER_M_J, &dimension_energy, "moment on the upper or right end"),
+    EXTREME("V", MEMBER_V, &dimension_force, "shear"),
+    EXTREME("N", MEMBER_N, &dimension_force, "normal force, tension positive"),
+};
+const struct column_table layout_member_extreme = TABLE(member_extreme_column, report_member);
+
+const struct quantity layout_member_field[] = {
+    {"moment on the lower or left end, counterclockwise positive", &dimension_energy},
+    {"moment on the upper or right end, counterclockwise positive", &dimension_energy},
+    {"shear, (M_i + M_j) / length", &dimension_force},
+    {"normal force, tension positive, NaN of beams and walls", &dimension_force},
+};
+
+const struct quantity layout_share_field = {
+    "share of the restoring force of the storey below each floor", &dimension_force};
+
+#define SHARE(name, kind, member, dimension, long_name)                                            \
+    ROW(report_share, name, kind, member, dimension, long_name)
+static const struct column share_column[] = {SHARE("name", TEXT, name, NULL, "name")};
+const struct column_table layout_share = TABLE(share_column, report_share);
+
+static const struct column share_peak_column[] = {
+    SHARE("storey_shear", ARRAY, shear, &dimension_force,
+          "largest share of the restoring force of the storey below each floor"),
+    SHARE("storey_shear_time", ARRAY, shear_time, &dimension_time,
+          "time of the largest share of the restoring force of the storey below each floor"),
+};
+const struct column_table layout_share_peak = TABLE(share_peak_column, report_share);
 
 #define LINK(name, kind, member, dimension, long_name)                                             \
     ROW(report_link, name, kind, member, dimension, long_name)
@@ -155,6 +231,35 @@ static const struct column link_peak_column[] = {
 };
 const struct column_table layout_link_peak = TABLE(link_peak_column, report_link);
 
+#define EXTREMES(name, number, dimension, what)                                                    \
+    LINK(name "_max", DOUBLE, column[number].max, dimension, "largest " what),                     \
+        LINK(name "_max_time", DOUBLE, column[number].max_time, &dimension_time,                   \
+             "time of the largest " what),                                                         \
+        LINK(name "_min", DOUBLE, column[number].min, dimension, "smallest " what),                \
+        LINK(name "_min_time", DOUBLE, column[number].min_time, &dimension_time,                   \
+             "time of the smallest " what)
+static const struct column column_column[] = {
+    LINK("force", DOUBLE, peak.force, &dimension_force,
+         "largest absolute force between the struck point and the floors"),
+    LINK("force_time", DOUBLE, peak.force_time, &dimension_time, "time of the largest force"),
+    LINK("deformation", DOUBLE, peak.penetration, &dimension_length,
+         "largest absolute displacement of the struck point against the unloaded column"),
+    LINK("deformation_time", DOUBLE, peak.penetration_time, &dimension_time,
+         "time of the largest deformation"),
+    LINK("shear", DOUBLE, shear, &dimension_force, "largest absolute shear in one column"),
+    LINK("moment", DOUBLE, moment, &dimension_energy, "largest absolute moment in one column"),
+    LINK("shear_demand", DOUBLE, shear_demand, NULL, "shear over the shear strength, NaN if none"),
+    LINK("moment_demand", DOUBLE, moment_demand, NULL,
+         "moment over the moment strength, NaN if none"),
+    EXTREMES("shear_below", COLUMN_SHEAR_BELOW, &dimension_force, "shear below the struck point"),
+    EXTREMES("shear_above", COLUMN_SHEAR_ABOVE, &dimension_force, "shear above the struck point"),
+    EXTREMES("moment_below", COLUMN_MOMENT_BELOW, &dimension_energy, "moment at the floor below"),
+    EXTREMES("moment_point", COLUMN_MOMENT_POINT, &dimension_energy,
+             "moment at the struck point, on the part below"),
+    EXTREMES("moment_above", COLUMN_MOMENT_ABOVE, &dimension_energy, "moment at the floor above"),
+};
+const struct column_table layout_column_peak = TABLE(column_column, report_link);
+
 #define IMPACT(name, kind, member, dimension, long_name)                                           \
     ROW(impact, name, kind, member, dimension, long_name)
 static const struct column impact_column[] = {
@@ -195,6 +300,9 @@ const struct link_group layout_contacts = {"contacts",
                                            layout_field + FLOOR_FIELD_COUNT};
 const struct link_group layout_links = {
     "links", "link", &layout_link_peak, {"force", "deformation"}, link_field};
+
+const struct link_group layout_columns = {
+    "columns", "column", &layout_column_peak, {"force", "deformation"}, link_field};
 
 bool layout_has_levels(const struct report_link *link, int n) {
     bool any = false;
@@ -246,6 +354,11 @@ double layout_number(const struct column *c, const void *at) {
                                                                : (double)layout_whole(c, at);
 }
 
+void layout_paths(struct report_building *b, struct arena *a) {
+    b->path = arena_format(a, "buildings/%s", b->name);
+    b->parts = arena_format(a, "buildings/%s/parts", b->name);
+}
+
 static void visit_links(const struct link_group *g, const struct report_link *link, int n,
                         layout_visit *visit, void *context) {
     struct layout_place p = {
@@ -258,6 +371,18 @@ static void visit_links(const struct link_group *g, const struct report_link *li
     p.table = g->peaks;
     p.leaf = "envelope";
     visit(context, &p);
+}
+
+static void visit_forces(const struct report_building *b, layout_visit *visit, void *context) {
+    if (b->n_member > 0) {
+        visit(context, &(struct layout_place){b->path, "members", "envelope", "member",
+                                              &layout_member_peak, b->member, (size_t)b->n_member});
+    }
+    for (int i = 0; i < b->n_share; i++) {
+        visit(context,
+              &(struct layout_place){b->parts, b->share[i].name, "envelope", "floor",
+                                     &layout_share_peak, &b->share[i], (size_t)b->n_floor});
+    }
 }
 
 void layout_each(const struct report *r, layout_visit *visit, void *context) {
@@ -273,11 +398,16 @@ void layout_each(const struct report *r, layout_visit *visit, void *context) {
         p.table = &layout_peak;
         p.leaf = "envelope";
         visit(context, &p);
+        visit_forces(b, visit, context);
     }
     visit_links(&layout_contacts, r->contact, r->n_contact, visit, context);
     if (r->n_link > 0) {
         visit_links(&layout_links, r->link, r->n_link, visit, context);
     }
+    if (r->n_column > 0) {
+        visit_links(&layout_columns, r->column, r->n_column, visit, context);
+    }
     visit(context, &(struct layout_place){"energy", NULL, NULL, NULL, &layout_energy, r, 1});
     visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_totals, r, 1});
+    visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_collapse, r, 1});
 }

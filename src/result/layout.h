@@ -27,16 +27,24 @@ struct column_table {
     size_t size;  // of the struct
 };
 
-extern const struct column_table layout_root;       // of struct report: attributes of /
-extern const struct column_table layout_totals;     // the same; of a study: /totals
-extern const struct column_table layout_energy;     // of struct report: /energy
-extern const struct column_table layout_building;   // of struct report_building: /buildings/*
-extern const struct column_table layout_peak;       // the same: /buildings/*/envelope
-extern const struct column_table layout_link;       // of struct report_link: /contacts and /links
-extern const struct column_table layout_level;      // the same, where layout_has_levels
-extern const struct column_table layout_contact;    // of struct report_link: /contacts/envelope
-extern const struct column_table layout_link_peak;  // of struct report_link: /links/envelope
-extern const struct column_table layout_impact;     // of struct impact: /impacts
+extern const struct column_table layout_root;      // of struct report: attributes of /
+extern const struct column_table layout_totals;    // the same; of a study: /totals
+extern const struct column_table layout_collapse;  // the same, which earlier versions do not have
+extern const struct column_table layout_energy;    // of struct report: /energy
+extern const struct column_table layout_building;  // of struct report_building: /buildings/*
+extern const struct column_table layout_pdelta;    // the same, of a run alone with P-delta
+extern const struct column_table layout_peak;      // the same: /buildings/*/envelope
+extern const struct column_table layout_member;    // of struct report_member: .../members
+extern const struct column_table layout_member_peak;     // the same: .../members/envelope
+extern const struct column_table layout_member_extreme;  // the same, of runs
+extern const struct column_table layout_share;           // of struct report_share: .../parts
+extern const struct column_table layout_share_peak;      // the same: .../parts/*/envelope
+extern const struct column_table layout_link;         // of struct report_link: /contacts and /links
+extern const struct column_table layout_level;        // the same, where layout_has_levels
+extern const struct column_table layout_contact;      // of struct report_link: /contacts/envelope
+extern const struct column_table layout_link_peak;    // of struct report_link: /links/envelope
+extern const struct column_table layout_column_peak;  // the same: /columns/envelope
+extern const struct column_table layout_impact;       // of struct impact: /impacts
 
 // The last column of layout_peak. A run has it of buildings that can yield.
 extern const char layout_residual_drift_name[];
@@ -46,7 +54,10 @@ struct quantity {
     const char *long_name;
     const struct dimension *dimension;
 };
-extern const struct quantity layout_field[];  // in the order of enum field's bits
+extern const struct quantity layout_field[];         // in the order of enum field's bits, up to the
+                                                     // seventh
+extern const struct quantity layout_member_field[];  // in the order of enum member_force
+extern const struct quantity layout_share_field;
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
 
@@ -57,7 +68,7 @@ struct link_group {
     const char *field[2];              // its histories: force, and penetration or deformation
     const struct quantity *quantity;   // (2) of them
 };
-extern const struct link_group layout_contacts, layout_links;
+extern const struct link_group layout_contacts, layout_links, layout_columns;
 
 // Is an end of a link at a level between two floors?
 bool layout_has_levels(const struct report_link *link, int n);
@@ -87,6 +98,9 @@ struct layout_place {
     size_t n;          // values of each column
 };
 typedef void layout_visit(void *context, const struct layout_place *p);
+
+// Sets the paths of a building whose name is there.
+void layout_paths(struct report_building *b, struct arena *a);
 
 // Visits all places of buildings, contacts, links, energies and totals in the order of the values
 // of a run.

@@ -7,6 +7,7 @@
 #include "result/reader.h"
 
 #include <math.h>
+#include <string.h>
 
 // What a file may claim before it is taken for damaged.
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
@@ -76,10 +77,57 @@ static void get_attributes(struct result_file *f) {
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, r);
     }
+    // Files of earlier versions do not tell.
+    r->collapse = (struct report_collapse){.building = ""};
+    const bool tells = H5Aexists(f->root, layout_collapse.column[0].name) > 0;
+    for (int c = 0; tells && c < layout_collapse.n_column; c++) {
+        h5_get_member(&f->h, r->arena, f->root, &layout_collapse, c, r);
+    }
     r->n_row = (long)h5_get_length(&f->h, f->root, "time", (size_t)1 << 30);
     if (r->n_row < 1) {
         h5_fail(&f->h, "dataset 'time' has no values");
     }
+}
+
+// The members of a building, whose group is there.
+static void get_members(struct result_file *f, const struct spot *building,
+                        struct report_building *b) {
+    const struct spot members = open_spot(f, building, "members");
+    const hid_t group = members.own >= 0 ? members.own : members.study;
+    const size_t n = h5_get_length(&f->h, group, "member", LIST_LIMIT);
+    b->member = h5_alloc(&f->h, f->report->arena, n, sizeof *b->member);
+    get_column(f, &members, &layout_member, 0, b->member, n);
+    if (f->reading == READ_VALUES && !f->h.failed) {
+        const struct spot envelope = open_spot(f, &members, "envelope");
+        get_columns(f, &envelope, &layout_member_peak, b->member, n);
+        b->extremes =
+            envelope.own >= 0 && h5_has(&f->h, envelope.own, layout_member_extreme.column[0].name);
+        if (b->extremes) {
+            get_columns(f, &envelope, &layout_member_extreme, b->member, n);
+        }
+        close_spot(f, &envelope);
+    }
+    b->n_member = f->h.failed ? 0 : (int)n;
+    close_spot(f, &members);
+}
+
+// The shares of what resists, whose group is there.
+static void get_shares(struct result_file *f, const struct spot *building,
+                       struct report_building *b) {
+    const struct spot parts = open_spot(f, building, "parts");
+    const hid_t group = parts.own >= 0 ? parts.own : parts.study;
+    const size_t n = h5_get_length(&f->h, group, "part", LIST_LIMIT);
+    b->share = h5_alloc(&f->h, f->report->arena, n, sizeof *b->share);
+    get_column(f, &parts, &layout_share, 0, b->share, n);
+    for (size_t i = 0; f->reading == READ_VALUES && i < n && !f->h.failed; i++) {
+        const struct spot share = open_spot(f, &parts, b->share[i].name);
+        const struct spot envelope = open_spot(f, &share, "envelope");
+        get_columns(f, &envelope, &layout_share_peak, &b->share[i], (size_t)b->n_floor);
+        close_spot(f, &envelope);
+        close_spot(f, &share);
+    }
+    b->n_share = f->h.failed ? 0 : (int)n;
+    close_spot(f, &parts);
 }
 
 // The building in the group `name`, at its position, which must be free.
@@ -98,12 +146,16 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     if (!f->h.failed) {
         struct report_building *b = &r->building[position];
         b->name = copy;
+        layout_paths(b, r->arena);
         b->n_floor = (int)h5_get_length(&f->h, building.own, "floor", FLOORS_MAX);
         if (b->n_floor < 1) {
             h5_fail(&f->h, "building '%s' has no floors", b->name);
         }
         if (f->reading == READ_VALUES) {
             get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
+            if (building.own >= 0 && h5_has(&f->h, building.own, layout_pdelta.column[0].name)) {
+                get_columns(f, &building, &layout_pdelta, b, (size_t)b->n_floor);
+            }
             // Residual drifts are not there where no storey can yield; of a run of a study, an
             // attribute says so.
             const struct spot envelope = open_spot(f, &building, "envelope");
@@ -115,6 +167,12 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
             }
             close_spot(f, &envelope);
         }
+    }
+    if (!f->h.failed && h5_has(&f->h, holder(f, &building, "members"), "members")) {
+        get_members(f, &building, &r->building[position]);
+    }
+    if (!f->h.failed && h5_has(&f->h, holder(f, &building, "parts"), "parts")) {
+        get_shares(f, &building, &r->building[position]);
     }
     for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
         r->fields |= h5_has(&f->h, building.own, field_names[i]) ? 1U << i : 0;
@@ -141,6 +199,28 @@ static void get_buildings(struct result_file *f) {
     h5_close(&f->h, group);
 }
 
+// The end of a link must be a wall, or a floor of a building of the file; 0 is the ground. `*at` is
+// the building found last, with which the search starts.
+static void check_end(struct result_file *f, const char *group, const char *name, int floor,
+                      int *at) {
+    const struct report *r = f->report;
+    if (strcmp(name, "wall") == 0) {
+        return;
+    }
+    for (int i = 0; i < r->n_building; i++) {
+        const int k = (*at + i) % r->n_building;
+        if (strcmp(r->building[k].name, name) == 0) {
+            *at = k;
+            if (floor < 0 || floor > r->building[k].n_floor) {
+                h5_fail(&f->h, "a link of /%s is at floor %d of '%s', which has %d", group, floor,
+                        name, r->building[k].n_floor);
+            }
+            return;
+        }
+    }
+    h5_fail(&f->h, "a link of /%s is at '%s', which is not in /buildings", group, name);
+}
+
 static struct report_link *get_links(struct result_file *r, const struct link_group *g,
                                      int *n_link) {
     const struct spot root = root_of(r), links = open_spot(r, &root, g->name);
@@ -156,12 +236,10 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
     if (n > 0 && h5_has(&r->h, holder(r, &links, level), level)) {
         get_columns(r, &links, &layout_level, link, n);
     }
+    int left = 0, right = 0;
     for (size_t i = 0; link && i < n && !r->h.failed; i++) {
-        if (link[i].left_floor > FLOORS_MAX || link[i].right_floor > FLOORS_MAX) {
-            h5_fail(&r->h, "a link of /%s is at floor %d; there are at most %d", g->name,
-                    link[i].left_floor > FLOORS_MAX ? link[i].left_floor : link[i].right_floor,
-                    FLOORS_MAX);
-        }
+        check_end(r, g->name, link[i].left, link[i].left_floor, &left);
+        check_end(r, g->name, link[i].right, link[i].right_floor, &right);
     }
     if (r->reading == READ_VALUES) {
         for (int i = 0; i < 2; i++) {
@@ -218,6 +296,9 @@ void reader_get(struct result_file *r) {
     r->report->contact = get_links(r, &layout_contacts, &r->report->n_contact);
     if (h5_has(&r->h, r->root, layout_links.name)) {
         r->report->link = get_links(r, &layout_links, &r->report->n_link);
+    }
+    if (h5_has(&r->h, r->root, layout_columns.name)) {
+        r->report->column = get_links(r, &layout_columns, &r->report->n_column);
     }
     if (r->reading == READ_VALUES) {
         get_impacts(r);

@@ -6,9 +6,13 @@
 
 #include "core/arena.h"
 #include "jostle/result.h"
+#include "model/forces.h"
 #include "model/struck_column.h"
+#include "result/layout.h"
 
 static const char *const wall = "wall";
+
+const char *const report_force_names[] = {"M_i", "M_j", "V", "N"};
 
 static const double *copy(struct arena *a, const double *from, size_t n) {
     double *to = arena_alloc(a, n, sizeof *to);
@@ -16,6 +20,66 @@ static const double *copy(struct arena *a, const double *from, size_t n) {
         memcpy(to, from, n * sizeof *to);
     }
     return to;
+}
+
+static void member_fill(struct report_member *to, const struct plane_frame *f, int i,
+                        const struct building *b, int part, const struct results *r) {
+    for (int q = 0; r && q < MEMBER_FORCES; q++) {
+        const int at = b->force + forces_of_members(b, part, q) + i;
+        const bool has = frame_has(&f->member[i], q);
+        to->extreme[q] = has ? (struct member_extreme){r->force_max[at], r->force_max_time[at],
+                                                       r->force_min[at], r->force_min_time[at]}
+                             : (struct member_extreme){NAN, NAN, NAN, NAN};
+    }
+    const struct member_extreme *e = to->extreme;
+    const double end = fmax(e[MEMBER_M_I].max, -e[MEMBER_M_I].min);
+    to->moment = fmax(end, fmax(e[MEMBER_M_J].max, -e[MEMBER_M_J].min));
+    to->shear = fmax(e[MEMBER_V].max, -e[MEMBER_V].min);
+    to->axial = fmax(e[MEMBER_N].max, -e[MEMBER_N].min);
+}
+
+static void members_fill(struct report_building *to, struct arena *a, const struct building *b,
+                         const struct results *r) {
+    for (int p = 0; p < b->n_part; p++) {
+        const struct plane_frame *f = frame_of(&b->part[p]);
+        to->n_member += f ? f->n_member : 0;
+    }
+    struct report_member *m = arena_alloc(a, (size_t)to->n_member, sizeof *m);
+    to->member = m;
+    to->extremes = r && to->n_member > 0;
+    for (int p = 0; m && p < b->n_part; p++) {
+        const struct plane_frame *f = frame_of(&b->part[p]);
+        for (int i = 0; f && i < f->n_member; i++, m++) {
+            m->name = frame_member_name(&f->member[i], a);
+            member_fill(m, f, i, b, p, r);
+        }
+    }
+}
+
+static void share_fill(struct report_share *to, struct arena *a, const struct building *b,
+                       int share, const struct results *r) {
+    const size_t n = (size_t)b->n_floor;
+    const char *name = forces_share_name(b, share);
+    double *shear = arena_alloc(a, n, sizeof *shear), *time = arena_alloc(a, n, sizeof *time);
+    to->name = arena_text(a, name, strlen(name));
+    for (size_t i = 0; r && shear && time && i < n; i++) {
+        const size_t at = (size_t)(b->force + forces_of_share(b, share)) + i;
+        const bool most = r->force_max[at] >= -r->force_min[at];
+        shear[i] = most ? r->force_max[at] : -r->force_min[at];
+        time[i] = most ? r->force_max_time[at] : r->force_min_time[at];
+    }
+    to->shear = shear;
+    to->shear_time = time;
+}
+
+static void shares_fill(struct report_building *to, struct arena *a, const struct building *b,
+                        const struct results *r) {
+    to->share = arena_alloc(a, (size_t)b->n_part + 1, sizeof *to->share);
+    for (int i = 0; to->share && b->n_part > 0 && i <= b->n_part; i++) {
+        if (forces_of_share(b, i) >= 0) {
+            share_fill(&to->share[to->n_share++], a, b, i, r);
+        }
+    }
 }
 
 static void building_fill(struct report_building *to, struct arena *a, const struct building *b,
@@ -29,6 +93,8 @@ static void building_fill(struct report_building *to, struct arena *a, const str
     to->stiffness = copy(a, own->stiffness, n);
     to->height = copy(a, b->height, n);
     to->period = period;
+    to->axial = b->axial ? copy(a, b->axial, n) : NULL;
+    to->theta = b->theta ? copy(a, b->theta, n) : NULL;
     for (size_t i = 0; period && i < n; i++) {
         period[i] = 2 * acos(-1.0) / b->omega[i];
     }
@@ -39,6 +105,9 @@ static void building_fill(struct report_building *to, struct arena *a, const str
     if (r && !b->elastic) {
         to->residual_drift = copy(a, r->residual_drift + b->first, n);
     }
+    layout_paths(to, a);
+    members_fill(to, a, b, r);
+    shares_fill(to, a, b, r);
 }
 
 static const char *constants_text(struct arena *a, const struct link *l) {
@@ -82,7 +151,34 @@ static void link_fill(struct report_link *to, const struct report *r, const stru
     };
 }
 
-static void results_fill(struct report *to, const struct results *r) {
+static void collapse_fill(struct report_collapse *to, const struct model *m,
+                          const struct report *report, const struct collapse *c) {
+    *to = (struct report_collapse){.building = ""};
+    for (int k = 0; c && c->happened && k < m->n_building; k++) {
+        const int floor = c->dof - m->building[k].first;
+        if (floor >= 0 && floor < m->building[k].n_level) {
+            *to =
+                (struct report_collapse){1, c->time, report->building[k].name, floor + 1, c->drift};
+        }
+    }
+}
+
+static double larger_size(double most, const struct column_peak *p) {
+    return fmax(most, fmax(p->max, -p->min));
+}
+
+static void column_fill(struct report_link *to, const struct struck_column *c,
+                        const struct column_peak peak[COLUMN_FORCE_COUNT]) {
+    memcpy(to->column, peak, sizeof to->column);
+    for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        double *most = q <= COLUMN_SHEAR_ABOVE ? &to->shear : &to->moment;
+        *most = larger_size(*most, &peak[q]);
+    }
+    to->shear_demand = isinf(c->shear_strength) ? NAN : to->shear / c->shear_strength;
+    to->moment_demand = isinf(c->moment_strength) ? NAN : to->moment / c->moment_strength;
+}
+
+static void results_fill(struct report *to, const struct model *m, const struct results *r) {
     to->n_impact = r->n_impact;
     to->impact = arena_alloc(to->arena, (size_t)r->n_impact, sizeof *to->impact);
     if (to->impact && r->n_impact > 0) {
@@ -93,6 +189,10 @@ static void results_fill(struct report *to, const struct results *r) {
     }
     for (int i = 0; i < to->n_link; i++) {
         to->link[i].peak = r->link[to->n_contact + i];
+    }
+    for (int i = 0; i < to->n_column; i++) {
+        to->column[i].peak = r->link[to->n_contact + to->n_link + i];
+        column_fill(&to->column[i], &m->column[i], r->column[i]);
     }
     memcpy(to->energy, r->energy, sizeof to->energy);
     to->initial_energy = r->initial_energy;
@@ -134,10 +234,12 @@ static void model_fill(struct report *to, const struct model *m, const struct re
     to->n_row = model_rows(m);
     to->n_building = m->n_building;
     to->n_contact = m->n_contact;
-    to->n_link = m->n_link - m->n_contact;
+    to->n_link = m->n_link - m->n_contact - m->n_column;
+    to->n_column = m->n_column;
     to->building = arena_alloc(to->arena, (size_t)to->n_building, sizeof *to->building);
     to->contact = arena_alloc(to->arena, (size_t)to->n_contact, sizeof *to->contact);
     to->link = arena_alloc(to->arena, (size_t)to->n_link, sizeof *to->link);
+    to->column = arena_alloc(to->arena, (size_t)to->n_column, sizeof *to->column);
     if (arena_failed(to->arena)) {
         return;
     }
@@ -145,11 +247,15 @@ static void model_fill(struct report *to, const struct model *m, const struct re
         building_fill(&to->building[i], to->arena, &m->building[i], r);
     }
     for (int i = 0; i < m->n_link; i++) {
-        struct report_link *l = i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
+        const int link = i - m->n_contact, column = link - to->n_link;
+        struct report_link *l = link < 0     ? &to->contact[i]
+                                : column < 0 ? &to->link[link]
+                                             : &to->column[column];
         link_fill(l, to, m, &m->link[i]);
     }
+    collapse_fill(&to->collapse, m, to, r ? &r->collapse : NULL);
     if (r) {
-        results_fill(to, r);
+        results_fill(to, m, r);
     }
 }
 

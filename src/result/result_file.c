@@ -13,25 +13,33 @@
 
 enum { SIEVE_BYTES = 1 << 16 };
 
-// The row of run `run` of the study in the file, from 0; a part says which runs it has.
-static hsize_t find_row(struct result_file *r, long run) {
+// The row of run `run` of the study in the file, from 0; a part says which runs it has. Errors:
+// STATUS_INPUT (it does not have this one). A damaged file is noted in r->h.
+static int find_row(struct result_file *r, const char *file, long run, hsize_t *row,
+                    struct error *e) {
+    *row = (hsize_t)run - 1;
     if (!h5_has(&r->h, r->h.file, "part")) {
-        return (hsize_t)run - 1;
+        return STATUS_OK;
     }
     const size_t n = h5_get_length(&r->h, r->h.file, "run", STUDY_RUNS_MAX);
     const double *number = h5_get_doubles(&r->h, r->report->arena, r->h.file, "run", n);
-    for (size_t i = 0; i < n && !r->h.failed; i++) {
-        if (number[i] == (double)run) {
-            return i;
-        }
+    size_t i = 0;
+    while (i < n && !r->h.failed && number[i] != (double)run) {
+        i++;
     }
-    h5_fail(&r->h, "it does not say where run %ld is", run);
-    return 0;
+    *row = i;
+    return r->h.failed || i < n
+               ? STATUS_OK
+               : error_set(e, STATUS_INPUT, "%s is part of a study and has no run %ld", file, run);
 }
 
-// Prepares for reading the values of run `run`, numbered from 1.
-static void find_run(struct result_file *r, long run) {
-    hsize_t dim[H5S_MAX_RANK], row = find_row(r, run);
+// Prepares for reading the values of run `run`, numbered from 1. Errors as of find_row.
+static int find_run(struct result_file *r, const char *file, long run, struct error *e) {
+    hsize_t dim[H5S_MAX_RANK], row, n_run = 1;
+    int found = find_row(r, file, run, &row, e);
+    if (found != STATUS_OK) {
+        return found;
+    }
     hid_t status = h5_open_object(&r->h, r->h.file, "status");
     hid_t space = r->h.failed ? -1 : H5Dget_space(status);
     const int n = space >= 0 ? H5Sget_simple_extent_dims(space, dim, NULL) : 0;
@@ -41,15 +49,18 @@ static void find_run(struct result_file *r, long run) {
     for (int i = n - 1; i >= 0 && !r->h.failed; i--) {
         r->h.front[i] = dim[i] > 0 ? row % dim[i] : 0;
         row /= dim[i] > 0 ? dim[i] : 1;
+        n_run *= dim[i];
     }
-    if (row > 0) {
-        h5_fail(&r->h, "it has no run %ld", run);
+    if (row > 0 && !r->h.failed) {
+        found = error_set(e, STATUS_INPUT, "%s has no run %ld; its study has the runs 1 to %llu",
+                          file, run, (unsigned long long)n_run);
     }
     r->h.n_front = r->h.failed ? 0 : n;
     if (space >= 0) {
         H5Sclose(space);
     }
     h5_close(&r->h, status);
+    return found;
 }
 
 // Opens the group of a run in a study. FILE#7 is the path of run 7 of FILE.
@@ -62,12 +73,15 @@ static int open_run(struct result_file *r, const char *file, long run, struct er
                          "study writes them",
                          file);
     }
-    if (!h5_has(&r->h, r->h.file, name)) {
+    const int status = find_run(r, file, run, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    if (!r->h.failed && !h5_has(&r->h, r->h.file, name)) {
         return error_set(e, STATUS_INPUT, "%s has no histories of run %ld", file, run);
     }
     r->root = h5_get_group(&r->h, r->h.file, name);
     r->report->run = run;
-    find_run(r, run);
     return r->h.failed ? h5_damaged(&r->h, r->path, e) : STATUS_OK;
 }
 
@@ -292,8 +306,8 @@ int result_verify(const char *path, struct result_sums *out, struct error *e) {
         return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", path);
     }
     h5_open(&h, path, 0);
-    status = !h.failed ? seal_check(&h, out) : h5_lacks_memory(&h) ? STATUS_SYSTEM : STATUS_INPUT;
+    status = seal_check(&h, path, out, e);
     h5_close_types(&h);
     h5_close_file(&h);
-    return status == STATUS_OK ? STATUS_OK : error_set(e, status, "%s: %s", path, h.cause);
+    return status;
 }

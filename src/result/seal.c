@@ -377,21 +377,24 @@ void seal_put(struct h5 *h) {
     h5_put_text(h, h->file, seal_name, sums.data.digits);
 }
 
-int seal_check(struct h5 *h, struct result_sums *out) {
+#define NO_SEAL                                                                                    \
+    "%s: it has no checksum of its data: an earlier version wrote it, or another program"
+#define BROKEN_SEAL "%s: its data have changed since it was written: their checksum differs"
+
+int seal_check(struct h5 *h, const char *path, struct result_sums *out, struct error *e) {
     struct h5_reference reference;
     struct checksum noted = {.digits = ""};
     size_t n;
     if (!h->failed && H5Aexists(h->file, seal_name) <= 0) {
-        h5_fail(h,
-                "it has no checksum of its data: an earlier version wrote it, or another program");
-        return STATUS_INPUT;
+        return error_set(e, STATUS_INPUT, NO_SEAL, path);
     }
     h5_get_reference(h, h->file, seal_name, &reference);
     const char *text = h5_heap_get(h, &reference, 1, &n);
     memcpy(noted.digits, text, n < CHECKSUM_DIGITS ? n : CHECKSUM_DIGITS);
     seal_find(h, out);
-    if (!h->failed && !checksum_equal(&noted, &out->data)) {
-        h5_fail(h, "its data have changed since it was written: their checksum differs");
+    if (h->failed) {
+        return h5_damaged(h, path, e);
     }
-    return !h->failed ? STATUS_OK : h5_lacks_memory(h) ? STATUS_SYSTEM : STATUS_FAILED;
+    return checksum_equal(&noted, &out->data) ? STATUS_OK
+                                              : error_set(e, STATUS_FAILED, BROKEN_SEAL, path);
 }

@@ -13,9 +13,9 @@
 // Writes the checksum of the file, which is otherwise complete, into its attribute.
 void seal_put(struct h5 *h);
 
-// Computes the checksums of the open file, and compares that of the data with the attribute.
-// Errors, with the cause in `h`: STATUS_FAILED (the data differ, or cannot be read), STATUS_INPUT
-// (there is no checksum), STATUS_SYSTEM (no memory).
-int seal_check(struct h5 *h, struct result_sums *out);
+// Computes the checksums of the open file `path`, and compares that of the data with the attribute.
+// Errors: STATUS_FAILED (the data differ), STATUS_INPUT (they cannot be read, or there is no
+// checksum), STATUS_SYSTEM (no memory); they name the path.
+int seal_check(struct h5 *h, const char *path, struct result_sums *out, struct error *e);
 
 #endif

@@ -69,7 +69,7 @@ static void get_item(struct study_file *f, const struct study_item *item) {
 static int group_rank(const struct study_item *item) {
     static const char *const parents[] = {"buildings", "contacts", "links", "energy"};
     int rank = 0;
-    while (rank < 4 && strcmp(item->parent, parents[rank]) != 0) {
+    while (rank < 4 && strncmp(item->parent, parents[rank], strlen(parents[rank])) != 0) {
         rank++;
     }
     return rank;
@@ -79,7 +79,9 @@ static int group_rank(const struct study_item *item) {
 static int by_name(const void *left, const void *right) {
     const struct study_item *a = left, *b = right;
     const int owner = a->owner && b->owner ? strcmp(a->owner, b->owner) : 0;
-    const int group = group_rank(a) - group_rank(b), leaf = (a->leaf != NULL) - (b->leaf != NULL);
+    const int rank = group_rank(a) - group_rank(b);
+    const int group = rank ? rank : strcmp(a->parent, b->parent);
+    const int leaf = (a->leaf != NULL) - (b->leaf != NULL);
     return group ? group : owner ? owner : leaf ? leaf : strcmp(a->name, b->name);
 }
 
@@ -195,10 +197,14 @@ static void get_all(struct study_file *f) {
     v->title = r->title;
     v->version = r->version;
     v->units = r->units;
+    v->n_building = r->n_building;
+    v->building = r->building;
     v->n_contact = r->n_contact;
     v->contact = r->contact;
     v->n_link = r->n_link;
     v->link = r->link;
+    v->n_column = r->n_column;
+    v->column = r->column;
     v->n_kept = h5_get_long(h, h->file, "runs_kept");
     v->n_thread = (int)h5_get_long(h, h->file, "threads");
     v->seconds = h5_get_double(h, h->file, "wall_seconds");
@@ -213,13 +219,13 @@ static void get_all(struct study_file *f) {
 
 int study_file_verify(struct study_file *f, struct error *e) {
     struct result_sums sums;
-    const int status = seal_check(&f->file.h, &sums);
+    const int status = seal_check(&f->file.h, f->view.path, &sums, e);
     if (status == STATUS_OK && !f->view.origin.study) {
-        h5_fail(&f->file.h, "it does not tell what its runs come from");
+        return error_set(e, STATUS_INPUT, "%s: it does not tell what its runs come from",
+                         f->view.path);
     }
-    return !f->file.h.failed ? STATUS_OK
-                             : error_set(e, status == STATUS_SYSTEM ? status : STATUS_INPUT,
-                                         "%s: %s", f->view.path, f->file.h.cause);
+    e->status = status == STATUS_FAILED ? STATUS_INPUT : e->status;
+    return status == STATUS_FAILED ? STATUS_INPUT : status;
 }
 
 // Reads all of a file.

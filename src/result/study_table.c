@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 #include "result/layout.h"
 
 // `item` NULL: nothing is described; `value` NULL: nothing is read.
@@ -64,7 +65,7 @@ static void add_place(void *context, const struct layout_place *p) {
     for (int c = 0; c < p->table->n_column; c++) {
         const struct column *column = &p->table->column[c];
         if (totals ? column->kind == COLUMN_LONG : layout_is_value(column)) {
-            add(context, p, c, !p->leaf && !totals && !energy);
+            add(context, p, c, !p->leaf && !totals && !energy && p->table != &layout_collapse);
         }
     }
 }
@@ -98,16 +99,22 @@ void study_table_read(const struct report *r, double *value) {
     layout_each(r, add_place, &(struct walk){.value = value});
 }
 
-static bool same_text(const char *a, const char *b) {
-    return a && b ? strcmp(a, b) == 0 : a == b;
+const struct report_building *study_view_members(const struct study_view *v,
+                                                 const struct study_item *item) {
+    for (int i = 0; item->owner && strcmp(item->owner, "members") == 0 && i < v->n_building; i++) {
+        if (strcmp(item->parent, v->building[i].path) == 0) {
+            return &v->building[i];
+        }
+    }
+    return NULL;
 }
 
 int study_table_find(const struct study_table *t, const struct study_item *wanted) {
     for (int i = 0; i < t->n_item; i++) {
         const struct study_item *item = &t->item[i];
         if (item->n == wanted->n && strcmp(item->name, wanted->name) == 0 &&
-            strcmp(item->parent, wanted->parent) == 0 && same_text(item->owner, wanted->owner) &&
-            same_text(item->leaf, wanted->leaf)) {
+            strcmp(item->parent, wanted->parent) == 0 && text_same(item->owner, wanted->owner) &&
+            text_same(item->leaf, wanted->leaf)) {
             return i;
         }
     }

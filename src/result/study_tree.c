@@ -80,6 +80,30 @@ static void put_links(struct study_writer *w, const struct link_group *group,
     tree_close(&w->tree, &g);
 }
 
+// Groups of the members of a building, and of the shares of what resists.
+static void put_forces(struct study_writer *w, hid_t building, const struct report_building *b) {
+    const struct tree *t = &w->tree;
+    if (b->n_member > 0) {
+        const size_t n = (size_t)b->n_member;
+        const struct tree_group g = tree_group(t, building, "members", "member", n);
+        h5_put_column(&w->h, g.group, &layout_member, 0, b->member, n, g.scale);
+        h5_close(&w->h, tree_envelope(t, &g));
+        tree_close(t, &g);
+    }
+    if (b->n_share > 0) {
+        const size_t n = (size_t)b->n_share;
+        const struct tree_group all = tree_group(t, building, "parts", "part", n);
+        h5_put_column(&w->h, all.group, &layout_share, 0, b->share, n, all.scale);
+        for (int i = 0; i < b->n_share; i++) {
+            const struct tree_group g =
+                tree_group(t, all.group, b->share[i].name, "floor", (size_t)b->n_floor);
+            h5_close(&w->h, tree_envelope(t, &g));
+            tree_close(t, &g);
+        }
+        tree_close(t, &all);
+    }
+}
+
 // A dataset of the sweep dimensions; that of its own values comes last.
 static struct h5_dataset over_sweeps(const struct study_writer *w, const char *name) {
     struct h5_dataset d = {.name = name, .n_dim = w->tree.n_sweep};
@@ -135,12 +159,16 @@ void study_tree(struct study_writer *w) {
         const struct tree_group g = tree_group(t, buildings, b->name, "floor", (size_t)b->n_floor);
         h5_put_long(&w->h, g.group, "position", i);
         h5_close(&w->h, tree_envelope(t, &g));
+        put_forces(w, g.group, b);
         tree_close(t, &g);
     }
     h5_close(&w->h, buildings);
     put_links(w, &layout_contacts, r->contact, r->n_contact);
     if (r->n_link > 0) {
         put_links(w, &layout_links, r->link, r->n_link);
+    }
+    if (r->n_column > 0) {
+        put_links(w, &layout_columns, r->column, r->n_column);
     }
     static const char *const others[] = {"energy", "totals"};
     for (int i = 0; i < 2; i++) {

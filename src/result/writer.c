@@ -76,8 +76,8 @@ static int flush(struct result_writer *w, struct error *e) {
         const struct h5_box box = {.start = {(hsize_t)w->n_written},
                                    .count = {w->pending, s->width}};
         if (s->width > 0) {
-            h5_put_box(w->h, s->dataset, writer_in_blocks(w) ? &box : NULL, H5T_NATIVE_DOUBLE,
-                       s->row);
+            const bool all = w->pending == (size_t)w->report->n_row;
+            h5_put_box(w->h, s->dataset, all ? NULL : &box, H5T_NATIVE_DOUBLE, s->row);
         }
     }
     synchronise(w);
@@ -90,8 +90,9 @@ static int write_row(void *context, const struct row_view *row, struct error *e)
     struct result_writer *w = context;
     assert(w->n_written + (long)w->pending < w->report->n_row);
     const double *const from[SOURCE_COUNT] = {
-        row->displacement, row->velocity,    row->acceleration, row->drift,  row->storey_shear,
-        row->force,        row->penetration, &row->time,        row->ground, row->energy,
+        row->displacement, row->velocity, row->acceleration, row->drift,
+        row->storey_shear, row->force,    row->penetration,  &row->time,
+        row->ground,       row->energy,   row->member_force,
     };
     for (int i = 0; i < w->n_stream; i++) {
         const struct stream *s = &w->stream[i];
@@ -117,8 +118,11 @@ static int allocate(struct result_writer *w, const struct result_options *o, str
     }
     // Values of all streams in one row, and how many streams there are at most.
     const size_t width = (size_t)m->n_dof * FLOOR_FIELD_COUNT + 2 * (size_t)m->n_link +
-                         (size_t)m->n_ground + ENERGY_COUNT + 1;
+                         (size_t)m->n_ground + ENERGY_COUNT + 1 + (size_t)m->n_force;
     w->stream_capacity = m->n_building * FLOOR_FIELD_COUNT + 4 + m->n_ground + ENERGY_COUNT + 1;
+    for (int i = 0; i < m->n_building; i++) {
+        w->stream_capacity += 1 + m->building[i].n_part * (1 + MEMBER_FORCES);
+    }
     w->capacity = bytes_max / (width * sizeof(double));
     w->capacity = w->capacity < 1 ? 1 : w->capacity > ROWS_MAX ? ROWS_MAX : w->capacity;
     assert(w->report->n_row > 0);
@@ -188,9 +192,16 @@ int result_create_in(const struct result_place *place, const struct model *m, co
                   e);
 }
 
+// Cuts the histories of a run that has collapsed to the rows that there are.
+static void cut(struct result_writer *w) {
+    for (int i = 0; i < w->n_stream && w->n_written < w->report->n_row; i++) {
+        h5_cut(w->h, w->stream[i].dataset, (size_t)w->n_written);
+    }
+}
+
 // Writes the rows left and everything that is known after the run, and marks it complete.
 static int end(struct result_writer *w, const struct results *r, struct error *e) {
-    assert(w->n_written + (long)w->pending == w->report->n_row);
+    assert(w->n_written + (long)w->pending == w->report->n_row || r->collapse.happened);
     struct report *report = NULL;
     int status = flush(w, e);
     if (status == STATUS_OK) {
@@ -199,6 +210,7 @@ static int end(struct result_writer *w, const struct results *r, struct error *e
     if (status != STATUS_OK) {
         return status;
     }
+    cut(w);
     writer_results(w, report);
     report_free(report);
     h5_list_uses(w->h);

@@ -14,6 +14,7 @@ enum row_source {
     SOURCE_TIME,
     SOURCE_GROUND,
     SOURCE_ENERGY,
+    SOURCE_MEMBER_FORCE,
     SOURCE_COUNT
 };
 

@@ -4,19 +4,23 @@
 #include <string.h>
 
 #include "jostle/numerics.h"
+#include "model/forces.h"
 #include "result/h5_partial.h"
 #include "result/study_sweep.h"
 #include "result/writer.h"
 
 // Rows of a chunk of a history of `width` values a row; 0: contiguous, as all rows are written at
-// once. A chunk and its index take some 300 bytes more, which compression saves in COMPRESSED_MIN
-// bytes and more: it leaves out a tenth at least of the histories of buildings.
+// once. The histories of a run that may collapse can be cut, and leave less than a chunk of CUT
+// rows unused. A chunk and its index take some 300 bytes more, which compression saves in
+// COMPRESSED_MIN bytes and more: it leaves out a tenth at least of the histories of buildings.
 static hsize_t chunk_rows(const struct result_writer *w, size_t width) {
-    enum { COMPRESSED_MIN = 3072 };
+    enum { COMPRESSED_MIN = 3072, CUT = 256 };
     const size_t number = w->model->output.single ? sizeof(float) : sizeof(double);
     const bool compressed = w->model->output.compress > 0 &&
                             (size_t)w->report->n_row * width * number >= COMPRESSED_MIN;
-    return writer_in_blocks(w) || compressed ? w->capacity : 0;
+    const bool in_chunks = writer_in_blocks(w) || compressed || w->model->collapse;
+    const size_t rows = w->model->collapse && w->capacity > CUT ? CUT : w->capacity;
+    return in_chunks ? rows : 0;
 }
 
 // A history of `width` values a row; width_scale 0: one value, one dimension.
@@ -30,6 +34,7 @@ static void put_history(struct result_writer *w, hid_t parent, const char *name,
         .dim = {(hsize_t)w->report->n_row, s.width},
         .scale = {w->tree.time, width_scale},
         .chunk_rows = chunk_rows(w, s.width),
+        .may_be_cut = w->model->collapse != NULL,
         .compress = w->model->output.compress,
     };
     writer_stream(w, parent, &d, s);
@@ -44,6 +49,7 @@ static void put_time(struct result_writer *w) {
         .n_dim = 1,
         .dim = {(hsize_t)w->report->n_row},
         .chunk_rows = chunk_rows(w, 1),
+        .may_be_cut = w->model->collapse != NULL,
         .many_users = w->stream_capacity > USERS_FEW,
     };
     writer_stream(w, w->root, &d, (struct stream){.source = SOURCE_TIME, .width = 1});
@@ -62,6 +68,44 @@ static void put_columns(struct result_writer *w, const struct tree_group *g,
     }
 }
 
+// The members of frames and walls: their names, and the histories of their forces.
+static void put_members(struct result_writer *w, hid_t building, const struct report_building *b,
+                        const struct building *model) {
+    const size_t n = (size_t)b->n_member;
+    const struct tree_group g = tree_group(&w->tree, building, "members", "member", n);
+    put_columns(w, &g, &layout_member, b->member, n);
+    for (int q = 0; q < MEMBER_FORCES && w->report->fields & FIELD_MEMBERS; q++) {
+        const size_t first = (size_t)(model->force + forces_of_members(model, 0, q));
+        const struct stream s = {.source = SOURCE_MEMBER_FORCE, .first = first, .width = n};
+        put_history(w, g.group, report_force_names[q], layout_member_field[q], s, g.scale);
+    }
+    tree_close(&w->tree, &g);
+}
+
+// The shares of what resists, a group each.
+static void put_shares(struct result_writer *w, hid_t building, const struct report_building *b,
+                       const struct building *model) {
+    const size_t n = (size_t)b->n_floor;
+    const struct tree_group all =
+        tree_group(&w->tree, building, "parts", "part", (size_t)b->n_share);
+    put_columns(w, &all, &layout_share, b->share, (size_t)b->n_share);
+    for (int i = 0, number = 0; i < b->n_share; i++, number++) {
+        while (forces_of_share(model, number) < 0) {
+            number++;
+        }
+        const struct tree_group g = tree_group(&w->tree, all.group, b->share[i].name, "floor", n);
+        if (w->report->fields & FIELD_MEMBERS) {
+            const struct stream s = {.source = SOURCE_MEMBER_FORCE,
+                                     .first =
+                                         (size_t)(model->force + forces_of_share(model, number)),
+                                     .width = n};
+            put_history(w, g.group, "storey_shear", layout_share_field, s, g.scale);
+        }
+        tree_close(&w->tree, &g);
+    }
+    tree_close(&w->tree, &all);
+}
+
 static void put_building(struct result_writer *w, hid_t parent, int position) {
     const struct report_building *b = &w->report->building[position];
     const struct building *model = &w->model->building[position];
@@ -72,12 +116,21 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
         h5_put_long(w->h, g.group, "yields", !model->elastic);
     }
     put_columns(w, &g, &layout_building, b, n);
+    if (b->axial && !w->place) {
+        put_columns(w, &g, &layout_pdelta, b, n);
+    }
     for (int f = 0; f < FLOOR_FIELD_COUNT; f++) {
         if (w->report->fields >> f & 1) {
             const struct stream s = {
                 .source = SOURCE_FLOOR_FIELD + f, .first = (size_t)model->first, .width = n};
             put_history(w, g.group, field_names[f], layout_field[f], s, g.scale);
         }
+    }
+    if (b->n_member > 0) {
+        put_members(w, g.group, b, model);
+    }
+    if (b->n_share > 0) {
+        put_shares(w, g.group, b, model);
     }
     tree_close(&w->tree, &g);
 }
@@ -151,6 +204,10 @@ void writer_layout(struct result_writer *w) {
     if (r->n_link > 0) {
         put_links(w, &layout_links, r->link, (size_t)r->n_contact, (size_t)r->n_link);
     }
+    if (r->n_column > 0) {
+        put_links(w, &layout_columns, r->column, (size_t)(r->n_contact + r->n_link),
+                  (size_t)r->n_column);
+    }
     const struct tree_group g = tree_group(&w->tree, w->root, "energy", NULL, 0);
     for (size_t i = 0; i < ENERGY_COUNT; i++) {
         const struct column *c = &layout_energy.column[i];
@@ -181,9 +238,30 @@ static void put_envelope(void *context, const struct layout_place *p) {
     h5_close(w->h, parent);
 }
 
+// The signed extremes of members, beside their sizes.
+static void put_extremes(struct result_writer *w, const struct report_building *b) {
+    hid_t building = h5_open_object(w->h, w->root, b->path);
+    hid_t members = h5_open_object(w->h, building, "members");
+    hid_t scale = h5_open_object(w->h, members, "member");
+    hid_t envelope = h5_open_object(w->h, members, "envelope");
+    for (int c = 0; c < layout_member_extreme.n_column && !w->h->failed; c++) {
+        h5_put_column(w->h, envelope, &layout_member_extreme, c, b->member, (size_t)b->n_member,
+                      scale);
+    }
+    h5_close(w->h, envelope);
+    h5_close(w->h, scale);
+    h5_close(w->h, members);
+    h5_close(w->h, building);
+}
+
 void writer_results(struct result_writer *w, const struct report *r) {
     struct h5 *h = w->h;
     layout_each(r, put_envelope, w);
+    for (int i = 0; !w->place && i < r->n_building; i++) {
+        if (r->building[i].n_member > 0) {
+            put_extremes(w, &r->building[i]);
+        }
+    }
     hid_t impacts = h5_group(h, w->root, "impacts");
     hid_t scale = h5_put_scale(h, impacts, "impact", "impact", (size_t)r->n_impact);
     for (int c = 0; c < layout_impact.n_column; c++) {
@@ -205,5 +283,8 @@ void writer_results(struct result_writer *w, const struct report *r) {
     h5_close(h, energy);
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_put_member(h, w->root, &layout_totals, c, r);
+    }
+    for (int c = 0; c < layout_collapse.n_column; c++) {
+        h5_put_member(h, w->root, &layout_collapse, c, r);
     }
 }

@@ -10,6 +10,7 @@
 #include "core/arena.h"
 #include "core/number.h"
 #include "core/wall.h"
+#include "model/forces.h"
 #include "model/foundation.h"
 #include "solve/account/peaks.h"
 #include "solve/event/rest.h"
@@ -70,6 +71,14 @@ static int analysis_show_row(struct run *r) {
     for (int k = 0; k < r->model->n_link; k++) {
         r->row_force[k] = s->link[k].force;
     }
+    const bool members = r->model->output.fields & FIELD_MEMBERS;
+    for (int k = 0; members && k < r->model->n_building; k++) {
+        const struct building *g = &r->model->building[k];
+        if (g->n_force > 0) {
+            forces_at(g, s->drift + g->first, r->row_members + g->force);
+            forces_hide(g, r->row_members + g->force);
+        }
+    }
     const struct row_view row = {
         .time = s->time,
         .displacement = s->u,
@@ -81,6 +90,7 @@ static int analysis_show_row(struct run *r) {
         .penetration = s->delta,
         .ground = s->ground_a,
         .energy = r->results->energy,
+        .member_force = members ? r->row_members : NULL,
     };
     return o->row(o->context, &row, r->error);
 }
@@ -106,6 +116,10 @@ int analysis_go(struct run *r, long end) {
     int status = STATUS_OK;
     while (status == STATUS_OK && r->step < end) {
         status = r->method->advance(r, &r->step, analysis_next_stop(r, end));
+        if (status == STATUS_COLLAPSE) {
+            r->step = r->model->n_step;
+            status = STATUS_OK;
+        }
         if (status == STATUS_OK && analysis_is_row(r)) {
             status = analysis_show_row(r);
         }
@@ -127,6 +141,7 @@ static const struct fields_row list[] = {
     FIELD_PARTS(struct run, now, FIELD_AT, state_fields),
     FIELD_PART(struct run, energy, energy_fields),
     FIELD_PARTS(struct run, results, FIELD_AT, results_fields),
+    FIELD_PART(struct run, forces, force_peaks_fields),
 };
 static const struct fields run_fields = FIELDS(list);
 
@@ -163,11 +178,13 @@ static bool analysis_alloc(struct run *r, struct arena *a) {
     r->now = &r->store[0];
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
+    r->row_members = arena_alloc(a, (size_t)m->n_force, sizeof *r->row_members);
     r->row_drift = arena_alloc(a, m->founded ? (size_t)m->n_dof : 0, sizeof *r->row_drift);
     r->row_shear = arena_alloc(a, m->founded ? (size_t)m->n_dof : 0, sizeof *r->row_shear);
     return fields_alloc(&energy_fields, m, &r->energy, a) && state_alloc(r->now, m, a) &&
            impacts_alloc(&r->impacts, m, r->results, &r->energy, a) &&
-           peaks_alloc(r->results, m, a) && r->method->alloc(r, a);
+           peaks_alloc(r->results, m, a) && force_peaks_alloc(&r->forces, m, r->results, a) &&
+           r->method->alloc(r, a);
 }
 
 // The state at t = 0, its accounts and its row.
@@ -175,6 +192,9 @@ static int analysis_start(struct run *r) {
     const struct model *m = r->model;
     rest_start(r->now, m);
     peaks_update(r->results, m, r->now);
+    if (m->n_force > 0) {
+        force_peaks_note(&r->forces, r->now->u, r->now->time);
+    }
     if (energy_start(&r->energy, m, r->now, r->results->link, r->error) != STATUS_OK) {
         return r->error->status;
     }
@@ -214,6 +234,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
         return status;
     }
     peaks_finish(results, r->model);
+    force_peaks_flush(&r->forces);
     impacts_finish(&r->impacts, r->now);
     residual_drifts(r->model, r->now, results->residual_drift);
     results->initial_energy = r->energy.initial;

@@ -18,6 +18,7 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
         [FIELD_AT] = 1,
         [FIELD_BUILDINGS] = m->n_body,
         [FIELD_BUILDING_FLOORS] = m->building[k].n_floor,
+        [FIELD_COLUMNS] = m->n_column,
         [FIELD_FLOORS] = m->n_dof,
         [FIELD_LINKS] = m->n_link,
         [FIELD_GROUNDS] = m->n_ground,
@@ -25,6 +26,8 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
         [FIELD_SIGNALS] = n_signal,
         [FIELD_STOREY_HISTORIES] = m->n_storey_history,
         [FIELD_LINK_HISTORIES] = m->n_link_history,
+        [FIELD_FORCES] = m->n_force,
+        [FIELD_FORCE_STATES] = m->n_force > 0 ? m->chain.n * FORCES_BATCH : 0,
     };
     return (size_t)n[f->count];
 }

@@ -10,6 +10,9 @@
 struct arena;
 struct model;
 
+// States whose forces are looked at together (account/force_peaks.h).
+enum { FORCES_BATCH = 32 };
+
 // How many elements a field has. The list allocates arrays from FIELDS_ALLOCATED on.
 enum field_count {
     FIELD_ONE,              // it is in the struct itself
@@ -19,11 +22,14 @@ enum field_count {
     FIELDS_ALLOCATED,
     FIELD_FLOORS = FIELDS_ALLOCATED,  // (n_dof) an array of core/lanes.h
     FIELD_LINKS,                      // (n_link) from the start of a line of the cache, whole lanes
+    FIELD_COLUMNS,                    // (n_column)
     FIELD_GROUNDS,
     FIELD_LOADS,
     FIELD_SIGNALS,           // of all grounds
     FIELD_STOREY_HISTORIES,  // (model.n_storey_history)
     FIELD_LINK_HISTORIES,    // (model.n_link_history)
+    FIELD_FORCES,            // (model.n_force)
+    FIELD_FORCE_STATES,      // (FORCES_BATCH, model.chain.n) if the model has forces
 };
 
 struct fields;

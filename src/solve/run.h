@@ -5,6 +5,7 @@
 #define JOSTLE_RUN_H
 
 #include "solve/account/energy.h"
+#include "solve/account/force_peaks.h"
 #include "solve/account/impacts.h"
 #include "solve/newmark/flight.h"
 #include "solve/pace.h"
@@ -29,7 +30,8 @@ struct method {
     void (*start)(struct run *r);
 
     // Goes from step *n of the model to a later one, `end` at most, and makes r->now its state.
-    // Quantities that only rows show may be left out before `end`.
+    // Quantities that only rows show may be left out before `end`. STATUS_COLLAPSE: r->now is the
+    // state at which the model has collapsed.
     int (*advance)(struct run *r, long *n, long end);
 
     // Computes what rows show of r->now and brings r->energy up to it; NULL: advance has done so.
@@ -69,6 +71,7 @@ struct run {
     struct state *now, *next;
     struct energy_account energy;
     struct impact_log impacts;
+    struct force_peaks forces;
     struct results *results;
 
     // Newmark's method, in run_step_fields.
@@ -84,9 +87,10 @@ struct run {
     // Scratch.
     struct state store[2];  // which `now` and `next` point to
     struct flight flight;
-    double *row_force;        // [F] (n_link) of a row
+    double *row_force;              // [F] (n_link) of a row
+    double *row_members;            // (model.n_force) of a row
     double *row_drift, *row_shear;  // [L] [F] (n_dof) the same of storeys, with any foundation
-    struct meeting *meeting;  // (n_contact) of rigid impacts
+    struct meeting *meeting;        // (n_contact) of rigid impacts
 };
 
 // In analysis.c.
@@ -154,6 +158,11 @@ struct event run_step_first_event(const struct work *w, const struct state *now,
 // In adaptive_newmark.c: does the step of size h from r->now to r->next meet the tolerance?
 // STATUS_RETRY: no.
 int adaptive_judge(struct run *r, double h);
+
+// In collapse_newmark.c: if a storey reaches its limit of drift in the step to r->next, makes that
+// the state at which it does, and sets r->results->collapse. STATUS_RETRY: the step that ends there
+// is rejected.
+int collapse_newmark(struct run *r);
 
 // In fixed_newmark.c: step n of the deck (from 1), in as many steps as it takes.
 int fixed_newmark_step(struct run *r, long n);

@@ -21,7 +21,6 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct state, shear, FIELD_FLOORS),
     FIELD_ARRAY(struct state, tangent, FIELD_FLOORS),
     FIELD_ARRAY(struct state, rate, FIELD_FLOORS),
-    FIELD_ARRAY(struct state, damping_force, FIELD_FLOORS),
     FIELD_ARRAY(struct state, external, FIELD_FLOORS),
     FIELD_ARRAY(struct state, storey_history, FIELD_STOREY_HISTORIES),
     FIELD_VALUE(struct state, n_live),
@@ -99,15 +98,17 @@ void state_storeys(struct state *s, const struct model *m, const struct building
         s->shear[i] = r.shear;
         s->tangent[i] = r.tangent;
     }
+    // As in storey_respond; it would take time in each storey without P-delta.
+    for (int i = g->first; g->pdelta && i < g->first + g->n_floor; i++) {
+        s->shear[i] -= m->storey[i].pdelta * s->drift[i];
+        s->tangent[i] -= m->storey[i].pdelta;
+    }
 }
 
-void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
-                       double *after) {
-    for (int k = 0; m->chain.full_damping && k < m->n_body; k++) {
+void state_parts(struct state *s, const struct model *m, const double *v, const double *from,
+                 double *after) {
+    for (int k = 0; m->chain.parts && k < m->n_body; k++) {
         const struct building *g = &m->building[k];
-        if (g->damping_full) {
-            building_damping_force(g, v + g->first, s->damping_force + g->first);
-        }
         for (int i = g->first; g->n_part > 0 && !g->elastic && i < g->first + g->n_floor; i++) {
             s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
         }
@@ -120,13 +121,13 @@ void state_full_forces(struct state *s, const struct model *m, const double *v, 
 
 static void state_forces_from(struct state *s, const struct model *m, const double *from,
                               double *after) {
-    chain_forces(&m->chain, s->u, s->v, s->drift, s->shear, s->damping_force);
+    chain_strain(&m->chain, s->u, s->drift, s->shear);
     for (int k = 0; !m->elastic && k < m->n_body; k++) {
         if (!m->building[k].elastic) {
             state_storeys(s, m, &m->building[k], from, after);
         }
     }
-    state_full_forces(s, m, s->v, from, after);
+    state_parts(s, m, s->v, from, after);
 }
 
 void state_internal_forces(struct state *s, const struct model *m) {
@@ -145,13 +146,12 @@ void state_totals(struct state *s, const struct model *m) {
 }
 
 void state_complete(struct state *s, const struct model *m) {
-    if (!state_is_linear(m)) {
-        return;
-    }
     if (!m->adaptive) {
         forcing_floors(s, m, s->time);
     }
-    state_internal_forces(s, m);
+    if (state_is_linear(m)) {
+        state_internal_forces(s, m);
+    }
     state_totals(s, m);
 }
 

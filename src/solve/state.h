@@ -34,7 +34,6 @@ struct state {
     double *drift, *shear;   // [L] [F] of the storey below
     double *tangent;         // [F/L] of the storey below, at the drift; of elastic buildings unset
     double *rate;            // [L/T] of the drifts of buildings with parts
-    double *damping_force;   // [F] C v
     double *external;        // [F] loads and -m a_ground
     double *storey_history;  // (model.n_storey_history)
 
@@ -139,7 +138,7 @@ static inline bool state_is_uniform(const struct model *m) {
     return m->n_ground == 1 && m->n_load == 0;
 }
 
-// Sets drifts, storey shears and C v to the displacements and velocities of `s`, with its storey
+// Sets drifts and storey shears to the displacements and velocities of `s`, with its storey
 // history, which stays as it is.
 void state_internal_forces(struct state *s, const struct model *m);
 
@@ -147,15 +146,16 @@ void state_internal_forces(struct state *s, const struct model *m);
 // which ends at these drifts commits. `from` may be that of `s` itself.
 void state_reach(struct state *s, const struct model *m, const double *from);
 
-// Parts of that, after the chain's: shears and tangents of the storeys of building g; then C v of
-// full matrices, and the shears of parts. `after` as in struct storey_law.
+// Parts of that, after the chain's: shears and tangents of the storeys of building g; then the
+// shears of all parts. `after` as in struct storey_law.
 void state_storeys(struct state *s, const struct model *m, const struct building *g,
                    const double *from, double *after);
-void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
-                       double *after);
+void state_parts(struct state *s, const struct model *m, const double *v, const double *from,
+                 double *after);
 
-// Computes what the steps of linear models leave out: accelerations of the ground, external and
-// internal forces, drifts and total accelerations. Adaptive steps have the external forces already.
+// Computes what steps leave out: accelerations of the ground, external forces and total
+// accelerations, and those of linear models drifts and internal forces. Adaptive steps have the
+// external forces already.
 void state_complete(struct state *s, const struct model *m);
 
 // total = a + base.

@@ -107,7 +107,11 @@ static void read_contact(const struct model *m, const struct model *deck, const 
 
 static int read_run(void *context, const struct model *m, const struct model *deck,
                     const struct results *r, double *value, struct error *e) {
-    (void)context, (void)e;
+    (void)context;
+    if (r->collapse.happened) {
+        return error_set(e, STATUS_FAILED, "it collapses without contact, at t = %.6g",
+                         r->collapse.time);
+    }
     for (int i = 0; i < m->n_contact; i++) {
         read_contact(m, deck, r, i, value + (size_t)i * FREE_VALUES);
     }

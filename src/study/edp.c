@@ -14,9 +14,9 @@ const struct edp_quantity edp_quantities[] = {
     {"drift-ratio", EDP_OF_BUILDING, "buildings", "drift", "height", EDP_LARGEST,
      "drift of a storey over its height"},
     {"residual-drift", EDP_OF_BUILDING, "buildings", "residual_drift", NULL, EDP_LARGEST,
-     "drift that remains of a storey after the end"},
+     "drift of a storey that remains after the shaking"},
     {"residual-drift-ratio", EDP_OF_BUILDING, "buildings", "residual_drift", "height", EDP_LARGEST,
-     "the same over its height"},
+     "residual drift of a storey over its height"},
     {"displacement", EDP_OF_BUILDING, "buildings", "displacement", NULL, EDP_LARGEST,
      "displacement of a floor relative to the ground"},
     {"velocity", EDP_OF_BUILDING, "buildings", "velocity", NULL, EDP_LARGEST,
@@ -25,6 +25,10 @@ const struct edp_quantity edp_quantities[] = {
      "total acceleration of a floor"},
     {"storey-shear", EDP_OF_BUILDING, "buildings", "storey_shear", NULL, EDP_LARGEST,
      "restoring force of a storey"},
+    {"member-moment", EDP_OF_MEMBER, NULL, "moment", NULL, EDP_LARGEST,
+     "moment on an end of a column, a beam or a wall: member-moment:A, member-moment:A:beam_1_2"},
+    {"member-shear", EDP_OF_MEMBER, NULL, "shear", NULL, EDP_LARGEST, "shear of such a member"},
+    {"member-axial", EDP_OF_MEMBER, NULL, "axial", NULL, EDP_LARGEST, "normal force of a column"},
     {"force", EDP_OF_CONTACT, "contacts", "force", NULL, EDP_LARGEST, "contact force"},
     {"penetration", EDP_OF_CONTACT, "contacts", "penetration", NULL, EDP_HIGHEST,
      "penetration of a contact, negative if it stays open"},
@@ -36,8 +40,18 @@ const struct edp_quantity edp_quantities[] = {
     {"link-deformation", EDP_OF_LINK, "links", "deformation", NULL, EDP_LARGEST,
      "change of length of a bilateral link"},
     {"link-work", EDP_OF_LINK, "links", "work", NULL, EDP_SUM, "work done on bilateral links"},
+    {"column-shear", EDP_OF_COLUMN, "columns", "shear", NULL, EDP_LARGEST,
+     "shear in a struck column"},
+    {"column-moment", EDP_OF_COLUMN, "columns", "moment", NULL, EDP_LARGEST,
+     "moment in a struck column"},
+    {"column-shear-demand", EDP_OF_COLUMN, "columns", "shear_demand", NULL, EDP_LARGEST,
+     "shear in a struck column over its strength"},
+    {"column-moment-demand", EDP_OF_COLUMN, "columns", "moment_demand", NULL, EDP_LARGEST,
+     "moment in a struck column over its strength"},
     {"hysteretic", EDP_OF_ALL, "energy", "hysteretic", NULL, EDP_SUM,
      "energy dissipated by all storeys"},
+    {EDP_COLLAPSE, EDP_OF_ALL, "totals", "collapsed", NULL, EDP_SUM,
+     "1 if a storey has collapsed, else 0"},
 };
 const int n_edp_quantity = sizeof edp_quantities / sizeof edp_quantities[0];
 
@@ -151,7 +165,8 @@ static int add_buildings(struct reading *r, struct error *e) {
     for (int i = 0; i < v->table.n_item; i++) {
         const struct study_item *item = &v->table.item[i];
         long floor;
-        if (!item->owner || !item->leaf || strcmp(item->name, q->item) != 0) {
+        if (!item->owner || !item->leaf || strcmp(item->parent, q->parent) != 0 ||
+            strcmp(item->name, q->item) != 0) {
             continue;
         }
         known = arena_format(r->arena, "%s%s%s", known, known[0] ? ", " : "", item->owner);
@@ -173,10 +188,59 @@ static int add_buildings(struct reading *r, struct error *e) {
                : error_set(e, STATUS_INPUT, "%s: unknown building; available: %s", r->text, known);
 }
 
+// True if `place` is the building, or the building and the member.
+static bool is_member(const char *place, const char *building, const char *member) {
+    const size_t n = strlen(building);
+    return !place || strcmp(place, building) == 0 ||
+           (strncmp(place, building, n) == 0 && place[n] == ':' &&
+            strcmp(place + n + 1, member) == 0);
+}
+
+// The members of a building, whose values are in `item`; beams and walls have no normal force.
+static int add_members(struct reading *r, const struct report_building *b,
+                       const struct study_item *item, struct error *e) {
+    const bool axial = strcmp(item->name, "axial") == 0;
+    for (size_t i = 0; i < item->n && i < (size_t)b->n_member; i++) {
+        const char *name = b->member[i].name;
+        if (!is_member(r->place, b->name, name) || (axial && strncmp(name, "column", 6) != 0)) {
+            continue;
+        }
+        const struct edp_term t = {item->first + i, SIZE_MAX, NULL, item};
+        if (add_term(r, &t, arena_format(r->arena, "%s:%s", b->name, name)) != STATUS_OK) {
+            return error_no_memory(e);
+        }
+    }
+    return STATUS_OK;
+}
+
+static int add_all_members(struct reading *r, struct error *e) {
+    const struct study_view *v = r->view;
+    bool any = false;
+    for (int i = 0; i < v->table.n_item; i++) {
+        const struct study_item *item = &v->table.item[i];
+        const struct report_building *b = study_view_members(v, item);
+        if (b && strcmp(item->name, r->quantity->item) == 0) {
+            any = true;
+            r->out->units = item->units;
+            const int status = add_members(r, b, item, e);
+            if (status != STATUS_OK) {
+                return status;
+            }
+        }
+    }
+    if (r->out->n_term > 0) {
+        return STATUS_OK;
+    }
+    return any ? error_set(e, STATUS_INPUT, "%s: no building has such a member", r->text)
+               : error_set(e, STATUS_INPUT, "%s: no building has a frame or a wall", r->text);
+}
+
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
-    const bool contact = r->quantity->owner == EDP_OF_CONTACT;
-    const int n = contact ? r->view->n_contact : r->view->n_link;
-    const struct report_link *link = contact ? r->view->contact : r->view->link;
+    const struct study_view *v = r->view;
+    const enum edp_owner owner = r->quantity->owner;
+    const bool contact = owner == EDP_OF_CONTACT, column = owner == EDP_OF_COLUMN;
+    const int n = contact ? v->n_contact : column ? v->n_column : v->n_link;
+    const struct report_link *link = contact ? v->contact : column ? v->column : v->link;
     for (int i = 0; i < n && (size_t)i < item->n; i++) {
         if (!r->place || strcmp(r->place, link[i].name) == 0) {
             add_term(r, &(struct edp_term){item->first + (size_t)i, SIZE_MAX, NULL, NULL},
@@ -186,7 +250,7 @@ static int add_links(struct reading *r, const struct study_item *item, struct er
     if (r->out->n_term > 0) {
         return STATUS_OK;
     }
-    const char *what = contact ? "contact" : "link";
+    const char *what = contact ? "contact" : column ? "column" : "link";
     return n == 0
                ? error_set(e, STATUS_INPUT, "%s: there is no %s", r->text, what)
                : error_set(e, STATUS_INPUT, "%s: unknown %s; %d available: %s%s%s", r->text, what,
@@ -195,10 +259,15 @@ static int add_links(struct reading *r, const struct study_item *item, struct er
 
 static int add_terms(struct reading *r, struct error *e) {
     const struct edp_quantity *q = r->quantity;
+    if (q->owner == EDP_OF_MEMBER) {
+        return add_all_members(r, e);
+    }
     const int i = find_item(r->view, q, NULL, q->item);
     if (i < 0) {
         return error_set(e, STATUS_INPUT, "%s: there is no %s", r->text,
-                         q->owner == EDP_OF_LINK ? "link" : q->name);
+                         q->owner == EDP_OF_LINK     ? "link"
+                         : q->owner == EDP_OF_COLUMN ? "column"
+                                                     : q->name);
     }
     const struct study_item *item = &r->view->table.item[i];
     r->out->units = q->divisor ? "1" : item->units;
@@ -207,6 +276,7 @@ static int add_terms(struct reading *r, struct error *e) {
             return add_buildings(r, e);
         case EDP_OF_CONTACT:
         case EDP_OF_LINK:
+        case EDP_OF_COLUMN:
             return add_links(r, item, e);
         default:
             if (r->place) {
@@ -279,6 +349,19 @@ double edp_value(const struct edp *p, const double *value, int *at) {
         }
     }
     return p->quantity->reduction == EDP_SUM ? sum : largest;
+}
+
+bool edp_is_collapse(const struct edp *p) {
+    return strcmp(p->quantity->name, EDP_COLLAPSE) == 0;
+}
+
+bool edp_collapsed(const struct study_view *v, const double *value) {
+    for (int i = 0; i < v->table.n_item; i++) {
+        if (strcmp(v->table.item[i].name, "collapsed") == 0) {
+            return value[v->table.item[i].first] > 0.0;
+        }
+    }
+    return false;
 }
 
 int edp_hit(const struct edp *p, const struct study_view *v, int at, const double *value) {

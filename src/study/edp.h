@@ -14,7 +14,14 @@ enum edp_reduction {
 };
 
 // A quantity that can be asked for. `owner` is what follows the first colon.
-enum edp_owner { EDP_OF_BUILDING, EDP_OF_CONTACT, EDP_OF_LINK, EDP_OF_ALL };
+enum edp_owner {
+    EDP_OF_BUILDING,
+    EDP_OF_MEMBER,
+    EDP_OF_CONTACT,
+    EDP_OF_LINK,
+    EDP_OF_COLUMN,
+    EDP_OF_ALL
+};
 struct edp_quantity {
     const char *name;
     enum edp_owner owner;
@@ -42,15 +49,22 @@ struct edp {
     const struct edp_term *term;  // (n_term)
 };
 
-// Reads `text` against the file's table: NAME, NAME:BUILDING, NAME:BUILDING:FLOOR, NAME:CONTACT or
-// NAME:LINK; in names, _ stands for - too. What lasts is from `a`. Errors: STATUS_INPUT (no such
-// quantity or place, and what there is), STATUS_SYSTEM.
+// Reads `text` against the file's table: NAME, NAME:BUILDING, NAME:BUILDING:FLOOR,
+// NAME:BUILDING:MEMBER, NAME:CONTACT or NAME:LINK; in names, _ stands for - too. What lasts is from
+// `a`. Errors: STATUS_INPUT (no such quantity or place, and what there is), STATUS_SYSTEM.
 int edp_parse(const struct study_view *v, const char *text, struct arena *a, struct edp *out,
               struct error *e);
 
 // The number of a run from its values (n_value); *at is the term that is largest, for a sum too.
 // NAN where a term has no value, as it may be the largest: *at is the first such.
 double edp_value(const struct edp *p, const double *value, int *at);
+
+// The demand whose name this is counts collapses.
+#define EDP_COLLAPSE "collapse"
+bool edp_is_collapse(const struct edp *p);
+
+// Has the run with these values (n_value) collapsed?
+bool edp_collapsed(const struct study_view *v, const double *value);
 
 // What study_view_hit says of term `at`; -1 for terms that are not of a building.
 int edp_hit(const struct edp *p, const struct study_view *v, int at, const double *value);

@@ -78,6 +78,10 @@ static int analyse(struct job *job, const struct model *m, const struct model *d
     } else {
         status = job->runs->read(job->runs->context, m, deck, results, job->value, e);
     }
+    if (status == STATUS_FAILED) {
+        trial_fail(outcome, e->message);
+        status = STATUS_OK;
+    }
     results_free(results);
     return status;
 }

@@ -5,11 +5,11 @@
 #include "study/gap_search.h"
 
 #include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "core/arena.h"
+#include "study/percentile.h"
 #include "study/trial.h"
 
 enum { BISECTIONS_MAX = 200 };  // more than a double has digits
@@ -32,6 +32,10 @@ static int read_run(void *context, const struct model *m, const struct model *de
     int at = 0, status = all ? trial_values(m, r, all, e) : error_no_memory(e);
     if (status == STATUS_OK) {
         *value = edp_value(&q->edp, all, &at);
+    }
+    // Beyond a collapse there are no demands; that of a building counts as above every limit.
+    if (status == STATUS_OK && r->collapse.happened && q->edp.quantity->owner == EDP_OF_BUILDING) {
+        *value = INFINITY;
     }
     free(all);
     return status == STATUS_OK && isnan(*value) ? edp_absent(&q->edp, at, e) : status;
@@ -112,13 +116,13 @@ static void judge(struct search *s, int i, struct gap_point *p) {
             snprintf(p->message, sizeof p->message, "%s", outcome[run].message);
         }
         p->run = p->n_failed == 0 && value[run] > value[p->run] ? run : p->run;
+        p->n_collapsed += isinf(value[run]) != 0;
         s->scratch[run] = value[run];
     }
     p->value = NAN;
     if (p->n_failed == 0) {
         gsl_sort(s->scratch, 1, (size_t)n_run);
-        p->value = gsl_stats_quantile_from_sorted_data(s->scratch, 1, (size_t)n_run,
-                                                       s->request->percentile / 100.0);
+        p->value = percentile_sorted(s->scratch, (size_t)n_run, s->request->percentile / 100.0);
     }
     p->kept = p->n_failed == 0 && p->value <= s->request->limit;
 }

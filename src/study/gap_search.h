@@ -24,9 +24,9 @@ enum gap_stage { GAP_SCAN, GAP_BISECTION, GAP_OPEN };
 struct gap_point {
     enum gap_stage stage;
     double gap;    // [L]; infinite: the contacts never close
-    double value;  // the percentile of the runs; NAN if one of them failed
+    double value;  // the percentile of the runs; NAN if one of them failed; infinite: collapse
     bool kept;     // value <= limit; a run that fails keeps nothing
-    long n_failed;
+    long n_failed, n_collapsed;
     long run;                         // of the largest value, or the first that failed
     char message[STUDY_MESSAGE_MAX];  // of that
 };

@@ -7,8 +7,9 @@
 #include "core/arena.h"
 #include "core/hash.h"
 
-// Members of a row: the fields in the order of enum field's bits, time, ground and energies.
-enum { FIELDS = 7, TIME = FIELDS, GROUND, ENERGIES, MEMBERS, FLOOR_FIELDS = 5 };
+// Members of a row: the fields in the order of enum field's bits up to the seventh, time, ground,
+// energies and the forces of members.
+enum { FIELDS = 7, TIME = FIELDS, GROUND, ENERGIES, FORCES, MEMBERS, FLOOR_FIELDS = 5 };
 
 // How many numbers of each member a row has; 0: the file is not to hold it. Returns the sum.
 static size_t row_sizes(const struct model *m, size_t n[MEMBERS]) {
@@ -20,6 +21,7 @@ static size_t row_sizes(const struct model *m, size_t n[MEMBERS]) {
     n[TIME] = 1;
     n[GROUND] = (size_t)m->n_ground;
     n[ENERGIES] = ENERGY_COUNT;
+    n[FORCES] = m->output.fields & FIELD_MEMBERS ? (size_t)m->n_force : 0;
     for (int i = 0; i < MEMBERS; i++) {
         sum += n[i];
     }
@@ -28,11 +30,13 @@ static size_t row_sizes(const struct model *m, size_t n[MEMBERS]) {
 
 uint64_t history_shape(const struct model *m) {
     uint64_t sum = hash_start;
-    const long size[] = {m->n_dof, m->n_link, m->n_ground, model_rows(m)};
+    const long size[] = {m->n_dof, m->n_link, m->n_ground, model_rows(m), m->n_force};
     sum = hash_add(sum, size, sizeof size);
     sum = hash_add(sum, &m->output.fields, sizeof m->output.fields);
     sum = hash_add(sum, &m->output.every, sizeof m->output.every);
     sum = hash_add(sum, &m->dt, sizeof m->dt);
+    const char may_collapse = m->collapse != NULL;
+    sum = hash_add(sum, &may_collapse, sizeof may_collapse);
     return sum ? sum : 1;
 }
 
@@ -63,13 +67,19 @@ static int put(struct history_writer *w, const void *from, size_t n, struct erro
     return status;
 }
 
+// Of a model that may collapse there is a 1 before each row, and a 0 behind the last.
+static int put_mark(struct history_writer *w, double mark, struct error *e) {
+    return w->model->collapse ? put(w, &mark, sizeof mark, e) : STATUS_OK;
+}
+
 int history_put_row(struct history_writer *w, const struct row_view *row, struct error *e) {
     const double *const from[MEMBERS] = {
-        row->displacement, row->velocity,    row->acceleration, row->drift,  row->storey_shear,
-        row->force,        row->penetration, &row->time,        row->ground, row->energy,
+        row->displacement, row->velocity, row->acceleration, row->drift,
+        row->storey_shear, row->force,    row->penetration,  &row->time,
+        row->ground,       row->energy,   row->member_force,
     };
     size_t n[MEMBERS];
-    int status = STATUS_OK;
+    int status = put_mark(w, 1.0, e);
     row_sizes(w->model, n);
     for (int i = 0; i < MEMBERS && status == STATUS_OK; i++) {
         status = n[i] > 0 ? put(w, from[i], n[i] * sizeof *from[i], e) : STATUS_OK;
@@ -82,7 +92,7 @@ struct span {
     void *at;
     size_t size;
 };
-enum { SPANS = 2 * PEAK_COUNT + 7 };
+enum { SPANS = 2 * PEAK_COUNT + 13 };
 
 static void find_spans(struct results *r, const struct model *m, struct span s[SPANS]) {
     const size_t floors = (size_t)m->n_dof * sizeof(double);
@@ -91,19 +101,26 @@ static void find_spans(struct results *r, const struct model *m, struct span s[S
         *s++ = (struct span){r->peak_time[p], floors};
     }
     *s++ = (struct span){r->residual_drift, floors};
+    double *const force[] = {r->force_max, r->force_max_time, r->force_min, r->force_min_time};
+    for (int i = 0; i < 4; i++) {
+        *s++ = (struct span){force[i], (size_t)m->n_force * sizeof(double)};
+    }
     *s++ = (struct span){r->link, (size_t)m->n_link * sizeof *r->link};
+    *s++ = (struct span){r->column, (size_t)m->n_column * sizeof *r->column};
     *s++ = (struct span){r->impact, (size_t)r->n_impact * sizeof *r->impact};
     *s++ = (struct span){r->energy, sizeof r->energy};
     *s++ = (struct span){&r->initial_energy, sizeof r->initial_energy};
     *s++ = (struct span){&r->residual_peak, sizeof r->residual_peak};
     *s++ = (struct span){&r->totals, sizeof r->totals};
+    *s++ = (struct span){&r->collapse, sizeof r->collapse};
 }
 
 int history_put_results(struct history_writer *w, const struct results *r, struct error *e) {
     struct results copy = *r;
     struct span span[SPANS];
     find_spans(&copy, w->model, span);
-    int status = put(w, &r->n_impact, sizeof r->n_impact, e);
+    int status = put_mark(w, 0.0, e);
+    status = status == STATUS_OK ? put(w, &r->n_impact, sizeof r->n_impact, e) : status;
     for (int i = 0; i < SPANS && status == STATUS_OK; i++) {
         status = span[i].size > 0 ? put(w, span[i].at, span[i].size, e) : STATUS_OK;
     }
@@ -144,6 +161,17 @@ static int get(struct source *s, void *to, size_t n, struct error *e) {
     return STATUS_OK;
 }
 
+// Is there another row, after `i` of them?
+static int get_mark(struct source *s, const struct model *m, long i, bool *more, struct error *e) {
+    double mark = i < model_rows(m);
+    const int status = m->collapse ? get(s, &mark, sizeof mark, e) : STATUS_OK;
+    *more = mark != 0.0;
+    return status == STATUS_OK && *more && i == model_rows(m)
+               ? error_set(e, STATUS_SYSTEM, "%s: the histories of run %ld are too long",
+                           s->journal->path, s->run + 1)
+               : status;
+}
+
 static int show_rows(struct source *s, const struct model *m, const struct observer *observer,
                      double *row, struct error *e) {
     struct row_view view = {0};
@@ -151,7 +179,7 @@ static int show_rows(struct source *s, const struct model *m, const struct obser
     const double **const to[MEMBERS] = {
         &view.displacement, &view.velocity, &view.acceleration, &view.drift,
         &view.storey_shear, &view.force,    &view.penetration,  &time,
-        &view.ground,       &view.energy,
+        &view.ground,       &view.energy,   &view.member_force,
     };
     size_t n[MEMBERS], at = 0;
     const size_t sum = row_sizes(m, n);
@@ -159,11 +187,13 @@ static int show_rows(struct source *s, const struct model *m, const struct obser
         *to[i] = row + at;
         at += n[i];
     }
-    int status = STATUS_OK;
-    for (long i = 0; i < model_rows(m) && status == STATUS_OK; i++) {
+    bool more = false;
+    int status = get_mark(s, m, 0, &more, e);
+    for (long i = 1; more && status == STATUS_OK; i++) {
         status = get(s, row, sum * sizeof *row, e);
         view.time = *time;
         status = status == STATUS_OK ? observer->row(observer->context, &view, e) : status;
+        status = status == STATUS_OK ? get_mark(s, m, i, &more, e) : status;
     }
     return status;
 }
@@ -182,7 +212,12 @@ static struct results *new_results(const struct model *m, long n_impact) {
         r->peak_time[p] = arena_alloc(a, (size_t)m->n_dof, sizeof *r->peak_time[p]);
     }
     r->residual_drift = arena_alloc(a, (size_t)m->n_dof, sizeof *r->residual_drift);
+    double **const force[] = {&r->force_max, &r->force_max_time, &r->force_min, &r->force_min_time};
+    for (int i = 0; i < 4; i++) {
+        *force[i] = arena_alloc(a, (size_t)m->n_force, sizeof **force[i]);
+    }
     r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
+    r->column = arena_alloc(a, (size_t)m->n_column, sizeof *r->column);
     r->impact = malloc(((size_t)n_impact + 1) * sizeof *r->impact);
     r->n_impact = r->impact_capacity = n_impact;
     if (!r->impact || arena_failed(a)) {

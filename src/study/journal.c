@@ -9,7 +9,7 @@
 #include "core/file.h"
 #include "study/journal_entry.h"
 
-static const char magic[8] = "jostle5\n";
+static const char magic[8] = "jostle6\n";
 enum { MAGIC_VERSION = 6 };  // the place of its digit
 
 void journal_close(struct journal *j) {

@@ -5,8 +5,10 @@
 
 #include "core/checksum.h"
 
-int manifest_init(struct manifest *m, struct error *e) {
-    *m = (struct manifest){.arena = arena_create()};
+int manifest_init(struct manifest *m, const char *deck, struct error *e) {
+    const char *slash = strrchr(deck, '/');
+    *m = (struct manifest){
+        .arena = arena_create(), .deck = deck, .folder = slash ? (size_t)(slash - deck) + 1 : 0};
     return m->arena ? STATUS_OK : error_no_memory(e);
 }
 
@@ -40,21 +42,23 @@ static bool looks_the_same(const struct stat *a, const struct stat *b) {
            a->st_ctim.tv_nsec == b->st_ctim.tv_nsec;
 }
 
-static struct manifest_file *find(const struct manifest *m, const char *path) {
+static struct manifest_file *find(const struct manifest *m, const char *name) {
     struct manifest_file *f = m->file;
-    while (f && strcmp(f->path, path) != 0) {
+    while (f && strcmp(f->name, name) != 0) {
         f = f->next;
     }
     return f;
 }
 
-static struct manifest_file *enter(struct manifest *m, const char *path, bool included) {
+static struct manifest_file *enter(struct manifest *m, const char *name, bool included) {
     struct manifest_file *f = arena_alloc(m->arena, 1, sizeof *f);
-    char *copy = arena_text(m->arena, path, strlen(path));
-    if (!f || !copy) {
+    const int folder = name[0] == '/' ? 0 : (int)m->folder;
+    const char *path = arena_format(m->arena, "%.*s%s", folder, m->deck, name);
+    if (!f || !path) {
         return NULL;
     }
-    f->path = copy;
+    f->name = path + folder;
+    f->path = path;
     f->seen = look(path);
     f->included = included;
     f->sum = sum_of(path, included);
@@ -69,11 +73,11 @@ static int changed(const char *path, struct error *e) {
 
 int manifest_check(struct manifest *m, const struct deck_path *file,
                    const struct manifest_file **added, struct error *e) {
-    const char *path = file->path;
-    struct manifest_file *f = find(m, path);
+    const char *path = file->path, *name = file->absolute ? path : path + m->folder;
+    struct manifest_file *f = find(m, name);
     *added = NULL;
     if (!f) {
-        *added = enter(m, path, file->included);
+        *added = enter(m, name, file->included);
         return *added ? STATUS_OK : error_no_memory(e);
     }
     const struct stat now = look(path);
@@ -88,16 +92,16 @@ int manifest_check(struct manifest *m, const struct deck_path *file,
     return STATUS_OK;
 }
 
-int manifest_expect(struct manifest *m, const char *path, const struct checksum *sum,
+int manifest_expect(struct manifest *m, const char *name, const struct checksum *sum,
                     struct error *e) {
-    struct manifest_file *f = find(m, path);
-    f = f ? f : enter(m, path, false);
+    struct manifest_file *f = find(m, name);
+    f = f ? f : enter(m, name, false);
     if (!f) {
         return error_no_memory(e);
     }
     f->changed = !checksum_equal(sum, &f->sum);
     if (f->changed && !f->included) {  // it may be a deck
-        const struct checksum meaning = sum_of(path, true);
+        const struct checksum meaning = sum_of(f->path, true);
         f->included = checksum_equal(sum, &meaning);
         f->changed = !f->included;
         f->sum = f->included ? meaning : f->sum;

@@ -10,6 +10,7 @@
 #include "jostle/deck.h"
 
 struct manifest_file {
+    const char *name;  // its path from the folder of the deck, or an absolute one, as the deck says
     const char *path;
     bool included;        // it is a deck
     struct checksum sum;  // "": it cannot be read
@@ -20,11 +21,13 @@ struct manifest_file {
 
 struct manifest {
     struct arena *arena;  // owned
+    const char *deck;     // path of the deck, borrowed
+    size_t folder;        // bytes of it up to its last slash, and that
     struct manifest_file *file;
 };
 
-// Errors: STATUS_SYSTEM (no memory).
-int manifest_init(struct manifest *m, struct error *e);
+// An empty manifest of the deck at this path. Errors: STATUS_SYSTEM (no memory).
+int manifest_init(struct manifest *m, const char *deck, struct error *e);
 void manifest_close(struct manifest *m);
 
 // Enters a file that has no entry, as it is now; *added is its entry. A file that has one is
@@ -33,9 +36,9 @@ void manifest_close(struct manifest *m);
 int manifest_check(struct manifest *m, const struct deck_path *file,
                    const struct manifest_file **added, struct error *e);
 
-// Enters a file and notes whether it has another checksum than `sum`. Of a file that is expected
-// twice the last one counts. Errors: STATUS_SYSTEM (no memory).
-int manifest_expect(struct manifest *m, const char *path, const struct checksum *sum,
+// Enters the file of this name and notes whether it has another checksum than `sum`. Of a file that
+// is expected twice the last one counts. Errors: STATUS_SYSTEM (no memory).
+int manifest_expect(struct manifest *m, const char *name, const struct checksum *sum,
                     struct error *e);
 
 // STATUS_INPUT if a file has changed: the first one that was expected.

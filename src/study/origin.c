@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "core/checksum.h"
+#include "deck/parameter.h"
 #include "jostle/study_merge.h"
 
-static const char numerics_line[] = "the version of the numerics", deck_line[] = "the deck",
-                  folder_line[] = "the folder of the deck";
+static const char numerics_line[] = "the version of the numerics", deck_line[] = "the deck";
 
 static struct checksum sum_sweep(const struct sweep *s) {
     struct checksum_sum sum;
@@ -36,11 +36,15 @@ int origin_study(struct arena *a, const struct study_request *q, size_t n_value,
     if (status != STATUS_OK) {
         return status;
     }
+    const char *const *defined = deck_define_texts(d, a);
+    if (!defined) {
+        return error_no_memory(e);
+    }
     struct checksum_sum sum;
     struct checksum define;
     checksum_start(&sum);
     for (int i = 0; i < q->n_define; i++) {
-        checksum_add_text(&sum, q->define[i]);
+        checksum_add_text(&sum, defined[i]);
     }
     checksum_end(&sum, &define);
     const char *text = arena_format(a, "%s\t%d\n%s\t%s\n-D\t%s\n", numerics_line, q->numerics,
@@ -55,10 +59,9 @@ int origin_study(struct arena *a, const struct study_request *q, size_t n_value,
 }
 
 const char *origin_journal(struct arena *a, const struct study_request *q, const char *study) {
-    const char *text = arena_format(a, "%s%s\t%s\n", study, folder_line, q->first->deck->path);
-    return text && q->shard.n > 0
-               ? arena_format(a, "%sthe part\t%ld/%ld\n", text, q->shard.number, q->shard.n)
-               : text;
+    return q->shard.n > 0
+               ? arena_format(a, "%sthe part\t%ld/%ld\n", study, q->shard.number, q->shard.n)
+               : study;
 }
 
 const char *origin_difference(const char *old, const char *new, int *length) {
@@ -77,8 +80,7 @@ static bool is_named(const char *line, const char *name) {
 }
 
 static bool may_change(const char *line) {
-    return is_named(line, numerics_line) || is_named(line, deck_line) ||
-           is_named(line, folder_line);
+    return is_named(line, numerics_line) || is_named(line, deck_line);
 }
 
 int origin_accept(struct arena *a, const char *old, const char *new, const char **accepted,
@@ -102,19 +104,12 @@ int origin_accept(struct arena *a, const char *old, const char *new, const char 
     return *old || *new ? error_set(e, STATUS_INPUT, "the list of sweeps") : STATUS_OK;
 }
 
-// Bytes of `path` up to and with its last slash.
-static size_t folder_length(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? (size_t)(slash - path) + 1 : 0;
-}
-
 static int compare(const void *a, const void *b) {
     return strcmp(((const struct study_source *)a)->path, ((const struct study_source *)b)->path);
 }
 
 // The files of the manifest in the order of their paths; NULL: no memory.
-static struct study_source *list_sources(const struct plan *p, const struct manifest *m, int *n) {
-    const size_t folder = folder_length(p->first->deck->path);
+static struct study_source *list_sources(const struct manifest *m, int *n) {
     *n = 0;
     for (const struct manifest_file *f = m->file; f; f = f->next) {
         ++*n;
@@ -122,10 +117,7 @@ static struct study_source *list_sources(const struct plan *p, const struct mani
     struct study_source *source = arena_alloc(m->arena, (size_t)*n, sizeof *source);
     int i = 0;
     for (const struct manifest_file *f = m->file; f && source; f = f->next) {
-        // A path below the folder of the deck is without it: parts may come from machines where it
-        // lies elsewhere.
-        const bool below = strncmp(f->path, p->first->deck->path, folder) == 0;
-        source[i++] = (struct study_source){below ? f->path + folder : f->path, f->sum};
+        source[i++] = (struct study_source){f->name, f->sum};
     }
     if (source && *n > 0) {
         qsort(source, (size_t)*n, sizeof *source, compare);
@@ -133,13 +125,13 @@ static struct study_source *list_sources(const struct plan *p, const struct mani
     return source;
 }
 
-int origin_describe(const struct study_request *q, const struct plan *p, const struct manifest *m,
+int origin_describe(const struct study_request *q, const struct manifest *m,
                     struct study_origin *out, struct error *e) {
     const char *define = "";
     for (int i = 0; i < q->n_define && define; i++) {
         define = arena_format(m->arena, "%s%s\n", define, q->define[i]);
     }
-    out->source = list_sources(p, m, &out->n_source);
+    out->source = list_sources(m, &out->n_source);
     out->define = define;
     out->programs = arena_format(m->arena, "%s\n", q->program.digits);
     out->numerics = q->numerics;
@@ -159,9 +151,8 @@ int origin_part(const struct plan *p, const struct manifest *m, struct study_par
     return STATUS_OK;
 }
 
-int origin_compare(const struct study_request *q, struct manifest *m, const char *study,
-                   const struct study_origin *o, struct error *e) {
-    const char *deck = q->first->deck->path;
+int origin_compare(struct manifest *m, const char *study, const struct study_origin *o,
+                   struct error *e) {
     int length;
     if (strcmp(o->study, study) != 0) {
         const char *cause = origin_difference(o->study, study, &length);
@@ -169,16 +160,12 @@ int origin_compare(const struct study_request *q, struct manifest *m, const char
     }
     for (int i = 0; i < o->n_source; i++) {
         const struct study_source *s = &o->source[i];
-        const char *path =
-            s->path[0] == '/'
-                ? s->path
-                : arena_format(m->arena, "%.*s%s", (int)folder_length(deck), deck, s->path);
-        int status = path ? manifest_expect(m, path, &s->sum, e) : error_no_memory(e);
+        int status = manifest_expect(m, s->path, &s->sum, e);
         if (status != STATUS_OK) {
             return status;
         }
         if (manifest_unchanged(m, e) != STATUS_OK) {
-            return error_set(e, STATUS_INPUT, "%s", path);
+            return error_set(e, STATUS_INPUT, "%s", s->path);
         }
     }
     return STATUS_OK;
@@ -194,7 +181,7 @@ static int compare_part(const struct study_request *q, struct manifest *m, const
     }
     int status = study_file_verify(f, e);
     const bool whole = status == STATUS_OK;
-    status = whole ? origin_compare(q, m, study, &v->origin, e) : status;
+    status = whole ? origin_compare(m, study, &v->origin, e) : status;
     const struct error cause = *e;
     if (status == STATUS_INPUT && whole) {
         return error_set(e, STATUS_INPUT,

@@ -17,7 +17,7 @@
 int origin_study(struct arena *a, const struct study_request *q, size_t n_value, const char **out,
                  struct error *e);
 
-// The text of a journal: `study`, the path of the deck and the part. NULL: no memory.
+// The text of a journal: `study`, and the part. NULL: no memory.
 const char *origin_journal(struct arena *a, const struct study_request *q, const char *study);
 
 // Appends to the text *accepted a line for each difference that a user may accept: "NAME: OLD".
@@ -31,7 +31,7 @@ const char *origin_difference(const char *old, const char *new, int *length);
 
 // What the runs come from, once they are done, without the members `study` and `accepted`. Texts
 // and arrays are from the arena of the manifest. Errors: STATUS_SYSTEM (no memory).
-int origin_describe(const struct study_request *q, const struct plan *p, const struct manifest *m,
+int origin_describe(const struct study_request *q, const struct manifest *m,
                     struct study_origin *out, struct error *e);
 
 // Describes the part that the plan runs, without the number of failed runs. The array is from the
@@ -39,10 +39,11 @@ int origin_describe(const struct study_request *q, const struct plan *p, const s
 int origin_part(const struct plan *p, const struct manifest *m, struct study_part *out,
                 struct error *e);
 
-// Compares `o`, what the runs of a file come from, with the request, the study of which is the text
-// `study`. Errors: STATUS_INPUT with the name of the first difference, STATUS_SYSTEM (no memory).
-int origin_compare(const struct study_request *q, struct manifest *m, const char *study,
-                   const struct study_origin *o, struct error *e);
+// Compares `o`, what the runs of a file come from, with the study of the text `study`, which reads
+// the files of the manifest. Errors: STATUS_INPUT with the name of the first difference,
+// STATUS_SYSTEM (no memory).
+int origin_compare(struct manifest *m, const char *study, const struct study_origin *o,
+                   struct error *e);
 
 // Sets *found where the file of the request is the finished part that it asks for, and *n_failed,
 // the number of its failed runs. Errors: STATUS_INPUT (the file is something else, or the study has

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "jostle/study_merge.h"
+#include "model/frame.h"
 
 int plan_init(struct plan *p, const struct study_request *q, struct error *e) {
     const long n_run = q->first->deck->n_run;
@@ -117,6 +118,20 @@ static int differs(const struct plan *p, long run, struct error *e, const char *
                      plan_describe(p, run, &t), cause);
 }
 
+// Have both buildings the same parts with the same members?
+static bool same_parts(const struct building *a, const struct building *b) {
+    bool same = a->n_part == b->n_part && a->n_force == b->n_force;
+    for (int i = 0; same && i < a->n_part; i++) {
+        const struct plane_frame *f = frame_of(&a->part[i]), *g = frame_of(&b->part[i]);
+        same = a->part[i].kind == b->part[i].kind && (!f || f->n_member == g->n_member);
+        for (int k = 0; same && f && k < f->n_member; k++) {
+            const struct frame_member *x = &f->member[k], *y = &g->member[k];
+            same = x->kind == y->kind && x->level == y->level && x->number == y->number;
+        }
+    }
+    return same;
+}
+
 static int check_buildings(const struct plan *p, long run, const struct model *m, struct error *e) {
     if (m->n_building != p->first->n_building) {
         return differs(p, run, e, "number of buildings");
@@ -132,6 +147,9 @@ static int check_buildings(const struct plan *p, long run, const struct model *m
                              "%s has %d floors in building %s, the first run has %d; all runs of "
                              "a study need the same",
                              plan_describe(p, run, &t), b->n_level, b->name, a->n_level);
+        }
+        if (!same_parts(a, b)) {
+            return differs(p, run, e, "parts and members of buildings");
         }
     }
     return STATUS_OK;
@@ -172,10 +190,14 @@ struct study_view plan_view(const struct plan *p) {
     const struct report *r = p->report;
     return (struct study_view){.units = r->units,
                                .table = *p->table,
+                               .n_building = r->n_building,
+                               .building = r->building,
                                .n_contact = r->n_contact,
                                .n_link = r->n_link,
                                .contact = r->contact,
-                               .link = r->link};
+                               .link = r->link,
+                               .n_column = r->n_column,
+                               .column = r->column};
 }
 
 long study_shard_run(const struct study_shard *s, long i) {

@@ -71,7 +71,7 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
         const struct manifest_file *added;
         status = manifest_check(p->manifest, files, &added, e);
         if (status == STATUS_OK && added) {
-            status = journal_add_file(p->journal, added->path, &added->sum, e);
+            status = journal_add_file(p->journal, added->name, &added->sum, e);
         }
     }
     workers_unlock(v->workers);

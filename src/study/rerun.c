@@ -87,7 +87,7 @@ static int check_origin(struct rerun *r, struct error *e) {
                          r->view->path);
     }
     if (status == STATUS_OK) {
-        status = origin_compare(&study, &r->manifest, current, &r->view->origin, e);
+        status = origin_compare(&r->manifest, current, &r->view->origin, e);
     }
     const struct error cause = *e;
     return status == STATUS_INPUT
@@ -224,7 +224,7 @@ int study_rerun(struct study_file *f, const struct study_rerun_request *q, struc
     if (status != STATUS_OK) {
         return status;
     }
-    status = manifest_init(&r.manifest, e);
+    status = manifest_init(&r.manifest, q->first->deck->path, e);
     status = status == STATUS_OK ? allocate(&r, e) : status;
     status = status == STATUS_OK ? check_origin(&r, e) : status;
     status = status == STATUS_OK ? map_items(&r, e) : status;

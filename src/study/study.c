@@ -28,10 +28,10 @@ struct study {
     double start;                    // wall time [s]
 };
 
-static int expect_file(void *context, const char *path, const struct checksum *sum,
+static int expect_file(void *context, const char *name, const struct checksum *sum,
                        struct error *e) {
     struct study *s = context;
-    return manifest_expect(&s->manifest, path, sum, e);
+    return manifest_expect(&s->manifest, name, sum, e);
 }
 
 // Goes on as the user wants it although something has changed, and notes what.
@@ -47,7 +47,7 @@ static int accept_changes(struct study *s, const char *head, struct error *e) {
                          s->journal.path, cause.message);
     }
     for (const struct manifest_file *f = s->manifest.file; f && accepted; f = f->next) {
-        accepted = f->changed ? arena_format(a, "%s%s\n", accepted, f->path) : accepted;
+        accepted = f->changed ? arena_format(a, "%s%s\n", accepted, f->name) : accepted;
     }
     if (status != STATUS_OK || !accepted) {
         return status != STATUS_OK ? status : error_no_memory(e);
@@ -60,7 +60,7 @@ static int accept_changes(struct study *s, const char *head, struct error *e) {
     for (struct manifest_file *f = s->manifest.file; f && status == STATUS_OK; f = f->next) {
         if (f->changed) {
             f->changed = false;
-            status = journal_add_file(&s->journal, f->path, &f->sum, e);
+            status = journal_add_file(&s->journal, f->name, &f->sum, e);
         }
     }
     return status;
@@ -251,7 +251,7 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     content->n_kept = p->n_kept;
     content->n_thread = p->n_thread;
     content->seconds = wall_seconds() - s->start;
-    status = origin_describe(s->request, &s->plan, &s->manifest, &s->origin, e);
+    status = origin_describe(s->request, &s->manifest, &s->origin, e);
     if (status == STATUS_OK && s->request->shard.n > 0) {
         status = origin_part(&s->plan, &s->manifest, &s->part, e);
         s->part.n_failed = p->n_failed;
@@ -324,7 +324,7 @@ int study_run(const struct study_request *q, struct study_progress *p, struct er
     if (status != STATUS_OK) {
         return status;
     }
-    status = manifest_init(&s.manifest, e);
+    status = manifest_init(&s.manifest, q->first->deck->path, e);
     if (status == STATUS_OK) {
         status = find_or_run(&s, p, e);
     }

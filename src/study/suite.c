@@ -14,8 +14,8 @@
 struct maker {
     struct suite *s;
     struct roles roles;
-    double *value;
-    bool *hit;
+    double *value, *reached;
+    bool *hit, *collapsed;
     int *place;  // (values of the abscissa) the place of each among the points
     bool no_memory;
 };
@@ -196,6 +196,14 @@ static int take_run(void *context, const struct study_run *r, struct error *e) {
                       (size_t)m->place[k[m->roles.abscissa]];
     int place;
     m->value[at] = edp_value(&s->edp, r->value, &place);
+    m->reached[at] = m->value[at];
+    m->collapsed[at] = outcome->status == STUDY_DONE && edp_collapsed(s->view, r->value);
+    s->n_collapsed += m->collapsed[at];
+    if (m->collapsed[at] &&
+        (s->edp.quantity->owner == EDP_OF_BUILDING || edp_is_collapse(&s->edp))) {
+        m->value[at] = INFINITY;
+        return STATUS_OK;
+    }
     if (outcome->status == STUDY_DONE && isfinite(m->value[at])) {
         m->hit[at] = edp_hit(&s->edp, s->view, place, r->value) > 0;
         s->n_hit += m->hit[at];
@@ -263,13 +271,17 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     s->n_group = roles_count(v, &m->roles, ROLE_GROUP);
     s->n_run = (long)s->n_point * s->n_sample * s->n_group;
     m->value = take(m, (size_t)s->n_run, sizeof *m->value);
+    m->reached = take(m, (size_t)s->n_run, sizeof *m->reached);
+    m->collapsed = take(m, (size_t)s->n_run, sizeof *m->collapsed);
     m->hit = take(m, (size_t)s->n_run, sizeof *m->hit);
     s->value = m->value;
+    s->reached = m->reached;
+    s->collapsed = m->collapsed;
     s->hit = m->hit;
     order_points(m);
     s->n_missing = s->n_run;
-    for (long i = 0; m->value && i < s->n_run; i++) {
-        m->value[i] = NAN;
+    for (long i = 0; m->value && m->reached && i < s->n_run; i++) {
+        m->value[i] = m->reached[i] = NAN;
     }
     if (!m->no_memory) {
         name_roles(m);
@@ -319,14 +331,25 @@ int suite_group_choice(const struct suite *s, int group, int i) {
     return group % s->view->sweep[s->group_sweep[i]]->n;
 }
 
-double suite_value(const struct suite *s, int group, int sample, int point) {
+static size_t place_of(const struct suite *s, int group, int sample, int point) {
     const size_t row = (size_t)group * (size_t)s->n_sample + (size_t)sample;
-    return s->value[row * (size_t)s->n_point + (size_t)point];
+    return row * (size_t)s->n_point + (size_t)point;
+}
+
+double suite_value(const struct suite *s, int group, int sample, int point) {
+    return s->value[place_of(s, group, sample, point)];
+}
+
+double suite_reached(const struct suite *s, int group, int sample, int point) {
+    return s->reached[place_of(s, group, sample, point)];
+}
+
+bool suite_collapsed(const struct suite *s, int group, int sample, int point) {
+    return s->collapsed[place_of(s, group, sample, point)];
 }
 
 bool suite_hit(const struct suite *s, int group, int sample, int point) {
-    const size_t row = (size_t)group * (size_t)s->n_sample + (size_t)sample;
-    return s->hit[row * (size_t)s->n_point + (size_t)point];
+    return s->hit[place_of(s, group, sample, point)];
 }
 
 int suite_samples(const struct suite *s, int group, int point, double *value) {

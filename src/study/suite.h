@@ -42,14 +42,18 @@ struct suite {
     const char *const *group;       // (n_group) "gap = 0.02 m"; "" where there is one
     const int *group_sweep;         // (n_group_sweep) sweeps of which groups are the values
     int n_group_sweep;
-    const char *over;     // names of the sampled sweeps, "record"; "" if none
-    const char *fixed;    // "gap = 0.02 m" of --at; ""
-    const double *value;  // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
-    const bool *hit;      // (n_group, n_sample, n_point) of edp_hit: the value is of a hit floor
-    long n_hit;           // of them
-    long n_run;           // n_group n_sample n_point
-    long n_missing;       // of them, runs that the file does not have; they are left out
-    long n_failed;        // of them; the first ones are named
+    const char *over;       // names of the sampled sweeps, "record"; "" if none
+    const char *fixed;      // "gap = 0.02 m" of --at; ""
+    const double *value;    // (n_group, n_sample, n_point); INFINITY: above all, as that of a
+                            // building in a run that collapsed; NAN: left out
+    const double *reached;  // the same, but for collapsed runs the value up to the collapse
+    const bool *collapsed;  // (n_group, n_sample, n_point)
+    long n_collapsed;       // of them
+    const bool *hit;        // (n_group, n_sample, n_point) of edp_hit: the value is of a hit floor
+    long n_hit;             // of them
+    long n_run;             // n_group n_sample n_point
+    long n_missing;         // of them, runs that the file does not have; they are left out
+    long n_failed;          // of them; the first ones are named
     const char *failed[SUITE_NAMED_MAX];  // "run 7 (record X, im 0.3): why"
     enum suite_failed rule;
 };
@@ -65,6 +69,12 @@ int suite_group_choice(const struct suite *s, int group, int i);
 
 // The demand of a run; NAN where it is left out, infinite where it counts as above every value.
 double suite_value(const struct suite *s, int group, int sample, int point);
+
+// What it was up to the collapse of a run that collapsed; else the same.
+double suite_reached(const struct suite *s, int group, int sample, int point);
+
+// Whether a run collapsed.
+bool suite_collapsed(const struct suite *s, int group, int sample, int point);
 
 // Whether the demand of a run is the peak acceleration of a floor that was hit.
 bool suite_hit(const struct suite *s, int group, int sample, int point);

@@ -21,6 +21,12 @@ static const char bilinear[] = "storey B1:all bilinear -yield 4MN -hardening 0.0
     "matrix B1 ../tests/bench/wall8.txt -unit MN/m\n"                                              \
     "matrix B2 ../tests/bench/wall5.txt -unit MN/m\n"
 
+// A frame of two bays in each building.
+#define FRAME(name)                                                                                \
+    "frame " name " -bays 2*6m -modulus 30GPa\ncolumns " name                                      \
+    " -I 5e-3m^4 -A 0.25m^2\nbeams " name " -I 5e-3m^4\n"
+#define FRAMES FRAME("B1") FRAME("B2")
+
 const struct bench_case bench_cases[] = {
     {"pair", 0, 0, NEAR JANKOWSKI, NULL, 1e-3, 40.0, bench_analysis, 15.0, 60.0},
     {"pair", 0, 0, NEAR JANKOWSKI, NULL, 1e-4, 40.0, bench_analysis, 12.7, 60.0},
@@ -39,6 +45,7 @@ const struct bench_case bench_cases[] = {
     {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
      1e-3, 40.0, bench_analysis, 0.0, 90.0},
     {"pair, full matrices", 0, 0, NEAR JANKOWSKI, WALLS, 1e-3, 40.0, bench_analysis, 0.0, 120.0},
+    {"pair, frames", 0, 0, NEAR JANKOWSKI, FRAMES, 1e-3, 40.0, bench_analysis, 0.0, 150.0},
     {"pair, damper link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -dashpot 2MN*s/m\n", 1e-3, 40.0,
      bench_analysis, 0.0, 100.0},
     {"pair, spring link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -stiffness 50MN/m\n", 1e-3, 40.0,

@@ -9,8 +9,8 @@
 
 static void write_buildings(FILE *f, const struct bench_case *c) {
     if (c->n_building == 0) {
-        fputs("building B1 -floors 8 -mass 300t -stiffness 345MN/m\n"
-              "building B2 -floors 5 -mass 300t -stiffness 345MN/m\n",
+        fputs("building B1 -floors 8 -mass 300t -stiffness 345MN/m -height 3.2m\n"
+              "building B2 -floors 5 -mass 300t -stiffness 345MN/m -height 3.2m\n",
               f);
         return;
     }

@@ -27,12 +27,11 @@ if ! sh tests/support/docs.sh "$JOSTLE" "$folder"; then
 fi
 same docs/laws.md
 same docs/deck-statements.md
-same docs/spectrum.md
+same docs/ground-motions.md
 same docs/accuracy.md
 same docs/studies.md
 same docs/ida.md
 same docs/gap.md
-same docs/restitution.md
 same docs/law-command.md
 same docs/contact-values.md
 same README.md

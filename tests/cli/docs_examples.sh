@@ -35,7 +35,7 @@ awk '/`first.deck`/ { inside = 1; next } /^[-|] / { inside = 0 } inside && /^   
 mkdir build && ln -s "$jostle" build/jostle
 PATH=$PWD/build:$PATH
 "$jostle" run input/gap_study.deck -q && "$jostle" run input/monte_carlo.deck -q && "$jostle" run input/motions.deck -q
-for page in quick-start pictures spectrum ida gap; do
+for page in quick-start pictures ground-motions ida gap; do
     grep -E '^    (build/)?jostle ' "$root/docs/$page.md" | sed 's/ *#.*//' >commands
     while read -r command; do
         case $command in *plot* | *png*) command -v gnuplot >/dev/null || continue ;; esac
@@ -62,7 +62,7 @@ for block in blocks:
     exec(re.sub(r"\.plot\(.*?\)", "", block), names)
 END
 "$jostle" show ida.h5 --long --csv >long.csv
-for page in result-file studies ida spectrum; do
+for page in result-file studies ida ground-motions; do
     if ! python3 -c 'import h5py, pandas, xarray' 2>/dev/null; then
         echo "ok $page: its Python # SKIP no h5py, pandas or xarray"
         continue

@@ -144,12 +144,21 @@ initial A:1 -velocity 1
 contact A B -gap 5mm -law linear -k 1e8
 step fixed 0.1ms
 duration 0.2
-output -every 150
+param rows 150
+output -every $rows
 END
 run "$jostle" run -q bodies.deck
 run "$jostle" plot bodies.h5 loops --script bodies
 sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat >hardest
+expect "few rows say how to get more, in loops and contact" 'grep -q "output -every 1" bodies/loops.gp && "$jostle" plot bodies.h5 contact --script bodies && grep -q "output -every 1" bodies/contact.gp'
 expect "an impact of two rows is no loop: they are not joined" '[ $status -eq 0 ] && [ "$(grep -c "^[0-9]" hardest)" -eq 2 ] && awk "/^[0-9]/ && joined { exit 1 } { joined = /^[0-9]/ }" hardest'
+# joined ROWS: whether an impact of so many rows is drawn as a line.
+joined() {
+    run "$jostle" run -q --force bodies.deck -o rows.h5 -D rows="$1"
+    run "$jostle" plot rows.h5 loops --script bodies --force
+    [ "$(sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat | grep -c "^[0-9]")" -eq "$2" ] && sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat | awk "/^[0-9]/ && joined { found = 1 } { joined = /^[0-9]/ } END { exit !found }"
+}
+expect "nor is one of five rows, but one of seven" '! joined 80 5 && [ "$status" -eq 0 ] && joined 60 7'
 for file in pair apart; do
     run "$jostle" plot $file.h5 profiles --script $file.hit
 done
@@ -168,6 +177,13 @@ expect "rigid impacts have no loop, the storeys beside them have" '[ $status -eq
 run "$jostle" plot rigid.h5 contact --script scripts --force
 expect "an empty strip of contact forces says why it is empty" '[ $status -eq 0 ] && grep -q "^set label .rigid impacts have no force" scripts/contact.gp && ! grep -q "label .hardest:" scripts/contact.gp'
 rm -rf scripts
+
+printf '100 -50\n-50 60\n' >matrix.txt
+printf 'building A -floors 2 -mass 1\nmatrix A matrix.txt -unit N/m\nbuilding B -floors 1 -mass 1 -stiffness 100\ncontact A:1 B -gap 1 -law linear -k 1\nstep fixed 1ms\nduration 0.1\n' >matrix.deck
+run "$jostle" run -q matrix.deck
+run "$jostle" plot matrix.h5 modes --script matrix
+expect "a building with a matrix has no mode shapes, and the legend says so" '[ $status -eq 0 ] && [ "$(grep -c "shapes not in the file" matrix/modes.gp)" -eq 1 ]'
+rm -r matrix matrix.*
 
 # A building beside a free body, which is drawn as points without a line.
 cat >cart.deck <<'END'

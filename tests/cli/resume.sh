@@ -119,6 +119,31 @@ rm part.h5
 sed -i '$d' records/1.txt
 cp kept2.deck study.deck
 
+# How the deck is called does not matter, nor where it is with its records.
+cp study.deck other.deck
+mkdir elsewhere
+cp -r study.deck records elsewhere
+for deck in ./study.deck "$PWD/study.deck" ../here/study.deck other.deck elsewhere/study.deck; do
+    rm -f part.h5
+    cp kept.runs part.h5.runs
+    run "$jostle" run "$deck" -o part.h5
+    files=$(h5dump -d /origin/file part.h5 | grep -oE '"[^"]*/[0-9].txt"' | tr -d '\n')
+    expect "the runs of study.deck are found by $deck" \
+        '[ $status -eq 0 ] && grep -q "of an earlier start" "$out" && same whole.h5 part.h5'
+    expect "and each record is listed once ($deck)" \
+        '[ "$files" = "\"records/1.txt\"\"records/2.txt\"\"records/3.txt\"" ]'
+done
+rm part.h5
+cp kept.runs part.h5.runs
+echo 0.1 >>elsewhere/records/1.txt
+run "$jostle" run elsewhere/study.deck -q -o part.h5
+expect "elsewhere a changed record is refused too" '[ $status -eq 2 ] && said "elsewhere/records/1.txt has changed since the study was started; --accept"'
+run "$jostle" run elsewhere/study.deck -q -o part.h5 --accept
+files=$(h5dump -d /origin/file part.h5 | grep -oE '"[^"]*/[0-9].txt"' | tr -d '\n')
+expect "and once accepted is listed once" \
+    '[ $status -eq 0 ] && [ "$files" = "\"records/1.txt\"\"records/2.txt\"\"records/3.txt\"" ] && [ "$(h5dump -a /origin/accepted part.h5 | grep -c records/1.txt)" -eq 1 ]'
+rm -r part.h5 other.deck elsewhere
+
 cp kept.runs part.h5.runs
 run "$jostle" run study.deck --force -q -o part.h5 -D gap=5mm --restart
 expect "--restart begins another one" '[ $status -eq 0 ] && [ ! -e part.h5.runs ] && ! same whole.h5 part.h5'

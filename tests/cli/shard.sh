@@ -56,6 +56,15 @@ run "$jostle" run study.deck --shard 40/50
 expect "a part without runs is a file too" '[ $status -eq 0 ] && grep -q "^part 40 of 50: 0 of the 27 runs" "$out" && "$jostle" show study.40-of-50.h5 --tsv | cmp - <(head -n 1 whole.tsv)'
 empty=$PWD/study.40-of-50.h5
 
+sed 's/-mass 80t/-mass $m/; 3i sweep m values 80t 90t 100t' study.deck >three.deck
+run "$jostle" run three.deck --shard 1/2 -q -D gap=5mm -D record=records/2.txt
+expect "a part with two -D" '[ $status -eq 0 ] && [ -s three.1-of-2.h5 ]'
+run "$jostle" run three.deck --shard 1/2 -q -D record=2 -D gap=5mm
+expect "is the same one with both in another order, and a short name" '[ $status -eq 0 ]'
+run "$jostle" run three.deck --shard 1/2 -q -D record=3 -D gap=5mm
+expect "but not with another record" '[ $status -eq 2 ] && said "three.1-of-2.h5 exists, but -D has changed since it was made"'
+rm three.deck three.1-of-2.h5
+
 if python3 -c 'import xarray, netCDF4' 2>/dev/null; then
     run python3 - <<'END'
 import xarray

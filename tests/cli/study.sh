@@ -81,7 +81,7 @@ if command -v h5diff >/dev/null; then
     run "$jostle" plot whole.h5 histories
     expect "a picture of histories needs a run" '[ $status -eq 2 ] && said "histories is for single runs; whole.h5 is a study; name a run of it, such as whole.h5#1"'
     run "$jostle" show 'whole.h5#13'
-    expect "a run that is not there is named" '[ $status -eq 2 ] && said "whole.h5 has no histories of run 13"'
+    expect "a run that is not there is named" '[ $status -eq 2 ] && said "whole.h5 has no run 13; its study has the runs 1 to 12"'
     run "$jostle" show 'two.h5#1'
     expect "and so is a study without histories" '[ $status -eq 2 ] && said "output -histories"'
     rm -r figure table

@@ -186,6 +186,8 @@ if command -v gnuplot >/dev/null; then
     expect "where there is no curve, too" 'drawn fragility whole.h5 --edp acceleration:B --limit 2e9'
     expect "response is drawn" 'drawn response whole.h5 --at wide=0 --edp drift:A:1'
     expect "with groups" 'drawn response whole.h5 --against im --edp impacts'
+    expect "the axis of an intensity begins at 0 where the values are near" 'grep -q "^set xrange \[0:" scripts/response.gp'
+    expect "not where a third of it were empty" 'drawn response scatter.h5 --against im --edp drift && grep -q "^set xrange \[0.95:" scripts/response.gp'
     expect "against texts" 'drawn response whole.h5 --against record --over im --at wide=0'
     expect "against texts in groups" 'drawn response whole.h5 --against record --over "" --at wide=0'
     run "$jostle" plot whole.h5

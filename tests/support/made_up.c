@@ -20,6 +20,7 @@ static const struct contact_law law = {.name = "hertz", .n_constant = 2};
 static const struct building building[2] = {
     {.name = "West \"tower\"",
      .n_floor = FLOORS,
+     .n_level = FLOORS,
      .first = 0,
      .mass = mass,
      .stiffness = stiffness,
@@ -28,6 +29,7 @@ static const struct building building[2] = {
      .ground = 0},
     {.name = "East",
      .n_floor = FLOORS,
+     .n_level = FLOORS,
      .first = FLOORS,
      .mass = mass + FLOORS,
      .stiffness = stiffness + FLOORS,
@@ -121,7 +123,7 @@ int made_up_setup(void **state) {
         deck_next(f->model.deck, &s)) {
         return -1;
     }
-    f->model.n_building = 2;
+    f->model.n_building = f->model.n_body = 2;
     f->model.n_dof = DOF;
     f->model.n_contact = 2;
     f->model.n_link = 3;
@@ -156,7 +158,8 @@ int made_up_rows(struct result_writer *w, int n, struct error *e) {
                 v[s][i] = 1000 * s + 10 * i + k / 16.0;
             }
         }
-        const struct row_view row = {0.1 * k, v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]};
+        const struct row_view row = {0.1 * k, v[0], v[1], v[2], v[3], v[4],
+                                     v[5],    v[6], v[7], v[8], NULL};
         int status = o.row(o.context, &row, e);
         if (status != STATUS_OK) {
             return status;

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # man.sh JOSTLE FOLDER: writes the man pages jostle.1 and jostle-deck.5 into FOLDER, from the help
-# texts of the program, docs/deck.md, and the pages of statements and laws that it prints.
+# texts of the program, docs/deck.md, the record formats of docs/ground-motions.md, and the pages of
+# statements and laws that the program prints.
 set -eu
 jostle=$1
 folder=$2
@@ -33,7 +34,7 @@ Buildings that stand too close hit each other at their floors.
 .B jostle
 reads a text deck with shear buildings, gaps, a contact law and a ground motion, integrates the
 equations of motion by Newmark's method, and writes an HDF5 file with histories, envelopes, every
-impact and an energy account. The deck is described in
+impact and an energy balance. The deck is described in
 .BR jostle\\-deck (5).
 .SH COMMANDS
 END
@@ -48,20 +49,20 @@ END
 .SH ENVIRONMENT
 .TP
 .B NO_COLOR
-If it is set, messages are without colour.
+If set, messages have no colour.
 .TP
 .B TMPDIR
-Where pictures are made; /tmp if it is not set.
+Folder for temporary files of plots; default: /tmp.
 .SH EXAMPLES
 .TP
 .B jostle run two_towers.deck
 Runs the deck into two_towers.h5 and prints a summary.
 .TP
 .B jostle plot two_towers.h5 energy \\-o energy.pdf
-Draws where the energy went.
+Draws the energy components.
 .TP
 .B jostle run two_towers.deck \\-D gap=1m \\-o apart.h5
-Runs it with another value of a parameter.
+Runs the deck with another value of a parameter.
 .SH SEE ALSO
 .BR jostle\\-deck (5),
 .BR gnuplot (1),
@@ -79,7 +80,9 @@ jostle\\-deck \\- the text that jostle reads: buildings, contacts, laws, ground 
 END
     sed -e 's/^# .*/# Description/' -e 's/\[deck-statements.md\]([^)]*)/STATEMENTS OF A DECK below/' \
         docs/deck.md | part markdown -v sections=2
-    "$jostle" deck --markdown | sed 's/\[deck.md\]([^)]*)/the sections above/' |
+    sed -n '/^## Record files/,/^## Scaling/ { /^## Scaling/d; p; }' docs/ground-motions.md |
+        part markdown -v sections=2
+    "$jostle" deck --markdown | sed 's/\[deck.md\]([^)]*) explains/The sections above explain/' |
         part markdown -v sections=1
     "$jostle" laws --markdown | part markdown -v sections=2
     cat <<END

@@ -17,15 +17,8 @@ function end_table() {
 }
 
 # "meaning [unit, range, default]" of the cells of an option.
-function option_text(    facts, i, cell) {
-    for (i = 3; i <= 5; i++) {
-        cell = n_cell[i]
-        if (i == 5 && cell && cell != "required" && cell != "one of") {
-            cell = "default " cell
-        }
-        facts = facts (facts && cell ? ", " : "") cell
-    }
-    return running(n_cell[6]) (facts ? " [" plain(facts) "]" : "")
+function option_text() {
+    return running(n_cell[3]) (n_cell[4] ? " [" plain(n_cell[4]) "]" : "")
 }
 
 function table_row(    i, text) {
@@ -76,7 +69,7 @@ function table_row(    i, text) {
     blank = 0
     next
 }
-/^- (what|usage|example|force|shear|source|remarks|solver): / {
+/^- (what|usage|example|force|shear|features|source|remarks): / {
     label = $2
     sub(/:$/, "", label)
     sub(/^- [a-z]+: /, "")

@@ -22,14 +22,16 @@ function typed(text,    done, word) {
     return done plain(text)
 }
 
-# Running text: `code` is bold; of a link its text is left.
+# Running text: `code` and **bold** are bold; of a link its text is left.
 function running(text,    done, part) {
-    while (match(text, /`[^`]*`|\[[^]]*\]\([^)]*\)/)) {
+    while (match(text, /`[^`]*`|\*\*[^*]*\*\*|\[[^]]*\]\([^)]*\)/)) {
         part = substr(text, RSTART, RLENGTH)
         done = done plain(substr(text, 1, RSTART - 1))
         text = substr(text, RSTART + RLENGTH)
         if (part ~ /^`/) {
             done = done "\\fB" plain(substr(part, 2, length(part) - 2)) "\\fR"
+        } else if (part ~ /^\*/) {
+            done = done "\\fB" plain(substr(part, 3, length(part) - 4)) "\\fR"
         } else {
             sub(/\]\(.*/, "", part)
             done = done running(substr(part, 2))

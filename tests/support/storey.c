@@ -20,6 +20,19 @@ static double value_of(const struct row *row, const char *text) {
     return i;
 }
 
+double test_storey_value(const char *key, double hardening) {
+    static const struct {
+        const char *key;
+        double value;
+    } known[] = {{"yield", 1.5e5}, {"crack", 0.7e5}, {"cracked", 0.6}, {"b", 0.9}};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        if (strcmp(known[i].key, key) == 0) {
+            return known[i].value;
+        }
+    }
+    return strcmp(key, "hardening") == 0 ? hardening : NAN;
+}
+
 void test_storey_values(const struct storey_law *law, const char *text, double *value) {
     for (int i = 0; i < law->n_row; i++) {
         value[i] = law->row[i].fallback;

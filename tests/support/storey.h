@@ -12,6 +12,10 @@ struct test_storey {
     double drift;  // committed
 };
 
+// A value for a row without a fallback, of a storey of 2e7 N/m that yields at 1.5e5 N; NAN: the row
+// need not be given.
+double test_storey_value(const char *key, double hardening);
+
 // The values of the law's rows (STOREY_ROWS_MAX) from a text such as "yield 1 cycle peak origin".
 // The test fails on a word that no row has.
 void test_storey_values(const struct storey_law *law, const char *text, double *value);

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "plot/study_figure.h"
+#include "plot/figure.h"
 #include "support/fail_alloc.h"
 #include "support/suite.h"
 #include "support/support.h"
@@ -19,7 +19,7 @@ static const char text[] = "units kN m s\n"
                            "ground sine -amplitude $im -frequency 2 -cycles 2\n"
                            "step fixed 5ms\n";
 
-static int draw(struct study_file *f, const struct study_figure *figure, struct error *e) {
+static int draw(struct study_file *f, const struct figure *figure, struct error *e) {
     static const double limit = 0.001;
     const char *at = "im=1";                                      // against what goes together
     const bool response = strcmp(figure->name, "response") == 0;  // shows no limit
@@ -30,8 +30,8 @@ static int draw(struct study_file *f, const struct study_figure *figure, struct 
     assert_non_null(to);
     int status = suite_create(f, &q, &s, e);
     if (status == STATUS_OK) {
-        const struct study_picture p = {s, &limit, response ? 0 : 1};
-        status = study_figure_write(figure, &p, &files, e);
+        const struct subject p = {NULL, s, &limit, response ? 0 : 1};
+        status = figure_write(figure, &p, &files, e);
         suite_free(s);
     }
     fclose(to);
@@ -40,7 +40,7 @@ static int draw(struct study_file *f, const struct study_figure *figure, struct 
 
 struct drawing {
     const char *path;
-    const struct study_figure *figure;
+    const struct figure *figure;
 };
 
 // From the file opened anew, as errors of reading stick.
@@ -58,9 +58,11 @@ static int open_and_draw(void *context, struct error *e) {
 static void every_allocation_that_fails_ends_in_an_error(void **state) {
     (void)state;
     struct study_file *f = suite_ran(text);
-    for (int i = 0; i < n_study_figure; i++) {
-        fail_alloc_each(open_and_draw,
-                        &(struct drawing){study_file_view(f)->path, study_figures[i]}, 10);
+    for (int i = 0; i < n_figure; i++) {
+        if (figures[i]->of_study) {
+            fail_alloc_each(open_and_draw, &(struct drawing){study_file_view(f)->path, figures[i]},
+                            10);
+        }
     }
     study_file_close(f);
 }

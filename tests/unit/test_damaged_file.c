@@ -174,6 +174,54 @@ static void references_to_anywhere_are_read_or_refused(void **state) {
     image_close(&image);
 }
 
+// A header goes on elsewhere, as a message {type 16, 16 bytes, flags, place, size} says: III.A.1.a
+// and IV.A.2.q. The library asks for memory of that size.
+static void headers_larger_than_the_memory_are_damage(void **state) {
+    static const unsigned char message[] = {16, 0, 16, 0};
+    struct image image = image_of(*state);
+    int n = 0;
+    for (size_t at = 0; at + 24 < image.n; at += 8) {
+        if (memcmp(image.bytes + at, message, sizeof message) == 0) {
+            const uint64_t size = get(&image, at + 16, 8) | UINT64_C(1) << 44;
+            struct result_sums sums;
+            struct error e;
+            read_with(&image, at + 16, size, 8);
+            put(&image, at + 16, size, 8);
+            write_at(&image, at + 16, 8);
+            assert_int_equal(result_verify(image.path, &sums, &e), STATUS_INPUT);
+            put(&image, at + 16, size ^ UINT64_C(1) << 44, 8);
+            write_at(&image, at + 16, 8);
+            n++;
+        }
+    }
+    assert_true(n > 3 && image.n_refused > 0);
+    image_close(&image);
+}
+
+// The name of a group is in a local heap, that of an end of a link in the global heap.
+static void a_link_at_a_building_of_another_name_is_damage(void **state) {
+    struct image image = image_of(*state);
+    struct result_file *file;
+    struct error e = {.message = ""};
+    int n = 0;
+    for (size_t at = 0; at + 8 < image.n; at += 8) {
+        bool in_heap = false;
+        for (int c = 0; c < image.n_collection; c++) {
+            const size_t start = image.collection[c];
+            in_heap = in_heap || (at >= start && at < start + get(&image, start + 8, 8));
+        }
+        if (!in_heap && memcmp(image.bytes + at, "East\0\0\0", 8) == 0) {
+            image.bytes[at + 1] = 'e';
+            write_at(&image, at, 8);
+            n++;
+        }
+    }
+    assert_true(n > 0);
+    assert_int_equal(result_open(image.path, &file, &e), STATUS_INPUT);
+    assert_non_null(strstr(e.message, "'East', which is not in /buildings"));
+    image_close(&image);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(
@@ -182,6 +230,10 @@ int main(void) {
         cmocka_unit_test_setup_teardown(free_space_of_no_size_is_no_place_to_stay, made_up_setup,
                                         made_up_teardown),
         cmocka_unit_test_setup_teardown(references_to_anywhere_are_read_or_refused, made_up_setup,
+                                        made_up_teardown),
+        cmocka_unit_test_setup_teardown(a_link_at_a_building_of_another_name_is_damage,
+                                        made_up_setup, made_up_teardown),
+        cmocka_unit_test_setup_teardown(headers_larger_than_the_memory_are_damage, made_up_setup,
                                         made_up_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -53,6 +53,8 @@ static void a_name_is_shortened_in_its_middle(void **state) {
     assert_true(script_width(cut) <= 4.9);
     script_shorten("NORTH_TOWER:19", 4.9, cut, sizeof cut);
     assert_string_equal(cut, "NOR…:19");
+    script_shorten("2: NAPA_2014_BROADWAY 0.869247", 11, cut, sizeof cut);
+    assert_non_null(strstr(cut, "… 0.869247"));  // a word keeps the blank before it
     script_shorten("", 1, cut, sizeof cut);
     assert_string_equal(cut, "");
     script_cut("Gebäude für alle", 4.5, cut, sizeof cut);
@@ -245,6 +247,35 @@ static void a_name_too_long_for_the_axis_gives_way_to_the_brief_one(void **state
     assert_non_null(strstr(text, "'acceleration [10³ m/s²]'"));
 }
 
+static void a_unit_too_long_beside_a_low_panel_takes_a_second_line_and_a_third(void **state) {
+    (void)state;
+    char text[4096];
+    const struct axis x = {.span = {0, 1}};
+    const struct axis y = {
+        .name = "ground acc.", .dimension = dimension_acceleration, .span = {-5e3, 5e3}};
+    written_panel(16, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "'ground acc. [10³ m/s² = 102 g]'"));
+    written_panel(8, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "'[10³ m/s² = 102 g]'"));
+    written_panel(4, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "'[10³ m/s²'"));
+    assert_non_null(strstr(text, "'= 102 g]'"));
+}
+
+static void a_heading_too_wide_for_its_block_is_small(void **state) {
+    (void)state;
+    char text[4096];
+    struct canvas c = {.to = tmpfile(), .kind = CANVAS_BLOCK, .width = 50, .height = 50};
+    assert_non_null(c.to);
+    c.area = (struct area){10, 20, 10, 20};
+    canvas_head(&c, "", "energy of a block");
+    rewind(c.to);
+    text[fread(text, 1, sizeof text - 1, c.to)] = '\0';
+    fclose(c.to);
+    assert_non_null(strstr(text, "'energy of a block'"));
+    assert_non_null(strstr(text, "left font small_font"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thinning_keeps_the_extremes_of_every_part_and_the_order),
@@ -260,6 +291,8 @@ int main(void) {
         cmocka_unit_test(numbers_beside_each_other_do_not_touch),
         cmocka_unit_test(decades_have_as_many_numbers_as_find_room),
         cmocka_unit_test(a_name_too_long_for_the_axis_gives_way_to_the_brief_one),
+        cmocka_unit_test(a_unit_too_long_beside_a_low_panel_takes_a_second_line_and_a_third),
+        cmocka_unit_test(a_heading_too_wide_for_its_block_is_small),
         cmocka_unit_test(a_history_is_a_straight_line_between_its_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -76,12 +76,28 @@ static void json_has_null_for_what_is_missing(void **state) {
                   "]}\n");
 }
 
+static void a_number_to_be_read_has_no_power_of_ten_below_a_million(void **state) {
+    static const struct {
+        double value;
+        const char *text;
+    } cases[] = {
+        {0.00123456, "0.001235"}, {9999.4, "9999"}, {36625.4, "36625"}, {-123456.7, "-123457"},
+        {999999, "999999"},       {1e6, "1e+06"},   {NAN, "-"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[32];
+        printer_read(cases[i].value, 4, text, sizeof text);
+        assert_string_equal(text, cases[i].text);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(text_is_aligned_and_no_line_ends_in_a_blank),
         cmocka_unit_test(units_stand_below_where_the_table_says_so),
         cmocka_unit_test(tsv_has_all_digits_and_no_control_characters),
         cmocka_unit_test(csv_quotes_where_rfc_4180_asks_for_it),
+        cmocka_unit_test(a_number_to_be_read_has_no_power_of_ten_below_a_million),
         cmocka_unit_test(json_has_null_for_what_is_missing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

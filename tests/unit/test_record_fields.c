@@ -135,6 +135,7 @@ static void numbers_that_can_be_parted_in_two_ways_are_refused(void **state) {
         {PEER_4 ".1 .2 .3 1.234-103.500\n", "a.txt:5: value 4 '1.234-103.500'" TWO_WAYS},
         {PEER_4 ".1 .2 1.2E-012.3\n.4\n", "a.txt:5: value 3 '1.2E-012.3'" TWO_WAYS},
         {PEER_4 ".1 .2 .3 1.5-2\n", "a.txt:5: value 4 '1.5-2'" NO_LETTER},
+        {PEER_4 ".1 .2 .3 2.3489E-2-16\n", "a.txt:5: value 4 '2.3489E-2-16' is not a number"},
         {PEER_4 ".1234-01 .2 .3 .4\n", "a.txt:5: value 1 '.1234-01'" NO_LETTER},
         {PEER_4 ".1 .2 .3 .4+0100\n", "a.txt:5: value 4 '.4+0100'" NO_LETTER},
         {PEER_4 ".1 .2 .3 1.5-\n", "a.txt:5: value 4 '1.5-' is not a number"},

@@ -124,7 +124,8 @@ static void the_summary_names_peaks_and_contacts(void **state) {
     char *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
-    report_print(result_report(file), to);
+    struct error e;
+    assert_int_equal(report_print(result_report(file), to, &e), STATUS_OK);
     fclose(to);
     assert_non_null(strstr(text, "A title"));
     assert_non_null(strstr(text, "East"));

@@ -193,7 +193,8 @@ static void copy_full_building(const char *steps, struct met *met) {
     const char *file = support_write("matrix.csv", "345e6, -150e6, 10e6\n-150e6, 300e6, -140e6\n"
                                                    "10e6, -140e6, 130e6\n");
     struct model *m = analysis_model(
-        "building A -floors 3 -mass 100t -height 3m\nmatrix A %s\ndamping A rayleigh 5%%\n"
+        "building A -floors 3 -mass 100t -height 3m\nmatrix A %s\n"
+        "wall A:1:2 -EI 1GN*m^2 -GA 500MN\ndamping A rayleigh 5%%\n"
         "building B -floors 6 -mass 80t -stiffness 60MN/m -height 3m\n"
         "storey B bouc-wen -yield 1MN -hardening 2%%\n"
         "contact A B -gap 5mm -law jankowski -k 1e9N/m^1.5 -e 0.65\n"

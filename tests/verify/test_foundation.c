@@ -42,10 +42,11 @@ static void one_building_is_that_of_an_independent_program(void **state) {
     static const double drift[] = {0.0153333614, 0.01425776519, 0.01380708987, 0.01040076111};
     static const double stiffness[] = {240e6, 220e6, 180e6, 140e6};
     static const char *const step[] = {"step fixed 0.5ms",
-                                       "integrator newmark\nstep adaptive -tolerance 1e-9"};
-    static const double rtol[] = {6e-5, 6e-6};
+                                       "integrator newmark\nstep adaptive -tolerance 1e-9",
+                                       "integrator dormand-prince\nstep adaptive -tolerance 1e-10"};
+    static const double rtol[] = {6e-5, 6e-6, 3e-6};
     (void)state;
-    for (int s = 0; s < 2; s++) {
+    for (int s = 0; s < 3; s++) {
         struct analysis a =
             analysis_of("units N m s\n%sground record %s -format series -dt 0.02 -unit g\n"
                         "duration 31.18\n%s",
@@ -60,7 +61,7 @@ static void one_building_is_that_of_an_independent_program(void **state) {
         }
         assert_close(r->peak[PEAK_DISPLACEMENT][4], 0.00644877103, rtol[s]);          // sway
         assert_close(r->peak[PEAK_DISPLACEMENT][5], 12.8 * 0.002925406585, rtol[s]);  // of the roof
-        assert_true(r->residual_peak < 1e-12 * r->energy[ENERGY_INPUT]);
+        assert_true(r->residual_peak < (s < 2 ? 1e-12 : 1e-7) * r->energy[ENERGY_INPUT]);
         analysis_free(&a);
     }
 }

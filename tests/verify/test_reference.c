@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/forces.h"
 #include "support/analysis.h"
 #include "support/support.h"
 
@@ -138,9 +139,38 @@ static double contact_value(const struct analysis *a, const struct reference *r)
     return NAN;
 }
 
+// A member of a building's frame or wall, such as A/column_1_1, and its force, such as M_i_max.
+static double member_value(const struct analysis *a, const struct reference *r) {
+    static const char *const force[FRAME_FORCES] = {"M_i", "M_j", "V", "N"};
+    const struct model *m = a->model;
+    const char *name = strchr(r->owner, '/') + 1, *extreme = strrchr(r->quantity, '_');
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        const struct plane_frame *f = g->n_part > 0 ? frame_of(&g->part[0]) : NULL;
+        if (strncmp(g->name, r->owner, (size_t)(name - 1 - r->owner)) != 0 || !f) {
+            continue;
+        }
+        for (int i = 0; i < f->n_member; i++) {
+            for (int q = 0; strcmp(frame_member_name(&f->member[i], m->deck->arena), name) == 0 &&
+                            q < FRAME_FORCES;
+                 q++) {
+                const int at = g->force + forces_of_members(g, 0, q) + i;
+                if (strncmp(r->quantity, force[q], (size_t)(extreme - r->quantity)) == 0) {
+                    return strcmp(extreme, "_max") == 0 ? a->results->force_max[at]
+                                                        : a->results->force_min[at];
+                }
+            }
+        }
+    }
+    return NAN;
+}
+
 static double value_of(const struct analysis *a, const struct reference *r) {
     if (r->floor > 0) {
         return floor_value(a, r);
+    }
+    if (strchr(r->owner, '/')) {
+        return member_value(a, r);
     }
     for (int i = 0; strcmp(r->owner, "energy") == 0 && i < ENERGY_COUNT; i++) {
         if (strcmp(r->quantity, energy_names[i]) == 0) {
@@ -241,6 +271,11 @@ int main(void) {
         CASE("F_towers_wang"),
         CASE("H_frame7"),
         CASE("H_frames"),
+        CASE("K_frame5x3"),
+        CASE("K_frame7"),
+        CASE("K_frames"),
+        CASE("K_wall8"),
+        CASE("K_wall_pounding"),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

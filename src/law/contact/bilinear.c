@@ -36,17 +36,17 @@ static const struct range yield_range = {
 
 static const struct row rows[N_ROW] = {
     [K1] = {"k1", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN,
-            "stiffness up to dy, and of unloading"},
-    [K2] = {"k2", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN, "stiffness beyond"},
+            "stiffness up to dy and of unloading"},
+    [K2] = {"k2", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN, "stiffness beyond dy"},
     [DY] = {"dy", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN, "yield penetration"},
     [KH] = {"kh", ROW_NUMBER, 0, OF_HERTZ_STIFFNESS, &range_positive, NAN,
-            "stiffness of a Hertz spring, which gives k1, k2 and dy with -e and -v0"},
+            "Hertz stiffness, which gives k1, k2 and dy with -e and -v0"},
     [E] = {"e", ROW_NUMBER, 0, OF_NONE, &restitution_range, NAN,
-           "coefficient of restitution, beside -kh"},
+           "coefficient of restitution, with -kh"},
     [V0] = {"v0", ROW_NUMBER, 0, OF_VELOCITY, &range_positive, NAN,
-            "velocity of the impact that delivers e, beside -kh"},
+            "velocity of the impact that delivers e, with -kh"},
     [A] = {"a", ROW_NUMBER, 0, OF_NONE, &yield_range, NAN,
-           "yield over largest penetration, beside -kh; 0.1, or less where -calibrate needs it"},
+           "dy/dm, with -kh; default: 0.1, or less if -calibrate needs less"},
 };
 
 // True if the three values a, b and c are given.
@@ -172,16 +172,16 @@ const struct contact_law contact_bilinear = {
     .name = "bilinear",
     .summary = "bilinear spring with hysteresis",
     .formula =
-        "F = k1 d to d = dy, then k1 dy + k2 (d - dy); unloads with k1 to k2 d, then along it; "
-        "from kh, e, v0: dy = a dm, k1 = K + E / (a dm^2), k2 = K - E / ((1 - a) dm^2), "
-        "dm = (5 m* v0^2 / (4 kh))^(2/5), E = (1 - e^2) m* v0^2 / 2, K = kh sqrt(dm)",
+        "F = k1 d up to d = dy, then k1 dy + k2 (d - dy); unloading with k1 down to k2 d, then "
+        "along k2 d. From kh, e, v0: dy = a dm, k1 = K + E / (a dm^2), k2 = K - E / ((1 - a) "
+        "dm^2), dm = (5 m* v0^2 / (4 kh))^(2/5), E = (1 - e^2) m* v0^2 / 2, K = kh sqrt(dm)",
     .source = "Muthukumar (2003), thesis, Georgia Institute of Technology, and Muthukumar & "
               "DesRoches (2006), Earthquake Eng. Struct. Dyn. 35, 811-828; two stiffnesses as in "
               "Valles & Reinhorn (1997), NCEER-97-0001",
-    .remarks = "for inelastic faces; never pulls, no jumps; what is lost, (k1 - k2) dy (d_max - "
-               "dy), depends on the velocity (needs the v0 expected), and below dy nothing is; "
-               "with -kh as published 0.65 "
-               "comes out as 0.758 at v0, exact with -calibrate",
+    .remarks = "Use it for faces that yield. Give -k1, -k2 and -dy, or give -kh, -e and the "
+               "expected velocity -v0. An impact loses (k1 - k2) dy (d_max - dy), so the "
+               "restitution depends on the velocity; below dy nothing is lost. With -kh, the "
+               "published relation delivers 0.758 for an e of 0.65 at v0; -calibrate delivers e.",
     .example = "-k1 560MN/m -k2 60MN/m -dy 0.5mm",
     .row = rows,
     .n_row = N_ROW,

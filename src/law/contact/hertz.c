@@ -31,8 +31,7 @@ const struct contact_law contact_hertz = {
     .formula = "F = k d^n, n = 3/2",
     .source = "Hertz (1882), J. reine angew. Math. 92, 156-171; for pounding Jing & Young (1991), "
               "Earthquake Eng. Struct. Dyn. 20, 667-681",
-    .remarks =
-        "for curved faces; loses no energy; never pulls, no jumps; the slope vanishes at closure",
+    .remarks = "Use it for curved faces. It loses no energy. The stiffness is 0 at closure.",
     .example = "-k 2.75e9N/m^1.5",
     .row = rows,
     .n_row = N_ROW,

@@ -83,8 +83,8 @@ const struct contact_law contact_jankowski = {
     .source =
         "Jankowski (2005), Earthquake Eng. Struct. Dyn. 34, 595-611; zeta(e): Jankowski (2006), "
         "ibid. 35, 517-524",
-    .remarks = "for curved faces; never pulls; no jump at closure, but an infinite slope; close to "
-               "e for e above 0.4; does not need v0",
+    .remarks = "Use it for curved faces. It delivers nearly e if e is above 0.4. The slope of the "
+               "force is infinite at closure, so use half of the step that jostle check proposes.",
     .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,

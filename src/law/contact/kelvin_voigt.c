@@ -33,12 +33,12 @@ LANES static void kelvin_voigt_lanes(const double *constant, const double *d, co
 
 const struct contact_law contact_kelvin_voigt = {
     .name = "kelvin-voigt",
-    .summary = "linear spring and dashpot, tension kept",
+    .summary = "linear spring and dashpot, with tension",
     .formula = "F = k d + c v, c = 2 zeta sqrt(k m*), zeta = -ln e / sqrt(pi^2 + ln^2 e)",
-    .source = "Anagnostopoulos (1988), Earthquake Eng. Struct. Dyn. 16, 443-456, eq. 3-4; sign of "
-              "zeta as derived there, missing in several later papers",
-    .remarks = "for comparison with the literature; delivers e exactly in an isolated impact, "
-               "whatever v0; jumps at closure and pulls before separation",
+    .source = "Anagnostopoulos (1988), Earthquake Eng. Struct. Dyn. 16, 443-456, eq. 3-4, with the "
+              "minus sign of zeta, which several later papers omit",
+    .remarks = "Use it to compare with the literature. It delivers e exactly in an isolated "
+               "impact, at any velocity. It pulls before the bodies part.",
     .example = "-k 93.5MN/m -e 0.65",
     .row = dashpot_rows,
     .n_row = DASHPOT_ROWS,

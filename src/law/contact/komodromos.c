@@ -45,8 +45,7 @@ const struct contact_law contact_komodromos = {
     .source =
         "Komodromos, Polycarpou, Papaloizou & Phocas (2007), Earthquake Eng. Struct. Dyn. 36, "
         "1605-1622",
-    .remarks = "for flat faces, where tension is not wanted; never pulls; jumps at closure; "
-               "delivers more than e: 0.675 for 0.65; does not need v0",
+    .remarks = "Use it for flat faces. It delivers more than e: 0.675 for 0.65.",
     .example = "-k 93.5MN/m -e 0.65",
     .row = dashpot_rows,
     .n_row = DASHPOT_ROWS,

@@ -34,8 +34,7 @@ const struct contact_law contact_linear = {
     .summary = "linear spring",
     .formula = "F = k d",
     .source = "Maison & Kasai (1992), Earthquake Eng. Struct. Dyn. 21, 771-786",
-    .remarks = "the simplest law, for comparison and stiff stops; loses no energy; never pulls, no "
-               "jumps; does not need v0",
+    .remarks = "Use it for comparison and for stiff stops. It loses no energy.",
     .example = "-k 93.5MN/m",
     .row = rows,
     .n_row = N_ROW,

@@ -22,7 +22,7 @@ static const struct row rows[N_ROW] = {
     [E] = RESTITUTION_ROW,
     [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN, "damping ratio"},
     [RELATION] = {"relation", ROW_INTEGER, 0, OF_NONE, &relation_range, NAN,
-                  "year of the relation zeta(e), 2011 if not given"},
+                  "year of the relation zeta(e); default: 2011"},
 };
 
 static double relation_2011(double e) {
@@ -65,8 +65,7 @@ const struct contact_law contact_mahmoud_jankowski = {
                "zeta = (1 - e^2) / (e (e (pi - 2) + 2))",
     .source = "Mahmoud & Jankowski (2011), Iranian J. Sci. Technol., Trans. Civil Eng. 35, 51-62; "
               "-relation 2008: Mahmoud, Chen & Jankowski (2008), J. Appl. Sci. 8, 1850-1858",
-    .remarks = "for flat faces; never pulls; jumps at closure; close to e for e above 0.4; does "
-               "not need v0",
+    .remarks = "Use it for flat faces. It delivers nearly e if e is above 0.4.",
     .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,

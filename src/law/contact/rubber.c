@@ -37,11 +37,11 @@ static const struct row rows[N_ROW] = {
     [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN,
               "dimensionless damping q = c v0"},
     [C] = {"c", ROW_NUMBER, ROW_ONE_OF, OF_PER_VELOCITY, &range_non_negative, NAN,
-           "damping of release"},
+           "damping of the release"},
     [DU] = {"du", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN,
-            "ultimate compression, beyond which the force is linear; without limit if not given"},
+            "ultimate compression, beyond which the force is linear; default: no limit"},
     [KY] = {"ky", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN,
-            "stiffness beyond du; the slope at du if not given"},
+            "stiffness beyond du; default: the slope at du"},
     [VMIN] = LEAST_V0_ROW,
     [N] = {"n", ROW_NUMBER, ROW_REQUIRED | ROW_POWER, OF_NONE, &power_range, NAN, "exponent"},
 };
@@ -113,10 +113,11 @@ const struct contact_law contact_rubber = {
     .summary = "rubber bumper, or a shock absorber in the gap",
     .formula = "F = f while v >= 0, max(0, f (1 + c v)) after; f = k d^n to d = du, then k du^n + "
                "ky (d - du); c = q / v0, ln(1 - e q) + e q + q^2 / 2 = 0",
-    .source = "form of Polycarpou, Komodromos & Polycarpou (2013), Earthquake Eng. Struct. Dyn. "
-              "42, 81-100 (numbers not checked); relation derived from the energy of the release",
-    .remarks = "for bumpers of limited thickness; never pulls, no jumps; delivers e exactly; the "
-               "rate of loading does not stiffen it",
+    .source =
+        "form of the force: Polycarpou, Komodromos & Polycarpou (2013), Earthquake Eng. Struct. "
+        "Dyn. 42, 81-100 (numbers not checked); the relation with e is derived in docs/theory.md",
+    .remarks = "Use it for bumpers of limited thickness. It delivers e exactly. Faster loading "
+               "does not make it stiffer.",
     .example = "-k 2e9N/m^2 -n 2 -e 0.5",
     .row = rows,
     .n_row = N_ROW,

@@ -37,8 +37,8 @@ const struct contact_law contact_stereomechanical = {
     .source =
         "Newton's law of impact; Goldsmith (1960), Impact, chapter 2; for buildings Conoscente, "
         "Hamburger & Johnson (1992), 10WCEE, 3765-3768",
-    .remarks = "delivers e exactly and needs no stiffness; tells nothing of forces, durations and "
-               "accelerations at impact",
+    .remarks = "It delivers e exactly and needs no stiffness. The result has no contact force, no "
+               "duration and no acceleration during impact.",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,

@@ -26,7 +26,7 @@ static const struct row rows[N_ROW] = {
     [FILE_ROW] = {"file", ROW_FILE, ROW_REQUIRED, OF_NONE, NULL, NAN,
                   "rows of penetration, loading force and, if it differs, unloading force"},
     [UNITS] = {"units", ROW_TEXTS, 0, OF_NONE, NULL, NAN,
-               "units of penetration and force in the file; the deck's if it does not say them"},
+               "units of penetration and force; default: those in the file, or those of the deck"},
 };
 
 static int table_prepare(const double *value, double m_eff, double *constant, struct error *e) {
@@ -134,9 +134,10 @@ const struct contact_law contact_table = {
     .summary = "measured force against penetration, with unloading branch",
     .formula = "F = L(d) for d >= D, L(d) s(d d_n / D) below, D the largest penetration so far, "
                "s = U / L of the file, d_n its last penetration",
-    .source = "none: interpolation of a file",
-    .remarks = "for pads and bumpers with a measured curve; never pulls, no jumps; does not see "
-               "the rate of loading; beyond the file the last slope is a guess",
+    .source = "interpolation of a file",
+    .remarks =
+        "Use it for pads and bumpers with a measured curve. The force does not depend on the "
+        "velocity. Beyond the end of the file the last slope continues, which is a guess.",
     .example = "-file input/pad.txt",
     .row = rows,
     .n_row = N_ROW,

@@ -31,7 +31,7 @@ static const struct row rows[N_ROW] = {
     [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF | ROW_PER_LENGTH_POWER, OF_DASHPOT,
               &range_non_negative, NAN, "damping during approach"},
     [RESIDUAL] = {"residual", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &residual_range, NAN,
-                  "residual over largest penetration"},
+                  "R: residual penetration over the largest one"},
     [VMIN] = LEAST_V0_ROW,
     [N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
@@ -95,13 +95,13 @@ const struct contact_law contact_wang = {
     .formula = "F = k d^n + zeta d^n v while v >= 0; then f_e ((d - d_e) / (d_max - d_e))^n, "
                "f_e = k d_max^n, d_e = R d_max; 0 below d_e; zeta = q k / v0, "
                "e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2",
-    .source =
-        "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model for "
-        "low-speed pounding between viscoelastic materials and steel; relation with e derived here",
-    .remarks = "for viscoelastic layers against steel, and contacts that keep a dent; never pulls; "
-               "with -zeta e depends on the velocity, "
-               "with -e it is exact; e^2 <= 1 - R; an approach renewed within one contact jumps "
-               "back to the first branch",
+    .source = "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model "
+              "for low-speed pounding between viscoelastic materials and steel; the relation with "
+              "e is derived in docs/theory.md",
+    .remarks = "Use it for viscoelastic layers against steel, and for contacts that keep a dent. "
+               "With -e it delivers e exactly; with -zeta the restitution depends on the velocity. "
+               "e^2 must be <= 1 - R. If the bodies approach again within one contact, the force "
+               "jumps back to the first branch.",
     .example = "-k 2.75e9N/m^1.5 -zeta 5.5e9N*s/m^2.5 -residual 0.25",
     .row = rows,
     .n_row = N_ROW,

@@ -24,9 +24,10 @@ static int bilinear_prepare(const double *value, double stiffness, double *const
     if (stiffness == 0.0) {
         return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
     }
+    // Both springs together are k to the last bit, for which buildings are factorised at first.
     double r = value[HARDENING];
-    constant[BACK] = r * stiffness;
-    constant[SPRING] = (1.0 - r) * stiffness;
+    constant[SPRING] = stiffness - r * stiffness;
+    constant[BACK] = stiffness - constant[SPRING];
     constant[STRENGTH] = (1.0 - r) * value[YIELD];
     return STATUS_OK;
 }
@@ -57,7 +58,7 @@ static double bilinear_stored(const double *c, const double *h, double drift) {
 
 const struct storey_law storey_bilinear = {
     .name = "bilinear",
-    .summary = "bilinear with kinematic hardening; elastoplastic with -hardening 0",
+    .summary = "bilinear with kinematic hardening; elastic-plastic with -hardening 0",
     .formula = "V = R k drift + S, S = (1 - R) k (drift - plastic), |S| <= (1 - R) V_y",
     .source = "Simo & Hughes (1998), Computational Inelasticity, section 1.4",
     .row = rows,

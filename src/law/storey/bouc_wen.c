@@ -26,8 +26,8 @@ enum { YIELD, HARDENING, N, BETA, GAMMA, N_ROW };
 enum {
     BACK,
     STRENGTH,
-    DRIFT_OF_YIELD,
-    SLOPE,  // slope of the yielding part at z = 0
+    PER_DRIFT,  // 1 / d_y
+    SLOPE,      // slope of the yielding part at z = 0
     EXPONENT,
     PLUS,   // gamma + beta
     MINUS,  // gamma - beta
@@ -48,7 +48,8 @@ static const struct row rows[N_ROW] = {
     [HARDENING] = HARDENING_ROW,
     [N] = {"n", ROW_NUMBER, 0, OF_NONE, &exponent_range, 2.0, "sharpness of the yielding"},
     [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &range_positive, 0.5, "shape of the loops"},
-    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, NULL, 0.5, "shape of the loops, of size <= beta"},
+    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, NULL, 0.5,
+               "shape of the loops; its size is at most beta"},
 };
 
 static int bouc_wen_prepare(const double *value, double stiffness, double *constant,
@@ -65,8 +66,8 @@ static int bouc_wen_prepare(const double *value, double stiffness, double *const
     double r = value[HARDENING];
     constant[BACK] = r * stiffness;
     constant[STRENGTH] = (1.0 - r) * value[YIELD];
-    constant[DRIFT_OF_YIELD] = value[YIELD] / stiffness;
-    constant[SLOPE] = constant[STRENGTH] / constant[DRIFT_OF_YIELD];
+    constant[PER_DRIFT] = stiffness / value[YIELD];
+    constant[SLOPE] = constant[STRENGTH] * constant[PER_DRIFT];
     constant[EXPONENT] = value[N];
     constant[PLUS] = value[GAMMA] + value[BETA];
     constant[MINUS] = value[GAMMA] - value[BETA];
@@ -87,51 +88,47 @@ static double relax(double p, double z, double s) {
     return p != 0.0 ? z - (1.0 - p * z) * expm1(-p * s) / p : z + s;
 }
 
-// tanh(root s) / root with p = root^2; this is s for p = 0. Most steps are short. For these a
-// series has only rounding errors and is faster than tanh.
+static double advance_linear(const double *c, double z, double s) {
+    if (z < 0.0) {
+        const double m = -c[MINUS];
+        const double beyond = s - (m > 0.0 ? log1p(-m * z) / m : -z);  // z = 0
+        if (beyond < 0.0) {
+            return relax(m, z, s);
+        }
+        s = beyond;
+        z = 0.0;
+    }
+    return relax(c[PLUS], z, s);
+}
+
+// tanh(root s) / root for p = root^2, tan(root s) / root for p = -root^2, and s for p = 0. Most
+// steps are short: then the series is right to the last bits and takes a fraction of the time.
 static inline double tanh_over_root(double p, double root, double s) {
     const double y = p * s * s;
-    if (y > SHORT) {
-        return tanh(root * s) / root;
+    if (fabs(y) > SHORT) {
+        return (p > 0.0 ? tanh(root * s) : tan(root * s)) / root;
     }
     const double low = -1.0 / 3.0 + y * (2.0 / 15.0), high = -17.0 / 315.0 + y * (62.0 / 2835.0);
     return s + s * y * (low + y * y * high);
 }
 
-// n = 2, z >= 0; `root` is the root of p.
+// n = 2, on one side of z = 0: dz/ds = 1 - p z^2, where p is P or -m.
 static inline double saturate(double p, double root, double z, double s) {
     const double t = tanh_over_root(p, root, s);
     return (z + t) / (1.0 + p * z * t);
 }
 
-// n = 2, z < 0, up to z = 0.
-static double return_to_zero(double m, double root, double z, double s) {
-    double t = m > 0.0 ? tan(root * s) / root : s;
-    return (z + t) / (1.0 - m * z * t);
-}
-
-// The drift from z < 0 to z = 0.
-static double way_of_relaxing(double m, double z) {
-    return m > 0.0 ? log1p(-m * z) / m : -z;
-}
-
-static double way_of_returning(double m, double root, double z) {
-    return m > 0.0 ? atan(-z * root) / root : -z;
-}
-
-// z after the drift s >= 0 from z, in closed form.
-static double advance_exactly(const double *c, double z, double s) {
-    const bool linear = c[EXPONENT] == 1.0;
-    const double m = -c[MINUS];
+static inline double advance_squared(const double *c, double z, double s) {
     if (z < 0.0) {
-        double way = linear ? way_of_relaxing(m, z) : way_of_returning(m, c[ROOT_OF_MINUS], z);
-        if (s < way) {
-            return linear ? relax(m, z, s) : return_to_zero(m, c[ROOT_OF_MINUS], z, s);
+        const double p = c[MINUS], root = c[ROOT_OF_MINUS];
+        const double beyond = s - (p < 0.0 ? atan(-z * root) / root : -z);  // z = 0
+        if (beyond < 0.0) {
+            return p < 0.0 ? saturate(p, root, z, s) : beyond;
         }
-        s -= way;
+        s = beyond;
         z = 0.0;
     }
-    return linear ? relax(c[PLUS], z, s) : saturate(c[PLUS], c[ROOT_OF_PLUS], z, s);
+    return saturate(c[PLUS], c[ROOT_OF_PLUS], z, s);
 }
 
 static double runge_kutta(const double *c, double z, double h) {
@@ -155,8 +152,8 @@ static double through_zero(const double *c, double z, double h) {
 
 // z after the drift s >= 0 from z.
 static double advance(const double *c, double z, double s) {
-    if (c[EXPONENT] == 1.0 || c[EXPONENT] == 2.0) {
-        return advance_exactly(c, z, s);
+    if (c[EXPONENT] == 1.0) {
+        return advance_linear(c, z, s);
     }
     double left = fmin(s, ENOUGH);
     for (; left > STEP; left -= STEP) {
@@ -165,14 +162,12 @@ static double advance(const double *c, double z, double s) {
     return through_zero(c, z, left);
 }
 
+// z at a drift in the direction of the way there, which *sign tells.
 static inline double z_at(const double *c, const double *h, double drift, double *sign) {
-    const double s = (drift - h[DRIFT]) / c[DRIFT_OF_YIELD];
-    *sign = s < 0.0 ? -1.0 : 1.0;
+    const double s = (drift - h[DRIFT]) * c[PER_DRIFT];
+    *sign = copysign(1.0, s);
     const double z = *sign * h[Z];
-    if (z >= 0.0 && c[EXPONENT] == 2.0) {
-        return *sign * saturate(c[PLUS], c[ROOT_OF_PLUS], z, fabs(s));
-    }
-    return *sign * advance(c, z, fabs(s));
+    return c[EXPONENT] == 2.0 ? advance_squared(c, z, fabs(s)) : advance(c, z, fabs(s));
 }
 
 static struct storey_response bouc_wen_respond(const double *c, const double *h, double drift,
@@ -180,12 +175,12 @@ static struct storey_response bouc_wen_respond(const double *c, const double *h,
     double sign;
     const double z = z_at(c, h, drift, &sign);
     if (after) {
-        after[Z] = z;
+        after[Z] = sign * z;
         after[DRIFT] = drift;
     }
     return (struct storey_response){
-        .shear = c[BACK] * drift + c[STRENGTH] * z,
-        .tangent = c[BACK] + c[SLOPE] * slope(c, sign * z),
+        .shear = c[BACK] * drift + c[STRENGTH] * (sign * z),
+        .tangent = c[BACK] + c[SLOPE] * slope(c, z),
     };
 }
 
@@ -194,7 +189,7 @@ static struct storey_response bouc_wen_respond(const double *c, const double *h,
 static double bouc_wen_stored(const double *c, const double *h, double drift) {
     double sign;
     double z = z_at(c, h, drift, &sign);
-    return (c[BACK] * drift * drift + c[STRENGTH] * c[DRIFT_OF_YIELD] * z * z) / 2.0;
+    return (c[BACK] * drift * drift + c[STRENGTH] / c[PER_DRIFT] * z * z) / 2.0;
 }
 
 const struct storey_law storey_bouc_wen = {

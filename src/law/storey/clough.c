@@ -22,9 +22,9 @@ static int clough_prepare(const double *value, double stiffness, double *constan
 
 const struct storey_law storey_clough = {
     .name = "clough",
-    .summary = "bilinear, reloading towards the largest drift so far",
-    .formula = "unloads with k to V = 0, then aims at the largest drift of that direction on the "
-               "backbone V_y + R k (drift - d_y)",
+    .summary = "bilinear; reloads towards the largest drift so far",
+    .formula = "unloading with k to V = 0, then a straight line to the point of the largest drift "
+               "so far in that direction, on the backbone V_y + R k (drift - d_y)",
     .source = "Clough & Johnston (1966), Proc. Japan Earthquake Eng. Symposium, 227-232; partial "
               "unloading as Mahin & Bertero (1976), J. Struct. Div. ASCE 102, 1125-1139",
     .row = rows,

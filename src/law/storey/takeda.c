@@ -17,8 +17,7 @@ static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
     [HARDENING] = HARDENING_ROW,
     [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_NONE, &share, 0.4, "exponent of the unloading stiffness"},
-    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &share, 0.0,
-              "how far short of the peak reloading aims"},
+    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &share, 0.0, "reloading aims at D - beta (D - d_y)"},
 };
 
 static int takeda_prepare(const double *value, double stiffness, double *constant,
@@ -33,11 +32,10 @@ static int takeda_prepare(const double *value, double stiffness, double *constan
 
 const struct storey_law storey_takeda = {
     .name = "takeda",
-    .summary = "bilinear, unloading and reloading soften with the largest drift so far",
-    .formula =
-        "unloads with k (d_y / D)^alpha, towards the origin at most, to V = 0, then aims at D - "
-        "beta (D - d_y) on the backbone V_y + R k (drift - d_y), no stiffer than it unloads, D the "
-        "largest drift of that direction",
+    .summary = "bilinear; unloading and reloading become softer with the largest drift so far",
+    .formula = "unloading with k (d_y / D)^alpha, at most towards the origin, to V = 0; then a "
+               "straight line to D - beta (D - d_y) on the backbone V_y + R k (drift - d_y), not "
+               "stiffer than the unloading; D is the largest drift so far in that direction",
     .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
               "of Otani (1974), Univ. Illinois SRS 413",
     .row = rows,

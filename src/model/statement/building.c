@@ -16,9 +16,10 @@ static const struct row rows[N_ROW] = {
                 "number of floors"},
     [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, OF_MASS, &range_positive, NAN, "floor masses"},
     [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
-                   "storey stiffnesses; 0: a free body; needed unless a matrix gives stiffness"},
+                   "stiffnesses of shear storeys, 0 for a free body; required unless a frame, a "
+                   "wall or a matrix resists"},
     [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
-                "storey heights, for drift ratios"},
+                "storey heights, for drift ratios, frames, walls and P-delta"},
 };
 
 // A name has letters, digits, _ - and UTF-8, because it names a group of the result file.
@@ -84,6 +85,7 @@ static void build(struct builder *b, const struct statement *s) {
         .word = s->word[1],
         .n_floor = count_floors(&a[FLOORS]),
         .any_stiffness = a[STIFFNESS].given,
+        .any_height = a[HEIGHT].given,
     };
     if (good) {
         size_t n = (size_t)d->n_floor;
@@ -107,7 +109,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_building = {
     .name = "building",
     .usage = "NAME -floors N -mass LIST [-stiffness LIST] [-height LIST]",
-    .summary = "a building of shear storeys; buildings are from left to right in the order given",
+    .summary = "a building of shear storeys; the deck lists the buildings from left to right",
     .example = "building A -floors 8 -mass 300t -stiffness 7*345MN/m 250MN/m -height 3.2m",
     .row = rows,
     .n_row = N_ROW,

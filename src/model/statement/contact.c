@@ -12,13 +12,13 @@ static const struct row rows[N_ROW] = {
     [LAW] = {"law", ROW_TEXT, ROW_REQUIRED, OF_NONE, NULL, NAN, "contact law, see `jostle laws`"},
     [NAME] = {"name", ROW_TEXT, 0, OF_NONE, NULL, NAN, "name of the contact"},
     [MEFF] = {"meff", ROW_NUMBER, 0, OF_MASS, &range_positive, NAN,
-              "effective mass in place of m1 m2 / (m1 + m2)"},
+              "effective mass, instead of m1 m2 / (m1 + m2)"},
     [OVERLAP] = {"allow-overlap", ROW_FLAG, 0, OF_NONE, NULL, NAN,
-                 "allow a negative gap, or an initial penetration"},
+                 "allows a negative gap or an initial penetration"},
     [BY_LEVEL] = {"by-level", ROW_FLAG, 0, OF_NONE, NULL, NAN,
-                  "pair all floors of two buildings by their levels"},
+                  "pairs all floors of two buildings by their levels"},
     [DEPTH] = {"depth", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN,
-               "with -by-level: floors whose levels differ by less face each other; 0.5 m"},
+               "with -by-level: pairs floors whose levels differ by less; default: 0.5 m"},
 };
 
 static const struct contact_law *find_law(struct builder *b, const struct statement *s,
@@ -103,7 +103,7 @@ static const struct statement_variant variants[N_VARIANT] = {
     {.row = law_choice_rows, .n_row = LAW_CHOICE_ROWS},
     {
         .name = "-k-from hertz",
-        .summary = "k = (4/3) sqrt(R) E* of two spheres, or a sphere and a flat face",
+        .summary = "k = (4/3) sqrt(R) E* of two spheres, or of a sphere and a flat face",
         .row = stiffness_hertz_rows,
         .n_row = STIFFNESS_HERTZ_ROWS,
     },
@@ -120,7 +120,7 @@ const struct statement_kind statement_contact = {
     .usage = "LEFT RIGHT -gap LIST -law LAW ... [-by-level [-depth D]] [-name NAME] [-meff M] "
              "[-allow-overlap] "
              "[-calibrate] [-k-from hertz|slab ...]",
-    .summary = "unilateral contact links between facing floors or levels (B@6.8m), or with a wall",
+    .summary = "unilateral contacts between facing floors or levels (B@6.8m), or with a wall",
     .example = "contact A B -gap 20mm -law jankowski -k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,

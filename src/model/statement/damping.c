@@ -11,7 +11,8 @@ static const struct range ratio_range = {
     .min = 0.0, .max = 2.0, .text = ">= 0 and <= 2 (5 % is 0.05)"};
 
 static const struct row rows[N_ROW] = {
-    [MODES] = {"modes", ROW_LIST, 0, OF_NONE, &mode_range, NAN, "the two modes of Rayleigh ratios"},
+    [MODES] = {"modes", ROW_LIST, 0, OF_NONE, &mode_range, NAN,
+               "the two modes with these ratios; default: 1 2"},
     [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_FREQUENCY, NULL, NAN, "mass-proportional coefficient"},
     [BETA] = {"beta", ROW_NUMBER, 0, OF_TIME, NULL, NAN, "stiffness-proportional coefficient"},
 };
@@ -191,8 +192,8 @@ const struct statement_kind statement_damping = {
     .usage =
         "NAME rayleigh RATIO [RATIO2] [-modes I J] | rayleigh -alpha A0 -beta A1 | modal LIST | "
         "dashpot LIST",
-    .summary = "damping of a building alone, on its initial stiffness; statements add "
-               "up, without any there is none",
+    .summary = "damping of one building, on its initial stiffness; several statements add up; "
+               "default: no damping",
     .example = "damping A rayleigh 5% -modes 1 3",
     .row = rows,
     .n_row = N_ROW,

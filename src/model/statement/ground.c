@@ -27,29 +27,30 @@ static const struct range channel_range = {.min = 1.0, .max = 1000.0, .text = ">
 
 static const struct row record_rows[N_RECORD_ROW] = {
     [R_FORMAT] = {"format", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-                  "format of the file; found if not given"},
+                  "format of the file; default: detected from its content"},
     [R_CHANNEL] = {"channel", ROW_INTEGER, 0, OF_NONE, &channel_range, NAN,
-                   "which one, of a file that holds several"},
+                   "number of the channel, if the file has several"},
     [R_UNIT] = {"unit", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-                "unit of the values: g, m/s2, cm/s2, gal ..."},
-    [R_DT] = {"dt", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN, "time between samples"},
-    [R_DEMEAN] = {"demean", ROW_FLAG, 0, OF_NONE, NULL, NAN, "subtract the mean of the values"},
+                "unit of the values, such as g, m/s2 or gal; default: that in the file"},
+    [R_DT] = {"dt", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
+              "time between samples; default: that in the file"},
+    [R_DEMEAN] = {"demean", ROW_FLAG, 0, OF_NONE, NULL, NAN, "subtracts the mean of the values"},
     [R_SCALE] = {"scale", ROW_NUMBER, 0, OF_NONE, NULL, 1.0,
-                 "factor; negative turns the record round"},
+                 "factor; a negative factor reverses the direction"},
     [R_PGA] = {"pga", ROW_NUMBER, 0, OF_ACCELERATION, &range_positive, NAN,
                "peak ground acceleration to scale to"},
     [R_SA] = {"sa", ROW_NUMBER, 0, OF_ACCELERATION, &range_positive, NAN,
               "pseudo-spectral acceleration to scale to"},
     [R_PERIOD] = {"period", ROW_NUMBER, 0, OF_TIME, &signals_period_range, NAN,
-                  "period for -sa; that of a building if not given"},
+                  "period for -sa; default: the first period of a building"},
     [R_BUILDING] = {"building", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-                    "building whose first period is that for -sa; the first one it acts under"},
+                    "building that gives the period for -sa; default: the first one of -buildings"},
     [R_DAMPING] = {"damping", ROW_NUMBER, 0, OF_NONE, &signals_damping_range, 0.05,
                    "damping ratio for -sa"},
     [R_DELAY] = {"delay", ROW_NUMBER, 0, OF_TIME, &range_non_negative, 0.0,
                  "time of the first sample"},
     [R_BUILDINGS] = {"buildings", ROW_TEXTS, 0, OF_NONE, NULL, NAN,
-                     "buildings it acts under; all if not given"},
+                     "buildings on this ground; default: all"},
 };
 
 static const struct row sine_rows[N_SINE_ROW] = {
@@ -58,13 +59,13 @@ static const struct row sine_rows[N_SINE_ROW] = {
     SINE_SHAPE_ROWS,
     [S_DELAY] = {"delay", ROW_NUMBER, 0, OF_TIME, &range_non_negative, 0.0, "time of the start"},
     [S_BUILDINGS] = {"buildings", ROW_TEXTS, 0, OF_NONE, NULL, NAN,
-                     "buildings it acts under; all if not given"},
+                     "buildings on this ground; default: all"},
 };
 
 enum { RECORD, SINE, N_VARIANT };
 static const struct statement_variant variants[N_VARIANT] = {
     [RECORD] = {"record", "acceleration from a file", record_rows, N_RECORD_ROW},
-    [SINE] = {"sine", "A sin(2 pi F t + P) with t from the start", sine_rows, N_SINE_ROW},
+    [SINE] = {"sine", "A sin(2 pi F t + P), with t from the start", sine_rows, N_SINE_ROW},
 };
 
 // Reads the indices of the buildings in -buildings; false after a report.
@@ -241,7 +242,7 @@ const struct statement_kind statement_ground = {
              "| -sa A "
              "[-period T | -building NAME] [-damping Z]] [-delay T] [-buildings NAMES] | sine "
              "-amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings NAMES]",
-    .summary = "ground acceleration; several under one building add up",
+    .summary = "ground acceleration; several statements for one building add up",
     .example = "ground record records/ELCENTRO_1940_NS.AT2 -pga 0.35g",
     .variant = variants,
     .n_variant = N_VARIANT,

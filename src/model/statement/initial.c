@@ -41,7 +41,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_initial = {
     .name = "initial",
     .usage = "BUILDING:FLOORS [-displacement U] [-velocity V]",
-    .summary = "initial state of floors; at rest without it",
+    .summary = "initial displacement and velocity of floors; other floors start at rest",
     .example = "initial A:1 -velocity 0.5m/s",
     .row = rows,
     .n_row = N_ROW,

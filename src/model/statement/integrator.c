@@ -10,8 +10,9 @@ static const struct range gamma_range = {.min = 0.5, .max = 1.0, .text = ">= 0.5
 
 static const struct row newmark_rows[N_NEWMARK_ROW] = {
     [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &beta_range, 0.25,
-              "0: explicit, 1/6: linear acceleration"},
-    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, &gamma_range, 0.5, "above 1/2: numerical damping"},
+              "0 is explicit, 1/6 is linear acceleration"},
+    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, &gamma_range, 0.5,
+               "above 1/2 there is numerical damping"},
 };
 
 enum { N_VARIANT = 2 };
@@ -42,9 +43,8 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_integrator = {
     .name = "integrator",
     .usage = "newmark [-beta B] [-gamma G] | dormand-prince",
-    .summary = "how the equations of motion are integrated; default: average acceleration with "
-               "step fixed; with step adaptive dormand-prince, but newmark where a damper has an "
-               "exponent below 0.5",
+    .summary = "time integration; default: newmark with average acceleration; with step adaptive "
+               "dormand-prince, or newmark if a damper has an exponent below 0.5",
     .example = "integrator newmark -beta 0.25 -gamma 0.5",
     .variant = variants,
     .n_variant = N_VARIANT,

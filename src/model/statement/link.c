@@ -63,7 +63,8 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_link = {
     .name = "link",
     .usage = "LEFT RIGHT [-stiffness K] [-dashpot C [-exponent A]] [-name NAME]",
-    .summary = "bilateral connection of two floors or levels (B@6.8m): spring and viscous damper",
+    .summary = "spring and viscous damper between two floors or levels (B@6.8m); it acts in both "
+               "directions",
     .example = "link A:5 B:5 -dashpot 2MN*s/m",
     .row = rows,
     .n_row = N_ROW,

@@ -22,9 +22,9 @@ static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, OF_FORCE
 
 enum { CONSTANT, SINE, HISTORY, N_VARIANT };
 static const struct statement_variant variants[N_VARIANT] = {
-    [CONSTANT] = {"constant", "the same force all the time", NULL, 0},
+    [CONSTANT] = {"constant", "a constant force", NULL, 0},
     [SINE] = {"sine", "A sin(2 pi F t + P)", sine_rows, SINE_ROWS},
-    [HISTORY] = {"history", "forces from a file of columns or a series of values", history_rows,
+    [HISTORY] = {"history", "forces from a file in the format columns or series", history_rows,
                  N_HISTORY_ROW},
 };
 

@@ -5,49 +5,20 @@
 
 #include "deck/reader.h"
 #include "model/builder.h"
+#include "model/parts.h"
 
 enum { UNIT, N_ROW };
 
 static const struct row rows[N_ROW] = {
     [UNIT] = {"unit", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-              "unit of the values: N/m, kN/mm, kip/in ...; the deck's if not given"},
+              "unit of the values, such as kN/mm or kip/in; default: that of the deck"},
 };
-
-static void matrix_respond(const struct part *p, const double *history, const double *drift,
-                           const double *rate, const struct part_sums *to, double *after) {
-    const double *stiffness = p->data;
-    const size_t n = (size_t)p->n;
-    (void)history, (void)rate, (void)after;
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < n; j++) {
-            if (to->shear) {
-                to->shear[i] += stiffness[i * n + j] * drift[j];
-            }
-            if (to->by_drift) {
-                to->by_drift[i * n + j] += stiffness[i * n + j];
-            }
-        }
-    }
-}
-
-static double matrix_stored(const struct part *p, const double *history, const double *drift) {
-    const double *stiffness = p->data;
-    const size_t n = (size_t)p->n;
-    double sum = 0.0;
-    (void)history;
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < n; j++) {
-            sum += drift[i] * stiffness[i * n + j] * drift[j];
-        }
-    }
-    return sum / 2.0;
-}
 
 static const struct part_kind part_matrix = {
     .name = "matrix",
     .traits = PART_LINEAR,
-    .respond = matrix_respond,
-    .stored = matrix_stored,
+    .respond = parts_linear_respond,
+    .stored = parts_linear_stored,
 };
 
 // Reads the unit of the file; false after a report.
@@ -125,7 +96,7 @@ static void build(struct builder *b, const struct statement *s) {
     const char *name = deck_text(b->deck, &s->word[2]);
     d->any_part = true;
     struct part part = {.kind = &part_matrix, .source = name, .n = d->n_floor};
-    if (d->n_floor > 0 && (part.data = read_file(b, s, d, name, &a[UNIT]))) {
+    if (d->n_floor > 0 && (part.stiffness = read_file(b, s, d, name, &a[UNIT]))) {
         builder_add_part(b, d, &part);
     }
 }
@@ -133,8 +104,8 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_matrix = {
     .name = "matrix",
     .usage = "BUILDING FILE [-unit U]",
-    .summary = "stiffness of a building on its floor displacements, from a file; adds to its "
-               "storeys' and to other matrices",
+    .summary = "stiffness matrix of a building on its floor displacements, from a file; it adds to "
+               "the storeys and to other matrices",
     .example = "matrix A frame.txt -unit kN/m",
     .row = rows,
     .n_row = N_ROW,

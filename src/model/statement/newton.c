@@ -10,7 +10,7 @@ static const struct range iterations_range = {
 
 static const struct row rows[N_ROW] = {
     [TOLERANCE] = {"tolerance", ROW_NUMBER, 0, OF_NONE, &tolerance_range, 1e-12,
-                   "change of a link force in the last iteration, relative to the largest"},
+                   "change of a link force in the last iteration, relative to the largest force"},
     [ITERATIONS] = {"iterations", ROW_INTEGER, 0, OF_NONE, &iterations_range, 100,
                     "iterations before the step is rejected"},
 };
@@ -27,7 +27,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_newton = {
     .name = "newton",
     .usage = "[-tolerance T] [-iterations N]",
-    .summary = "convergence of the iteration on contact and storey forces",
+    .summary = "convergence of the iteration for contact and storey forces",
     .example = "newton -tolerance 1e-12 -iterations 100",
     .row = rows,
     .n_row = N_ROW,

@@ -10,22 +10,25 @@ static const struct range every_range = {
 static const struct range level_range = {.min = 1.0, .max = 9.0, .text = ">= 1 and <= 9"};
 
 static const struct row rows[N_ROW] = {
-    [EVERY] = {"every", ROW_INTEGER, 0, OF_NONE, &every_range, NAN, "steps from row to row"},
+    [EVERY] = {"every", ROW_INTEGER, 0, OF_NONE, &every_range, NAN, "steps between two rows"},
     [INTERVAL] = {"interval", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
-                  "time between rows, a multiple of fixed steps; default 0.01 s, adaptive at most "
-                  "duration / 100"},
-    [FIELDS] = {"fields", ROW_TEXTS, 0, OF_NONE, NULL, NAN, "histories written; all if not given"},
-    [PRECISION] = {"precision", ROW_TEXT, 0, OF_NONE, NULL, NAN, "single: histories in 32 bits"},
+                  "time between rows, a multiple of a fixed step; default: 0.01 s, and with step "
+                  "adaptive at "
+                  "most duration / 100"},
+    [FIELDS] = {"fields", ROW_TEXTS, 0, OF_NONE, NULL, NAN, "histories to write; default: all"},
+    [PRECISION] = {"precision", ROW_TEXT, 0, OF_NONE, NULL, NAN,
+                   "single writes histories in 32 bits"},
     [COMPRESS] = {"compress", ROW_INTEGER, 0, OF_NONE, &level_range, NAN,
-                  "histories by shuffle and deflate of this level"},
+                  "level of the compression of histories by shuffle and deflate"},
     [HISTORIES] = {"histories", ROW_FLAG, 0, OF_NONE, NULL, NAN,
-                   "for studies: the histories of each run too"},
+                   "writes the histories of each run of a study"},
     [FILE_NAME] = {"file", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-                   "result file, from the current directory"},
+                   "result file, relative to the current directory"},
 };
 
-const char *const field_names[] = {"displacement", "velocity", "acceleration", "drift",
-                                   "storey_shear", "force",    "penetration",  NULL};
+const char *const field_names[] = {"displacement", "velocity",     "acceleration",
+                                   "drift",        "storey_shear", "force",
+                                   "penetration",  "members",      NULL};
 enum { N_FIELD = sizeof field_names / sizeof field_names[0] - 1 };
 
 static void read_fields(struct builder *b, const struct argument *a) {
@@ -92,7 +95,7 @@ const struct statement_kind statement_output = {
     .name = "output",
     .usage = "[-every N | -interval DT] [-fields LIST] [-precision single] [-compress LEVEL] "
              "[-histories] [-file FILE]",
-    .summary = "which histories are written, and where",
+    .summary = "histories to write, and the result file",
     .example = "output -interval 0.02s -fields displacement force",
     .row = rows,
     .n_row = N_ROW,

@@ -12,18 +12,20 @@ static const struct range tolerance_range = {
 
 static const struct row adaptive_rows[N_ROW] = {
     [TOLERANCE] = {"tolerance", ROW_NUMBER, 0, OF_NONE, &tolerance_range, 1e-6,
-                   "error of a step relative to the largest displacement and velocity so far"},
+                   "error of a step, relative to the largest displacement and velocity so far"},
     [LONGEST] = {"max", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
-                 "longest step; any if not given"},
-    [SHORTEST] = {"min", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
-                  "a run that needs shorter steps ends with an error"},
+                 "longest step; default: no limit"},
+    [SHORTEST] =
+        {"min", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
+         "shortest step: a run that needs a shorter one ends with an error; default: no limit"},
 };
 
 enum { FIXED, ADAPTIVE, N_VARIANT };
 static const struct statement_variant variants[N_VARIANT] = {
-    [FIXED] = {"fixed", "steps of DT; the last one is shorter where the duration is not a multiple",
-               NULL, 0},
-    [ADAPTIVE] = {"adaptive", "steps as long as the tolerance allows, which end at impacts",
+    [FIXED] = {"fixed",
+               "steps of DT; the last one is shorter if the duration is not a multiple of DT", NULL,
+               0},
+    [ADAPTIVE] = {"adaptive", "steps as long as the tolerance allows; they end at impacts",
                   adaptive_rows, N_ROW},
 };
 

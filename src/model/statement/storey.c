@@ -9,7 +9,7 @@ enum { STIFFNESS, N_ROW };
 
 static const struct row rows[N_ROW] = {
     [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
-                   "initial stiffnesses in place of the building's"},
+                   "initial stiffnesses, instead of those of the building"},
 };
 
 // Computes the constants of the k-th selected storey.
@@ -83,10 +83,9 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         good &= stiffness != NULL;
     }
     if (good && !stiffness && !d->any_stiffness) {
-        deck_error(
-            b->deck, &s->word[1],
-            "the storeys of building %s have no stiffness beside its matrix; give -stiffness",
-            d->name);
+        deck_error(b->deck, &s->word[1],
+                   "the storeys of building %s have no stiffness of their own; give -stiffness",
+                   d->name);
         good = false;
     }
     for (int k = 0; good && k < floors->n_floor; k++) {
@@ -146,7 +145,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_storey = {
     .name = "storey",
     .usage = "NAME:FLOORS LAW ... [-stiffness LIST]",
-    .summary = "restoring law of the storeys below those floors; without it they are elastic",
+    .summary = "restoring law of the storeys below the named floors; other storeys are elastic",
     .example = "storey A:1:3 bilinear -yield 4MN -hardening 0.02",
     .row = rows,
     .n_row = N_ROW,

@@ -17,6 +17,7 @@
 
 #include "core/lanes.h"
 #include "model/parts.h"
+#include "model/storey_force.h"
 
 enum { CQUAD_INTERVALS = 100 };
 static const double CQUAD_TOLERANCE = 1e-12;
@@ -54,8 +55,7 @@ struct energy_sums energy_sums_of(const struct energy_account *a, const struct m
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             const struct storey *law = &m->storey[i];
             const bool is_elastic = law->law->n_history == 0 && (g->n_part == 0 || g->elastic);
-            *(is_elastic ? &elastic : &other) +=
-                law->law->stored(law->constant, s->storey_history + law->history, s->drift[i]);
+            *(is_elastic ? &elastic : &other) += storey_stored(law, s->storey_history, s->drift[i]);
             storey_2x += is_elastic ? 0.0 : a->storey_2x[i];
         }
         if (g->n_part > 0) {

@@ -8,6 +8,7 @@
 #include "core/lanes.h"
 #include "core/number.h"
 #include "model/foundation.h"
+#include "model/struck_column.h"
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
@@ -31,7 +32,13 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct results, residual_drift, FIELD_FLOORS),
     FIELD_ARRAY(struct results, deepest, FIELD_LINKS),
     FIELD_ARRAY(struct results, deepest_time, FIELD_LINKS),
+    FIELD_ARRAY(struct results, force_max, FIELD_FORCES),
+    FIELD_ARRAY(struct results, force_max_time, FIELD_FORCES),
+    FIELD_ARRAY(struct results, force_min, FIELD_FORCES),
+    FIELD_ARRAY(struct results, force_min_time, FIELD_FORCES),
     FIELD_ARRAY(struct results, link, FIELD_LINKS),
+    FIELD_VALUE(struct results, collapse),
+    FIELD_ARRAY(struct results, column, FIELD_COLUMNS),
     FIELD_VALUE(struct results, energy),
     FIELD_VALUE(struct results, initial_energy),
     FIELD_VALUE(struct results, residual_peak),
@@ -54,6 +61,14 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
         r->deepest[k] = -INFINITY;
     }
     return true;
+}
+
+void peaks_columns(struct results *r, const struct model *m, const struct state *s) {
+    for (int i = 0; i < m->n_column; i++) {
+        for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+            peaks_column(&r->column[i][q], struck_column_force(&m->column[i], q, s->u), s->time);
+        }
+    }
 }
 
 static const enum peak founded_quantity[] = {PEAK_DRIFT, PEAK_SHEAR};
@@ -132,6 +147,7 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
     if (m->founded) {
         peaks_founded(r, m, s);
     }
+    peaks_columns(r, m, s);
     for (int k = 0; k < m->n_contact; k++) {
         peaks_penetration(r, k, s->delta[k], s->time);
     }

@@ -27,6 +27,9 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
 // Takes storey deformations and shears of buildings with a foundation from state `s`.
 void peaks_founded(struct results *r, const struct model *m, const struct state *s);
 
+// Takes the forces in struck columns of state `s`.
+void peaks_columns(struct results *r, const struct model *m, const struct state *s);
+
 // Takes the drift rates of state `s`.
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s);
 
@@ -51,6 +54,14 @@ static inline void peaks_penetration(struct results *r, int k, double delta, dou
 
 static inline void peaks_force(struct results *r, int k, double force, double time) {
     peak_larger(force, time, &r->link[k].force, &r->link[k].force_time);
+}
+
+// Takes a value of a force in a struck column.
+static inline void peaks_column(struct column_peak *p, double x, double time) {
+    p->max_time = x > p->max ? time : p->max_time;
+    p->max = x > p->max ? x : p->max;
+    p->min_time = x < p->min ? time : p->min_time;
+    p->min = x < p->min ? x : p->min;
 }
 
 // The same from state `s`, of a live link.

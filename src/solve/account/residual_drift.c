@@ -16,6 +16,7 @@
 #include "core/root.h"
 #include "model/foundation.h"
 #include "model/parts.h"
+#include "model/storey_force.h"
 #include "solve/account/peaks.h"
 
 enum { DOUBLINGS = 60, ITERATIONS_MAX = 100 };
@@ -31,7 +32,7 @@ struct unloading {
 
 static double residual_drift_shear(double drift, void *context) {
     const struct unloading *u = context;
-    return u->storey->law->respond(u->storey->constant, u->history, drift, NULL).shear;
+    return storey_respond(u->storey, u->history, drift, NULL).shear;
 }
 
 // The way back is that at the initial stiffness, or longer where the law softens or yields back.
@@ -66,8 +67,7 @@ static double residual_drift_shears(struct settling *r, const double *x) {
     parts_respond(b, r->history, x, r->still, &sums, NULL);
     for (size_t i = 0; i < r->n; i++) {
         const struct storey *storey = &r->model->storey[(size_t)b->first + i];
-        const struct storey_response own =
-            storey->law->respond(storey->constant, r->history + storey->history, x[i], NULL);
+        const struct storey_response own = storey_respond(storey, r->history, x[i], NULL);
         r->shear[i] += own.shear;
         r->tangent[i * r->n + i] += own.tangent;
     }
@@ -138,7 +138,7 @@ static void residual_drift_storeys(const struct model *m, const struct state *s,
     const double *history = s->storey_history + (b->fixed ? b->part->history : 0);
     for (int i = 0; i < b->n_level; i++) {
         const struct storey *storey = foundation_storey(m, b, i);
-        const struct unloading u = {storey, history + storey->history};
+        const struct unloading u = {storey, history};
         out[i] = storey->law->n_history == 0
                      ? 0.0
                      : fabs(residual_drift_unload(u, own->stiffness[i], drift[i]));

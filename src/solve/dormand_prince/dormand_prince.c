@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/arena.h"
+#include "model/foundation.h"
 #include "solve/dormand_prince/dp.h"
 #include "solve/forcing.h"
 #include "solve/run.h"
@@ -50,6 +51,12 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, events_before),
     FIELD_VALUE(struct dp, time_before),
     // Scratch.
+    FIELD_ARRAY(struct dp, force[0], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[1], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[2], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[3], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[4], FIELD_FORCES),
+    FIELD_ARRAY(struct dp, force[5], FIELD_FORCES),
     FIELD_ARRAY(struct dp, reach, FIELD_LINKS),
     FIELD_ARRAY(struct dp, meeting, FIELD_LINKS),
     FIELD_ARRAY(struct dp, fastest.spring, FIELD_FLOORS),
@@ -168,6 +175,10 @@ static int dp_change(struct dp *p, const struct dp_event *event, struct error *e
         case DP_BRANCH:
             dp_system_branch(p, i, event->target, event->direction);
             break;
+        case DP_COLLAPSE:
+            p->results->collapse =
+                (struct collapse){true, i, p->now.time, foundation_across(p->model, i, p->now.u)};
+            return STATUS_COLLAPSE;
         case DP_UNLOAD:
             dp_system_branch(p, i, p->now.drift[i], event->direction);
             break;
@@ -233,8 +244,9 @@ static bool dp_is_steep(const struct dp *p, const struct dp_event *event) {
 // STATUS_FAILED: what dormand-prince does not follow, or events without end.
 static int dp_happen(struct dp *p, struct error *e) {
     const struct dp_event *event = &p->event;
-    if (dp_change(p, event, e) != STATUS_OK) {
-        return e->status;
+    const int status = dp_change(p, event, e);
+    if (status != STATUS_OK) {
+        return status;
     }
     p->results->totals.events++;
     if (dp_is_steep(p, event)) {
@@ -345,6 +357,17 @@ static double dp_reached(const struct dp *p) {
     return p->h > 0.0 ? p->next.time : p->now.time;
 }
 
+// Makes the state of the run that at `time`, unless the steps to it have failed. Returns `status`.
+static int dp_row(struct run *r, double time, int status) {
+    if (status == STATUS_OK || status == STATUS_COLLAPSE) {
+        if (r->dp->h == 0.0) {
+            dp_peaks_jump(r->dp);
+        }
+        dp_account_row(r->dp, time, r->now, &r->energy);
+    }
+    return status;
+}
+
 // Steps go on beyond the row, whose state is interpolated; one at a jump of the forcing shows what
 // is after it.
 static int dp_advance(struct run *r, long *n, long end) {
@@ -353,19 +376,13 @@ static int dp_advance(struct run *r, long *n, long end) {
         int status = dp_step(r->dp, r->error);
         status = status == STATUS_OK ? run_poll(r, dp_reached(r->dp)) : status;
         if (status != STATUS_OK) {
-            return status;
+            return dp_row(r, r->dp->now.time, status);
         }
     }
     *n = end;
-    if (dp_is_at_corner(r->dp) && r->dp->next.time - time <= FORCING_SAME_TIME * time &&
-        dp_arrive(r->dp, r->error) != STATUS_OK) {
-        return r->error->status;
-    }
-    if (r->dp->h == 0.0) {
-        dp_peaks_jump(r->dp);
-    }
-    dp_account_row(r->dp, time, r->now, &r->energy);
-    return STATUS_OK;
+    const bool arrives =
+        dp_is_at_corner(r->dp) && r->dp->next.time - time <= FORCING_SAME_TIME * time;
+    return dp_row(r, time, arrives ? dp_arrive(r->dp, r->error) : STATUS_OK);
 }
 
 const struct method dormand_prince = {

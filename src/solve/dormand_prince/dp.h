@@ -82,13 +82,14 @@ struct dp_rates {
 
 enum dp_event_kind {
     DP_NONE,
-    DP_CLOSE,   // a contact closes
-    DP_OPEN,    // or opens
-    DP_MEET,    // the bodies of a rigid contact meet
-    DP_KINK,    // the force of a closed contact has a kink
-    DP_TURN,    // the velocity of a closed contact or a damper changes its sign
-    DP_BRANCH,  // a storey comes to the end of its line
-    DP_UNLOAD,  // the drift of a yielding storey turns round
+    DP_CLOSE,     // a contact closes
+    DP_OPEN,      // or opens
+    DP_MEET,      // the bodies of a rigid contact meet
+    DP_KINK,      // the force of a closed contact has a kink
+    DP_TURN,      // the velocity of a closed contact or a damper changes its sign
+    DP_BRANCH,    // a storey comes to the end of its line
+    DP_UNLOAD,    // the drift of a yielding storey turns round
+    DP_COLLAPSE,  // a drift reaches its limit, at which the run ends
 };
 
 // What ends a step before its time.
@@ -132,6 +133,8 @@ struct dp_floors {
 };
 extern const struct dp_floors dp_narrow, dp_wide;
 
+enum { DP_FORCES = 6 };
+
 struct dp {
     const struct model *model;       // borrowed
     struct results *results;         // borrowed
@@ -168,6 +171,8 @@ struct dp {
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
+
+    double *force[DP_FORCES];  // (model.n_force) scratch of dp_forces.c
 };
 
 // dp_system.c: the branches of laws.
@@ -183,9 +188,11 @@ void dp_system_start(struct dp *p);
 void dp_system_branch(struct dp *p, int i, double from, double direction);
 
 // The storey below floor i: its law at `drift` with the committed history, the smallest change of
-// its drift that counts, and its shear at `drift` on its branch [F].
+// its drift that counts, its initial stiffness without P-delta, and its shear at `drift` on its
+// branch [F].
 struct storey_response dp_system_storey(const struct dp *p, int i, double drift);
 double dp_system_noise(const struct dp *p, int i);
+double dp_system_stiffness(const struct dp *p, int i);
 double dp_system_shear(const struct dp *p, int i, double drift);
 
 // How far its branch has led from its law at `now`, as a drift [L]: the sum of events that were too
@@ -380,6 +387,9 @@ void dp_peaks_jump(struct dp *p);
 // Force and penetration in the step of link number i of the live ones, into its peaks and into
 // `share`.
 void dp_peaks_link(struct dp *p, int i, struct impact_share *share);
+
+// dp_forces.c: the extremes of forces that follow from drifts, at its end and, if `within`, inside.
+void dp_forces_step(struct dp *p, bool within);
 
 // dp_account.c: works and impulses of steps, and the state within a step.
 

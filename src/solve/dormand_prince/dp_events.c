@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "core/root.h"
+#include "model/foundation.h"
 #include "solve/dormand_prince/dp.h"
 
 enum { ITERATIONS_MAX = 60 };
@@ -28,6 +29,9 @@ static const double SAME = 1e-9;
 
 // The rate at which a kink comes nearer is a difference quotient over this share of the step.
 static const double PROBE = 1e-4;
+
+// A collapse is where the drift has passed its limit by this share.
+static const double COLLAPSED = 5e-10;
 
 // The kinds of events. What passes through zero is the velocity of the link or storey (`turns`), or
 // else its penetration or drift. After a correction of the instant below `located`, a share of the
@@ -46,6 +50,7 @@ static const struct dp_kind {
     [DP_MEET] = {.located = 1e-7},
     [DP_BRANCH] = {.located = 1e-7, .of_storey = true},
     [DP_UNLOAD] = {.located = 1e-7, .of_storey = true, .turns = true},
+    [DP_COLLAPSE] = {.located = 1e-7, .of_storey = true},
 };
 
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
@@ -146,7 +151,7 @@ static struct dp_event dp_link_event(const struct dp *p, int k) {
 // A line that is told from the last committed point on has a slope as wrong as that by rounding.
 static bool dp_is_on_branch(const struct dp *p, int i, double drift) {
     double change = dp_system_storey(p, i, drift).tangent - p->system.tangent[i];
-    return fabs(change) <= SAME * p->model->chain.stiffness[i];
+    return fabs(change) <= SAME * dp_system_stiffness(p, i);
 }
 
 // The drift between low and high at which the law leaves the tangent of its branch.
@@ -211,6 +216,40 @@ static struct dp_event dp_storey_event(const struct dp *p, int i) {
     return nothing;
 }
 
+static struct motion dp_drift(const struct dp *p, int i) {
+    const struct model *m = p->model;
+    const struct state *now = &p->now, *next = &p->next;
+    return (struct motion){
+        .d = {foundation_across(m, i, now->u), foundation_across(m, i, next->u)},
+        .v = {foundation_across(m, i, now->v), foundation_across(m, i, next->v)},
+        .a = {foundation_across(m, i, now->a), foundation_across(m, i, next->a)},
+        .h = p->h,
+    };
+}
+
+// Where the drift of storey i reaches its limit, and passes it by less than rounding counts.
+static struct dp_event dp_collapse(const struct dp *p, int i) {
+    if (isinf(p->model->collapse[i])) {
+        return nothing;
+    }
+    const struct motion m = dp_drift(p, i);
+    const double limit = p->model->collapse[i] * (1.0 + COLLAPSED);
+    const double speed = fmax(fabs(m.v[0]), fabs(m.v[1]));
+    if (fmax(fabs(m.d[0]), fabs(m.d[1])) + m.h * speed < limit) {
+        return nothing;
+    }
+    const struct motion_pieces s = dp_motion_cut(&m);
+    int n = 1;
+    while (n < s.n && fabs(s.d[n]) < limit) {
+        n++;
+    }
+    if (fabs(s.d[n]) < limit) {
+        return nothing;
+    }
+    const double sign = copysign(1.0, s.d[n]), target = sign * limit;
+    return (struct dp_event){DP_COLLAPSE, i, dp_where(&s, n - 1, target), sign, target};
+}
+
 static void dp_take_earlier(struct dp *p, struct dp_event event) {
     if (event.place < p->event.place) {
         p->event = event;
@@ -234,6 +273,9 @@ void dp_events_first(struct dp *p) {
     for (int n = 0; n < p->system.n_inelastic; n++) {
         dp_take_earlier(p, dp_storey_event(p, p->system.inelastic[n]));
     }
+    for (int i = 0; p->model->collapse && i < p->model->n_dof; i++) {
+        dp_take_earlier(p, dp_collapse(p, i));
+    }
 }
 
 bool dp_events_is_of_storey(const struct dp_event *e) {
@@ -244,8 +286,9 @@ bool dp_events_is_of_storey(const struct dp_event *e) {
 static double dp_value_at_end(const struct dp *p, double *rate) {
     const struct dp_event *e = &p->event;
     int i = e->index;
-    struct motion m = dp_events_is_of_storey(e) ? dp_motion_floor(p, i, p->system.below[i])
-                                                : dp_motion_link(p, i);
+    struct motion m = e->kind == DP_COLLAPSE      ? dp_drift(p, i)
+                      : dp_events_is_of_storey(e) ? dp_motion_floor(p, i, p->system.below[i])
+                                                  : dp_motion_link(p, i);
     if (e->kind == DP_KINK) {
         double time = PROBE * p->h;
         double value = dp_before_kink(p, i, m.d[1], m.v[1]);

@@ -208,6 +208,80 @@ static void dp_part_shears(struct dp *p, const struct building *g) {
     }
 }
 
+// The motion of a sum of displacements.
+static struct motion dp_motion_sum(const struct dp *p, int n, const int *dof,
+                                   const double *weight) {
+    struct motion m = {.h = p->h};
+    const struct state *end[] = {&p->now, &p->next};
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < 2 && dof[i] != WALL; k++) {
+            m.d[k] += weight[i] * end[k]->u[dof[i]];
+            m.v[k] += weight[i] * end[k]->v[dof[i]];
+            m.a[k] += weight[i] * end[k]->a[dof[i]];
+        }
+    }
+    return m;
+}
+
+// Forces in struck columns at the end of the step and where they turn.
+static void dp_columns(const struct dp *p) {
+    const struct model *m = p->model;
+    for (int i = 0; i < m->n_column; i++) {
+        const struct struck_column *c = &m->column[i];
+        for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+            struct column_peak *peak = &p->results->column[i][q];
+            const struct motion force = dp_motion_sum(p, 3, c->dof, c->force[q]);
+            const struct motion_pieces s = dp_motion_cut(&force);
+            for (int j = 1; j <= s.n; j++) {
+                peaks_column(peak, s.d[j], p->now.time + s.x[j] * p->h);
+            }
+        }
+    }
+}
+
+// Deformation of storey i of a building with a foundation.
+static struct motion dp_founded_storey(const struct dp *p, const struct building *g, int i) {
+    const int slab = g->first + g->n_level, rock = slab + 1;
+    const int dof[] = {g->first + i, i > 0 ? g->first + i - 1 : slab, rock};
+    double height = 0.0;
+    for (int k = 0; k < g->n_level; k++) {
+        height += g->height[k];
+    }
+    const double weight[] = {1.0, -1.0, -g->height[i] / height};
+    return dp_motion_sum(p, 3, dof, weight);
+}
+
+// Deformations and shears of the storeys of a building with a foundation: at the end of the step,
+// and where they turn. Shears of storeys that yield are known at the end only.
+static void dp_founded(const struct dp *p, const struct building *g) {
+    const double *const x[] = {p->now.u, p->next.u, p->now.v, p->next.v, p->now.a, p->next.a};
+    double end[6];
+    for (int i = 0; i < g->n_level; i++) {
+        const struct motion deformation = dp_founded_storey(p, g, i);
+        for (int k = 0; k < 6; k++) {
+            end[k] = g->elastic ? dp_linear_shear(p, g, x[k], g->first + i) -
+                                      dp_linear_shear(p, g, x[k], g->first + g->n_level)
+                                : 0.0;
+        }
+        const double yielding =
+            p->system.part_shear[g->first + i] - p->system.part_shear[g->first + g->n_level];
+        const struct motion shear = {{end[0], end[1]}, {end[2], end[3]}, {end[4], end[5]}, p->h};
+        const struct motion *const motion[] = {&deformation, &shear};
+        for (int q = 0; q < (g->elastic ? 2 : 1); q++) {
+            const struct motion_pieces s = dp_motion_cut(motion[q]);
+            for (int j = 1; j <= s.n; j++) {
+                peak_larger(fabs(s.d[j]), p->now.time + s.x[j] * p->h,
+                            &p->results->founded_peak[q][g->first + i],
+                            &p->results->founded_time[q][g->first + i]);
+            }
+        }
+        if (!g->elastic) {
+            peak_larger(fabs(yielding), p->next.time, &p->results->founded_peak[1][g->first + i],
+                        &p->results->founded_time[1][g->first + i]);
+        }
+    }
+}
+
 // Makes the scales of errors again, if motions have grown.
 static void dp_rescale(struct dp *p) {
     if (p->grown) {
@@ -237,6 +311,13 @@ static void dp_floors_step(struct dp *p) {
         if (m->building[k].n_part > 0) {  // which has a full damping matrix
             dp_part_shears(p, &m->building[k]);
         }
+        if (m->building[k].fixed) {
+            dp_founded(p, &m->building[k]);
+        }
+    }
+    dp_columns(p);
+    if (m->n_force > 0) {
+        dp_forces_step(p, !dp_is_instant(p));
     }
     dp_rescale(p);
 }

@@ -7,6 +7,7 @@
 // are left to the error control.
 #include <math.h>
 
+#include "model/storey_force.h"
 #include "solve/dormand_prince/dp.h"
 
 // How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
@@ -47,8 +48,7 @@ static const struct fields_row list[] = {
 const struct fields dp_system_fields = FIELDS(list);
 
 struct storey_response dp_system_storey(const struct dp *p, int i, double drift) {
-    const struct storey *law = &p->model->storey[i];
-    return law->law->respond(law->constant, p->now.storey_history + law->history, drift, NULL);
+    return storey_respond(&p->model->storey[i], p->now.storey_history, drift, NULL);
 }
 
 double dp_system_shear(const struct dp *p, int i, double drift) {
@@ -56,9 +56,13 @@ double dp_system_shear(const struct dp *p, int i, double drift) {
     return s->calls[i] ? dp_system_storey(p, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
+double dp_system_stiffness(const struct dp *p, int i) {
+    return p->model->chain.stiffness[i] + p->model->storey[i].pdelta;
+}
+
 double dp_system_noise(const struct dp *p, int i) {
     const double drift = p->now.drift[i];
-    const double elastic = dp_system_storey(p, i, drift).shear / p->model->chain.stiffness[i];
+    const double elastic = dp_system_storey(p, i, drift).shear / dp_system_stiffness(p, i);
     const double probe = PROBE * (fabs(drift) + fabs(elastic));
     return fmax(probe, ROUNDING * p->system.most_drift[i]);
 }
@@ -66,7 +70,7 @@ double dp_system_noise(const struct dp *p, int i) {
 double dp_system_lag(const struct dp *p, int i) {
     const double drift = p->now.drift[i];
     const double missed = dp_system_shear(p, i, drift) - dp_system_storey(p, i, drift).shear;
-    return fabs(missed) / p->model->chain.stiffness[i];
+    return fabs(missed) / dp_system_stiffness(p, i);
 }
 
 // The rows of the matrices that have to do with storey i: those of the floors above and below it.
@@ -149,9 +153,7 @@ void dp_system_commit(struct dp *p) {
     struct state *now = &p->now;
     for (int n = 0; n < s->n_inelastic; n++) {
         const int i = s->inelastic[n];
-        const struct storey *law = &m->storey[i];
-        double *history = now->storey_history + law->history;
-        law->law->respond(law->constant, history, now->drift[i], history);
+        storey_respond(&m->storey[i], now->storey_history, now->drift[i], now->storey_history);
         s->most_drift[i] = fmax(s->most_drift[i], fabs(now->drift[i]));
     }
     for (int k = 0; k < m->n_body && !m->elastic; k++) {

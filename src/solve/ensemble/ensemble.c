@@ -25,9 +25,11 @@ enum { HALF_FLOORS_ABOVE = 16, HALF_FLOORS_MOST = 26 };
 enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
 
 bool ensemble_suits(const struct model *m) {
-    bool suits = !m->adaptive && m->n_storey_history == 0 && !m->chain.full_damping &&
-                 m->n_ground == 1 && m->n_load == 0 && m->n_link == m->n_contact &&
-                 m->n_dof <= FLOORS_MOST;
+    bool suits = !m->adaptive && !m->chain.full_damping && m->n_ground == 1 && m->n_load == 0 &&
+                 m->n_link == m->n_contact && m->n_dof <= FLOORS_MOST;
+    for (int i = 0; suits && i < m->n_dof; i++) {
+        suits = m->storey[i].law->branch && m->storey[i].pdelta == 0.0;
+    }
     for (int k = 0; suits && k < m->n_link; k++) {
         suits = !m->link[k].law->rebound && link_is_plain(&m->link[k]);
     }
@@ -50,6 +52,9 @@ bool ensemble_alike(const struct model *a, const struct model *b) {
                  a->dt == b->dt && a->output.every == b->output.every;
     for (int k = 0; alike && k < a->n_building; k++) {
         alike = a->building[k].n_floor == b->building[k].n_floor;
+    }
+    for (int i = 0; alike && i < a->n_dof; i++) {
+        alike = a->storey[i].law->n_history == b->storey[i].law->n_history;
     }
     for (int k = 0; alike && k < a->n_link; k++) {
         alike = memcmp(a->link[k].dof, b->link[k].dof, sizeof a->link[k].dof) == 0;
@@ -94,7 +99,7 @@ static void ensemble_compute_grounds(struct lockstep *l, long n) {
 static void ensemble_balance(struct lockstep *l) {
     struct energy_sums sums[WIDE_RUNS];
     l->lanes.steps->catch_up(&l->lanes);
-    l->lanes.steps->sum(&l->lanes, sums);
+    ensemble_lanes_sum(&l->lanes, sums);
     for (int k = 0; k < l->n; k++) {
         struct run *r = &l->slot[k].run;
         if (l->slot[k].mode == SLOT_IN_LANES) {
@@ -236,6 +241,22 @@ static int ensemble_take_alike(struct ensemble_member *member, int n, int k, boo
     return n_alike;
 }
 
+// Has a run passed a limit of drift? The lanes do not look for that. What came after it, such as a
+// failure, counts no more.
+static bool ensemble_collapses(const struct ensemble_member *member) {
+    const struct model *m = member->model;
+    bool passed = member->status == STATUS_COLLAPSE || member->status == STATUS_FAILED;
+    for (int i = 0; m->collapse && member->status == STATUS_OK && i < m->n_dof; i++) {
+        passed = passed || member->results->peak[PEAK_DRIFT][i] >= m->collapse[i];
+    }
+    return m->collapse && passed;
+}
+
+// Runs a member alone.
+static void ensemble_run_alone(struct ensemble_member *m, const struct observer *observer) {
+    m->status = analysis_run(m->model, observer, &m->results, &m->error);
+}
+
 void ensemble_run_by(const struct ensemble_steps *steps, struct ensemble_member *member, int n,
                      const struct observer *observer) {
     bool left[ENSEMBLE_MAX];
@@ -250,11 +271,16 @@ void ensemble_run_by(const struct ensemble_steps *steps, struct ensemble_member 
         }
         if (n_alike >= RUNS_LEAST) {
             ensemble_run_alike(steps, alike, n_alike, observer);
-            continue;
         }
         for (int i = 0; i < n_alike; i++) {
-            struct ensemble_member *m = alike[i];
-            m->status = analysis_run(m->model, observer, &m->results, &m->error);
+            const bool again = n_alike >= RUNS_LEAST && ensemble_collapses(alike[i]);
+            if (again && alike[i]->status == STATUS_OK) {
+                results_free(alike[i]->results);
+            }
+            if (again || n_alike < RUNS_LEAST) {
+                alike[i]->results = NULL;
+                ensemble_run_alone(alike[i], observer);
+            }
         }
     }
 }

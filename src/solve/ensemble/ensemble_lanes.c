@@ -30,6 +30,9 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .n_floor = n,
         .n_contact = n_contact,
         .scheme = {h, h * h / 2.0, b, g, 1.0 / b, 1.0 / g},
+        .line = m->elastic ? NULL : lanes_wide_array(a, n, sizeof *e->line),
+        .storey_2x = lanes_wide_array(a, n, sizeof *e->storey_2x),
+        .storey = m->storey,
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
         .trial = lanes_wide_array(a, n, sizeof *e->trial),
@@ -115,7 +118,11 @@ bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
         small &= ensemble_is_small(g->n_signal * signal_peak(&g->signal[i]));
     }
     for (int k = 0; k < e->n_building; k++) {
-        small &= ensemble_fill_building(&e->building[k], lane, &m->chain, &r->work.home[k]);
+        struct effective *home = &r->work.home[k];
+        small &= ensemble_fill_building(&e->building[k], lane, &m->chain, home);
+        if (!m->building[k].elastic) {  // it has no inverse yet
+            (void)effective_factor(home, home->b, home->g);
+        }
     }
     return small;
 }
@@ -139,7 +146,7 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
         double *array[] = {b->number, b->factor, b->inverse};
         const int size[] = {n_floor * NUMBER_COUNT, n_floor * FACTOR_COUNT,
                             b->inverse ? n_floor * n_floor : 0};
-        b->once = true;
+        b->once = !e->line;
         for (int i = 0; i < 3; i++) {
             b->once = b->once && ensemble_are_same(array[i], size[i], n);
         }
@@ -158,7 +165,7 @@ struct ensemble_copy {
     int n;
     ptrdiff_t pitch;
 };
-enum { FLOOR_ARRAYS = 6, STATE_PITCH = sizeof(struct ensemble_state) / sizeof(wide) };
+enum { FLOOR_ARRAYS = 7, STATE_PITCH = sizeof(struct ensemble_state) / sizeof(wide) };
 
 // What the lanes hold of the floors of a run.
 static void ensemble_floor_list(const struct ensemble_lanes *e, struct run *r,
@@ -171,6 +178,7 @@ static void ensemble_floor_list(const struct ensemble_lanes *e, struct run *r,
         {e->works->input_2x, r->energy.input_2x, LANES_WIDTH, 1},
         {e->works->damping_2x, r->energy.damping_2x, LANES_WIDTH, 1},
         {&e->works->ground, s->ground_a, 1, 1},
+        {e->storey_2x, r->energy.storey_2x, e->line ? e->n_floor : 0, 1},
     };
     memcpy(list, all, sizeof all);
 }
@@ -194,6 +202,14 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r) {
             p->time[lane] = r->work.gaps.time[k];
         }
         e->gap[k].limit[lane] = p->depth[lane];
+    }
+    for (int i = 0; e->line && i < e->n_floor; i++) {
+        struct ensemble_line *p = &e->line[i];
+        p->back[lane] = r->flight.back[i];
+        p->spring[lane] = r->flight.spring[i];
+        p->rest[lane] = r->flight.rest[i];
+        p->limit[lane] = r->flight.limit[i];
+        small &= ensemble_is_small(p->spring[lane]) && ensemble_is_small(p->rest[lane]);
     }
     e->works->beyond[lane] = 0;
     e->active[lane] = small ? -1 : 0;
@@ -219,9 +235,60 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
         s->delta[k] = ensemble_depth(e, k, e->now, lane);
     }
     s->time = time;
+    if (e->line) {
+        state_internal_forces(s, r->model);
+    }
     t->steps += n_step;
     t->iterations += n_step;
     e->active[lane] = 0;
+}
+
+// Adds what is stored below a floor on a line, and the work that has gone there, as energy_sums_of
+// does.
+static void ensemble_add_stored(const struct ensemble_lanes *e, int i, const wide *drift,
+                                wide *elastic, wide *other, wide *storey_2x) {
+    const struct ensemble_line *p = &e->line[i];
+    const wide x = *drift - p->rest;
+    const wide stored = (p->back * *drift * *drift + p->spring * x * x) / 2.0;
+    if (e->storey[i].law->n_history == 0) {
+        *elastic += stored;
+    } else {
+        *other += stored;
+        *storey_2x += e->storey_2x[i];
+    }
+}
+
+void ensemble_lanes_sum(const struct ensemble_lanes *e, struct energy_sums *sums) {
+    wide kinetic_2x = {0.0}, elastic = {0.0}, other = {0.0}, storey_2x = {0.0};
+    wide input = {0.0}, damping = {0.0};
+    for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
+        const bool once = b->once;
+        wide under = {0.0};
+        for (int i = 0; i < b->shape->n_floor; i++) {
+            const struct ensemble_state *s = &e->now[b->shape->first + i];
+            const wide drift = s->u - under;
+            kinetic_2x += ENSEMBLE_AT(b->number, i * NUMBER_COUNT + NUMBER_MASS) * s->v * s->v;
+            if (e->line) {
+                ensemble_add_stored(e, b->shape->first + i, &drift, &elastic, &other, &storey_2x);
+            } else {
+                elastic += ENSEMBLE_AT(b->number, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift *
+                           drift / 2.0;
+            }
+            under = s->u;
+        }
+    }
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        input += e->works->input_2x[i];
+        damping += e->works->damping_2x[i];
+    }
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        sums[lane] = (struct energy_sums){.kinetic = kinetic_2x[lane] / 2.0,
+                                          .elastic = elastic[lane],
+                                          .other = other[lane],
+                                          .storey = storey_2x[lane] / 2.0,
+                                          .input_2x = input[lane],
+                                          .damping_2x = damping[lane]};
+    }
 }
 
 // The larger of two peaks, and of equal ones the earlier.

@@ -27,7 +27,7 @@ void ensemble_lockstep_enter(struct lockstep *l, int k, long n) {
     struct slot *slot = &l->slot[k];
     struct run *r = &slot->run;
     if (slot->mode == SLOT_ALONE && work_factor(&r->work, r->model->dt) == STATUS_OK &&
-        ensemble_lanes_enter(&l->lanes, k, r)) {
+        flight_is_on_lines(&r->flight, r->next, r->now) && ensemble_lanes_enter(&l->lanes, k, r)) {
         run_forget_events(r);
         slot->mode = SLOT_IN_LANES;
         slot->entered = n;
@@ -244,7 +244,8 @@ static void lockstep_finish(struct lockstep *l, long n) {
         }
     }
     for (int k = 0; k < l->n; k++) {
-        if (l->lanes.active[k] && l->lanes.works->beyond[k] < 0) {
+        const struct ensemble_works *w = l->lanes.works;
+        if (l->lanes.active[k] && (w->beyond[k] | w->left[k]) < 0) {
             lockstep_give_up(l, k, n);
         }
     }

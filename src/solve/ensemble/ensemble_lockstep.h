@@ -8,8 +8,8 @@
 //                                    and then the links of each such run as if it were alone. In
 //                                    struct run only the arrays of links, and what they need of
 //                                    their floors, are up to date meanwhile
-//     alone, in its struct run       a step that is rejected or split, and the last one, which may
-//                                    be shorter
+//     alone, in its struct run       a step that is rejected or split, or in which a storey leaves
+//                                    its line, and the last one, which may be shorter
 #ifndef JOSTLE_ENSEMBLE_LOCKSTEP_H
 #define JOSTLE_ENSEMBLE_LOCKSTEP_H
 
@@ -33,6 +33,11 @@ enum { ENSEMBLE_CONSTANTS = 2 };
 // What a step changes of a floor.
 struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
+};
+
+// The line that the storey below it is on: struct storey_branch.
+struct ensemble_line {
+    wide back, spring, rest, limit;
 };
 
 // Where it would be at the end of the step under way if its acceleration stayed.
@@ -103,7 +108,8 @@ struct ensemble_works {
     double time;       // [T] of `now`,
     wide ground;       // [L/T^2] and the acceleration of the ground then,
     wide ground_2x;    // together with that before
-    wide_bits beyond;  // negative in lanes whose numbers have grown too large
+    wide_bits beyond;  // negative in lanes whose numbers have grown too large,
+    wide_bits left;    // and in those where a storey leaves its line in the step under way
 };
 
 // As struct link_peak, struct impact, struct impact_share, struct tangent and struct
@@ -187,9 +193,6 @@ struct ensemble_steps {
     // Takes the last step into works and peaks, where that is still owing.
     void (*catch_up)(struct ensemble_lanes *e);
 
-    // Adds up the energies of all lanes (WIDE_RUNS).
-    void (*sum)(const struct ensemble_lanes *e, struct energy_sums *sums);
-
     bool solves;  // contacts may be in lanes
 };
 extern const struct ensemble_steps ensemble_whole, ensemble_half;
@@ -202,6 +205,9 @@ struct ensemble_lanes {
     long long active[WIDE_RUNS];         // all bits of the lanes that a run is in
     struct ensemble_building *building;  // (n_building)
     struct ensemble_state *now, *next;   // (n_floor) of all buildings, with zeros beyond
+    struct ensemble_line *line;          // (n_floor) NULL: all storeys are elastic
+    wide *storey_2x;                     // [F L] (n_floor) as of struct energy_account
+    const struct storey *storey;         // (n_floor) borrowed: those of the first model
     struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
     wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it
     wide *kept;                        // (n_floor) scratch: what they were before contacts in lanes
@@ -289,6 +295,9 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r);
 // Gives a run the state of its lane, at time `time`, after `n_step` steps there.
 void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, double time,
                           long n_step);
+
+// Adds up the energies of all lanes (WIDE_RUNS), whose works are not owing.
+void ensemble_lanes_sum(const struct ensemble_lanes *e, struct energy_sums *sums);
 
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);

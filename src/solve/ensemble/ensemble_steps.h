@@ -26,12 +26,17 @@ enum { ROWS = 4 };
 static_assert(sizeof(struct ensemble_state) == MOTION_PITCH * sizeof(wide) &&
                   sizeof(struct ensemble_trial) == MOTION_PITCH * sizeof(wide) &&
                   sizeof(struct ensemble_peaks) == PEAK_PITCH * sizeof(wide) &&
+                  sizeof(struct ensemble_line) == LINE_PITCH * sizeof(wide) &&
                   (int)NUMBER_COUNT == (int)CHAIN_PITCH,
               "what belongs to a floor is together");
 
 // Part p of the lanes from x on.
 LANES_INLINE double *ensemble_part(wide *x, int p) {
     return (double *)x + (ptrdiff_t)p * FLOORS_VECTOR;
+}
+
+LANES_INLINE floor_bits *ensemble_flags(wide_bits *x, int p) {
+    return (floor_bits *)x + p;
 }
 
 // All bits of the lanes of part p that a run is in.
@@ -60,16 +65,27 @@ LANES_INLINE struct floors_motion ensemble_motion(struct ensemble_state *s, int 
         .u = ensemble_part(&s->u, p), .v = ensemble_part(&s->v, p), .a = ensemble_part(&s->a, p)};
 }
 
+// The lines of the storeys from floor `first` on; none if `line` is NULL.
+LANES_INLINE struct floors_lines ensemble_lines(struct ensemble_line *line, ptrdiff_t first,
+                                                int p) {
+    struct ensemble_line *x = line ? line + first : NULL;
+    return x ? (struct floors_lines){ensemble_part(&x->back, p), ensemble_part(&x->spring, p),
+                                     ensemble_part(&x->rest, p), ensemble_part(&x->limit, p), NULL}
+             : (struct floors_lines){0};
+}
+
 // Building `b` in the step under way; its trial stands at `trial`.
 LANES_INLINE struct floors_pass ensemble_pass(const struct ensemble_lanes *e,
-                                              const struct ensemble_building *b, bool once, int p,
-                                              const wide *ground, ptrdiff_t trial) {
+                                              const struct ensemble_building *b, bool once,
+                                              struct ensemble_line *line, int p, const wide *ground,
+                                              ptrdiff_t trial) {
     const int first = b->shape->first;
     const struct ensemble_scheme *f = &e->scheme;
     struct ensemble_trial *t = &e->trial[trial];
     return (struct floors_pass){
         .chain = ensemble_chain(b, once, p),
         .once = once,
+        .lines = ensemble_lines(line, first, p),
         .now = ensemble_motion(e->now + first, p),
         .next = ensemble_motion(e->next + first, p),
         .ground = FLOORS_AT((const double *)ground + (ptrdiff_t)p * FLOORS_VECTOR, 0),
@@ -85,7 +101,8 @@ LANES_INLINE struct floors_pass ensemble_pass(const struct ensemble_lanes *e,
 
 // Takes the step from `next`, which it led from, to `now`, of the floors of building `b`.
 LANES_INLINE void ensemble_account(const struct ensemble_lanes *e,
-                                   const struct ensemble_building *b, bool once, int p) {
+                                   const struct ensemble_building *b, bool once,
+                                   struct ensemble_line *line, int p) {
     const ptrdiff_t first = b->shape->first;
     double *peak[PEAK_COUNT], *peak_time[PEAK_COUNT];
     for (int q = 0; q < PEAK_COUNT; q++) {
@@ -96,6 +113,9 @@ LANES_INLINE void ensemble_account(const struct ensemble_lanes *e,
     struct floors_taken step = {
         .chain = ensemble_chain(b, once, p),
         .once = once,
+        .lines = ensemble_lines(line, first, p),
+        .yields = line != NULL,
+        .storey_2x = ensemble_part(e->storey_2x + first, p),
         .s0 = ensemble_motion(e->next + first, p),
         .s1 = ensemble_motion(e->now + first, p),
         .ground = FLOORS_AT(ensemble_part(&w->ground, p), 0),
@@ -107,7 +127,7 @@ LANES_INLINE void ensemble_account(const struct ensemble_lanes *e,
     };
     ensemble_part_active(e, p, &step.active);
     const int n = b->shape->n_floor;
-    floor_bits *beyond = (floor_bits *)&w->beyond + p;
+    floor_bits *beyond = ensemble_flags(&w->beyond, p);
     if (floors_take(&step, 0, n, ensemble_part(w->input_2x, p), ensemble_part(w->damping_2x, p))) {
         const double *all = ensemble_part(e->peak[first].of, p);
         for (ptrdiff_t i = 0; i < (ptrdiff_t)n * PEAK_PITCH; i++) {
@@ -180,39 +200,50 @@ LANES_INLINE void ensemble_substitute(const struct floors_pass *pass, const doub
 }
 
 LANES_INLINE void ensemble_begin_by(const struct ensemble_lanes *e,
-                                    const struct ensemble_building *b, bool once, int p,
-                                    const wide *ground, ptrdiff_t trial) {
-    const struct floors_pass pass = ensemble_pass(e, b, once, p, ground, trial);
-    floor_bits beyond = {0};
-    floors_begin(&pass, 0, b->shape->n_floor, NULL, &beyond);
+                                    const struct ensemble_building *b, bool once,
+                                    struct ensemble_line *line, int p, const wide *ground,
+                                    ptrdiff_t trial) {
+    const struct floors_pass pass = ensemble_pass(e, b, once, line, p, ground, trial);
+    floors_begin(&pass, 0, b->shape->n_floor, NULL, ensemble_flags(&e->works->left, p));
 }
 
 LANES_INLINE void ensemble_end_by(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                                  bool once, int p, const wide *ground, ptrdiff_t trial) {
-    const struct floors_pass pass = ensemble_pass(e, b, once, p, ground, trial);
+                                  bool once, struct ensemble_line *line, int p, const wide *ground,
+                                  ptrdiff_t trial) {
+    const struct floors_pass pass = ensemble_pass(e, b, once, line, p, ground, trial);
     double *q = ensemble_part(e->correction + b->shape->first, p);
     if (e->owing) {
-        ensemble_account(e, b, once, p);
+        ensemble_account(e, b, once, line, p);
     }
     if (b->multiplies) {
         ensemble_multiply(&pass, ensemble_held_part(b->inverse, once, p), b->shape->n_floor, q);
     } else {
         ensemble_substitute(&pass, ensemble_held_part(b->factor, once, p), b->shape->n_floor, q);
     }
+    floor_lanes under = none, drift, shear;
+    for (ptrdiff_t i = 0; line && i < b->shape->n_floor; i++) {
+        const floor_lanes u = MOTION_AT(pass.next.u, i);
+        floors_strain(&pass, i, &under, &u, &drift, &shear, ensemble_flags(&e->works->left, p));
+        under = u;
+    }
 }
+
+// A function for numbers that are held once, for those of each run, and for storeys on lines.
+#define ENSEMBLE_BY(function, e, b, ...)                                                           \
+    ((e)->line   ? function(e, b, false, (e)->line, __VA_ARGS__)                                   \
+     : (b)->once ? function(e, b, true, NULL, __VA_ARGS__)                                         \
+                 : function(e, b, false, NULL, __VA_ARGS__))
 
 // The trial of a building and its residuals, and its end of the step with the account of the last
 // one. Each stays a function: compilers mix up what is in others.
 APART void ensemble_begin(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                           const wide *ground, ptrdiff_t trial) {
-    b->once ? ensemble_begin_by(e, b, true, p, ground, trial)
-            : ensemble_begin_by(e, b, false, p, ground, trial);
+    ENSEMBLE_BY(ensemble_begin_by, e, b, p, ground, trial);
 }
 
 APART void ensemble_end(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                         const wide *ground, ptrdiff_t trial) {
-    b->once ? ensemble_end_by(e, b, true, p, ground, trial)
-            : ensemble_end_by(e, b, false, p, ground, trial);
+    ENSEMBLE_BY(ensemble_end_by, e, b, p, ground, trial);
 }
 
 // Adds the forces that live links begin the step with to the residuals, link by link as a run alone
@@ -234,6 +265,7 @@ LANES_INLINE void ensemble_step(const struct ensemble_lanes *e, int p, const wid
                                 bool in_flight) {
     const struct ensemble_building *b = e->building;
     const int together = in_flight ? TOGETHER : e->n_building;
+    *ensemble_flags(&e->works->left, p) = (floor_bits){0};
     for (int first = 0; first < e->n_building; first += together) {
         const int last = first + together < e->n_building ? first + together : e->n_building;
         const int floor = b[first].shape->first;
@@ -302,7 +334,8 @@ FLOORS_CLONES static int ensemble_march(struct ensemble_lanes *e, const wide *ba
             for (int k = 0; k < e->n_contact; k++) {
                 ensemble_near(e, k, p, &closed, &nearer);
             }
-            ends |= (closed | ((const floor_bits *)&e->works->beyond)[p]) & active;
+            closed |= *ensemble_flags(&e->works->beyond, p) | *ensemble_flags(&e->works->left, p);
+            ends |= closed & active;
             nears |= nearer & active;
         }
         e->owing = false;
@@ -337,53 +370,20 @@ FLOORS_CLONES static void ensemble_move_pushed(struct ensemble_lanes *e, const w
         struct ensemble_building *b = &e->building[k];
         const ptrdiff_t first = b->shape->first;
         for (int p = 0; b->pushed && p < FLOORS_PARTS; p++) {
-            const struct floors_pass pass = ensemble_pass(e, b, false, p, base, first);
-            floor_bits beyond = {0};
+            const struct floors_pass pass = ensemble_pass(e, b, false, e->line, p, base, first);
             floors_finish(&pass, 0, b->shape->n_floor, ensemble_part(e->correction + first, p),
-                          &beyond);
+                          ensemble_flags(&e->works->left, p));
         }
         b->pushed = false;
     }
 }
 
 FLOORS_CLONES static void ensemble_catch_up(struct ensemble_lanes *e) {
-    if (!e->owing) {
-        return;
-    }
-    for (int k = 0; k < e->n_building * FLOORS_PARTS; k++) {
+    for (int k = 0; e->owing && k < e->n_building * FLOORS_PARTS; k++) {
         const struct ensemble_building *b = &e->building[k / FLOORS_PARTS];
-        b->once ? ensemble_account(e, b, true, k % FLOORS_PARTS)
-                : ensemble_account(e, b, false, k % FLOORS_PARTS);
+        ENSEMBLE_BY(ensemble_account, e, b, k % FLOORS_PARTS);
     }
     e->owing = false;
-}
-
-FLOORS_CLONES static void ensemble_sum(const struct ensemble_lanes *e, struct energy_sums *sums) {
-    for (int p = 0; p < FLOORS_PARTS; p++) {
-        floor_lanes kinetic_2x = none, elastic = none, input = none, damping = none;
-        for (const struct ensemble_building *b = e->building; b < e->building + e->n_building;
-             b++) {
-            const struct chain c = ensemble_chain(b, b->once, p);
-            const struct floors_motion s = ensemble_motion(e->now + b->shape->first, p);
-            floor_lanes under = none;
-            for (ptrdiff_t i = 0; i < b->shape->n_floor; i++) {
-                const floor_lanes u = MOTION_AT(s.u, i), v = MOTION_AT(s.v, i), drift = u - under;
-                kinetic_2x += HELD_AT(b->once, c.mass, i * CHAIN_PITCH) * v * v;
-                elastic += HELD_AT(b->once, c.stiffness, i * CHAIN_PITCH) * drift * drift / 2.0;
-                under = u;
-            }
-        }
-        for (int i = 0; i < LANES_WIDTH; i++) {
-            input += FLOORS_AT(ensemble_part(e->works->input_2x, p), i);
-            damping += FLOORS_AT(ensemble_part(e->works->damping_2x, p), i);
-        }
-        for (int lane = 0; lane < FLOORS_VECTOR; lane++) {
-            *sums++ = (struct energy_sums){.kinetic = kinetic_2x[lane] / 2.0,
-                                           .elastic = elastic[lane],
-                                           .input_2x = input[lane],
-                                           .damping_2x = damping[lane]};
-        }
-    }
 }
 
 const struct ensemble_steps STEPS = {
@@ -392,7 +392,6 @@ const struct ensemble_steps STEPS = {
     .move_pushed = ensemble_move_pushed,
     .press = ensemble_press,
     .catch_up = ensemble_catch_up,
-    .sum = ensemble_sum,
     .solves = FLOORS_PARTS == 1,
 };
 

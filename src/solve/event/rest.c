@@ -244,8 +244,11 @@ static bool rest_solve(struct state *s, const struct model *m) {
 void rest_equilibrium(struct state *s, const struct model *m) {
     // M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.
     double *force = s->total;
-    memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
-    chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, force);
+    for (int k = 0; k < m->n_body; k++) {
+        const int first = m->building[k].first;
+        building_damping_force(&m->building[k], s->v + first, force + first);
+    }
+    chain_residual(&m->chain, s->external, s->shear, force);
     state_add_link_forces(s, m, force);
     for (int i = 0; i < m->n_dof; i++) {
         s->a[i] = force[i] / m->mass[i];

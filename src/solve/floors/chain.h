@@ -8,16 +8,17 @@
 #include "core/lanes.h"
 #include "jostle/analysis.h"
 
-// Drifts of the storeys below each floor, shears of elastic storeys, and damping forces C v; 0
-// where C is full.
-void chain_forces(const struct chain *c, const double *u, const double *v, double *drift,
-                  double *shear, double *damping);
+// Drifts of the storeys below each floor, and shears of elastic storeys.
+void chain_strain(const struct chain *c, const double *u, double *drift, double *shear);
+
+// The same at the end of a step of size h if the accelerations stay.
+void chain_try(const struct chain *c, double h, const double *u, const double *v, const double *a,
+               double *drift, double *shear);
 
 // External forces -m base of the ground accelerations below each floor.
 void chain_inertia(const struct chain *c, const double *base, double *external);
 
-// r = external - m a - damping - shear below + shear above.
-void chain_residual(const struct chain *c, const double *external, const double *a,
-                    const double *damping, const double *shear, double *r);
+// r = external - damping - shear below + shear above, with the damping forces in r.
+void chain_residual(const struct chain *c, const double *external, const double *shear, double *r);
 
 #endif

@@ -5,7 +5,7 @@
 // of dependences. So do low buildings where the factorisation is used for long: there a product in
 // lanes takes less time than the chain. An elastic building gets its inverse at once, so that the
 // arithmetic of a step depends on its size alone; one that yields gets it row by row, with the
-// first solves.
+// first solves. One with smooth storeys is factorised in every step, which is too often for that.
 #include "solve/floors/effective.h"
 
 #include <gsl/gsl_linalg.h>
@@ -40,7 +40,7 @@ static void alloc_one(struct effective *e, const struct building *building, enum
                       struct arena *a) {
     size_t n = (size_t)building->n_floor;
     e->building = building;
-    e->use = building->damping_full ? EFFECTIVE_LONG : use;
+    e->use = building->damping_full ? EFFECTIVE_LONG : building->smooth ? EFFECTIVE_BRIEFLY : use;
     e->b = e->g = NAN;
     e->tangent = arena_alloc(a, n + (building->n_part > 0 ? 2 * n * n : 0), sizeof *e->tangent);
     e->stride = lanes_whole(building->n_floor);

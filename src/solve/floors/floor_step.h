@@ -58,9 +58,9 @@ LANES_INLINE void floors_strain(const struct floors_pass *p, ptrdiff_t i,
     *drift = *u - JOINED(p, i, BELOW(*u_under, *u));
     if (p->lines.back) {
         const floor_lanes force =
-            LINE_FORCE(FLOORS_AT(p->lines.spring, i), FLOORS_AT(p->lines.rest, i), *drift);
-        *beyond |= BEYOND(force, FLOORS_AT(p->lines.limit, i));
-        *shear = LINE_SHEAR(FLOORS_AT(p->lines.back, i), *drift, force);
+            LINE_FORCE(LINE_AT(p->lines.spring, i), LINE_AT(p->lines.rest, i), *drift);
+        *beyond |= BEYOND(force, LINE_AT(p->lines.limit, i));
+        *shear = LINE_SHEAR(LINE_AT(p->lines.back, i), *drift, force);
     } else {
         *shear = CHAIN_AT(p, stiffness, i) * *drift;
     }
@@ -148,8 +148,10 @@ LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, pt
         if (p->lines.back) {
             floor_lanes drift, shear;
             floors_strain(p, i, &under, &u, &drift, &shear, beyond);
-            MOTION_SET(p->next.drift, i) = drift;
-            MOTION_SET(p->next.shear, i) = shear;
+            if (p->next.drift) {
+                MOTION_SET(p->next.drift, i) = drift;
+                MOTION_SET(p->next.shear, i) = shear;
+            }
             under = u;
         }
     }
@@ -157,10 +159,11 @@ LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, pt
 }
 
 // A step that has been taken, and where its works and the peaks of the state it led to go. Where
-// storeys yield, their drifts and shears are in the states.
+// storeys yield, their shears are in the states, or those of their lines.
 struct floors_taken {
     struct chain chain;
     bool once;  // as above
+    struct floors_lines lines;
     struct floors_motion s0, s1;
     floor_number ground, ground_2x;  // of s1, and of both together
     const double *base;              // of s1; NULL: one ground moves all floors
@@ -193,6 +196,20 @@ LANES_INLINE void floors_total(const struct floors_taken *p, ptrdiff_t i, floor_
     }
 }
 
+// The shear of a storey at a drift, which is that of state `s`.
+LANES_INLINE void floors_shear(const struct floors_taken *p, const struct floors_motion *s,
+                               ptrdiff_t i, const floor_lanes *drift, floor_lanes *shear) {
+    if (p->lines.back) {
+        *shear =
+            LINE_SHEAR(LINE_AT(p->lines.back, i), *drift,
+                       LINE_FORCE(LINE_AT(p->lines.spring, i), LINE_AT(p->lines.rest, i), *drift));
+    } else if (p->yields) {
+        *shear = MOTION_AT(s->shear, i);
+    } else {
+        *shear = CHAIN_AT(p, stiffness, i) * *drift;
+    }
+}
+
 // Takes the floors of s1 into the peaks.
 LANES_INLINE void floors_raise_all(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end) {
     const struct floors_motion s = p->s1;
@@ -203,12 +220,9 @@ LANES_INLINE void floors_raise_all(const struct floors_taken *p, ptrdiff_t first
     for (ptrdiff_t i = first; i < end; i += FLOORS_NEXT) {
         const floor_lanes u = MOTION_AT(s.u, i), v = MOTION_AT(s.v, i);
         const floor_lanes drift = u - JOINED(p, i, BELOW(under, u));
-        floor_lanes shear = CHAIN_AT(p, stiffness, i) * drift;
-        floor_lanes total;
+        floor_lanes shear, total;
+        floors_shear(p, &s, i, &drift, &shear);
         floors_total(p, i, &total);
-        if (p->yields) {
-            shear = MOTION_AT(s.shear, i);
-        }
         floors_raise(p, PEAK_DISPLACEMENT, i, &u);
         floors_raise(p, PEAK_VELOCITY, i, &v);
         floors_raise(p, PEAK_ACCELERATION, i, &total);
@@ -220,7 +234,7 @@ LANES_INLINE void floors_raise_all(const struct floors_taken *p, ptrdiff_t first
 
 // What the works of a vector of floors need of itself and of the one below.
 struct floors_pair {
-    floor_lanes u_under, v_under, v_own;  // twice the mean velocities
+    floor_lanes u_under, u0_under, v_under, v_own;  // twice the mean velocities
 };
 
 // Adds the works of vector i, at `slot` of each. *higher gets negative where s1 is beyond a peak:
@@ -228,7 +242,7 @@ struct floors_pair {
 LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t i, ptrdiff_t slot,
                                         struct floors_pair *pair, double *input, double *damping,
                                         floor_bits *higher) {
-    const floor_lanes u = MOTION_AT(p->s1.u, i), moved = u - MOTION_AT(p->s0.u, i);
+    const floor_lanes u = MOTION_AT(p->s1.u, i), u0 = MOTION_AT(p->s0.u, i), moved = u - u0;
     const floor_lanes v = MOTION_AT(p->s1.v, i);
     const floor_lanes v_over =
         MOTION_AT(p->s0.v, i + FLOORS_NEXT) + MOTION_AT(p->s1.v, i + FLOORS_NEXT);
@@ -242,20 +256,22 @@ LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t 
         CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own), CHAIN_AT(p, damping, i),
         pair->v_own, CHAIN_AT(p, damping_above, i), ABOVE(pair->v_own, v_over));
     FLOORS_SET(damping, slot) += WORK_OF_DAMPING(moved, force);
-    floor_lanes total, drift = u - JOINED(p, i, BELOW(pair->u_under, u));
+    floor_lanes total;
+    const floor_lanes drift = u - JOINED(p, i, BELOW(pair->u_under, u));
     floors_total(p, i, &total);
     if (p->yields) {
-        const floor_lanes shear = MOTION_AT(p->s1.shear, i);
-        drift = MOTION_AT(p->s1.drift, i);
-        FLOORS_SET(p->storey_2x, i) +=
-            (MOTION_AT(p->s0.shear, i) + shear) * (drift - MOTION_AT(p->s0.drift, i));
+        const floor_lanes drift0 = u0 - JOINED(p, i, BELOW(pair->u0_under, u0));
+        floor_lanes shear, shear0;
+        floors_shear(p, &p->s0, i, &drift0, &shear0);
+        floors_shear(p, &p->s1, i, &drift, &shear);
+        FLOORS_SET(p->storey_2x, i) += (shear0 + shear) * (drift - drift0);
         *higher |= BEYOND(shear, PEAK_AT(p->peak[PEAK_SHEAR], i));
     }
     *higher |= BEYOND(u, PEAK_AT(p->peak[PEAK_DISPLACEMENT], i)) |
                BEYOND(v, PEAK_AT(p->peak[PEAK_VELOCITY], i)) |
                BEYOND(total, PEAK_AT(p->peak[PEAK_ACCELERATION], i)) |
                BEYOND(drift, PEAK_AT(p->peak[PEAK_DRIFT], i));
-    *pair = (struct floors_pair){u, pair->v_own, v_over};
+    *pair = (struct floors_pair){u, u0, pair->v_own, v_over};
 }
 
 // Whether anything is beyond its peak is asked for so many floors at once.
@@ -270,10 +286,11 @@ LANES_INLINE ptrdiff_t floors_part(ptrdiff_t i, ptrdiff_t end) {
 LANES_INLINE bool floors_take(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end,
                               double *input, double *damping) {
     bool rises = false;
-    struct floors_pair pair = {none, none, MOTION_AT(p->s0.v, first) + MOTION_AT(p->s1.v, first)};
+    struct floors_pair pair = {.v_own = MOTION_AT(p->s0.v, first) + MOTION_AT(p->s1.v, first)};
     if (first > 0) {
         const ptrdiff_t under = first - FLOORS_NEXT;
         pair.u_under = MOTION_AT(p->s1.u, under);
+        pair.u0_under = MOTION_AT(p->s0.u, under);
         pair.v_under = MOTION_AT(p->s0.v, under) + MOTION_AT(p->s1.v, under);
     }
     for (ptrdiff_t part = first; part < end; part = floors_part(part, end)) {

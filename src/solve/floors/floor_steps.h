@@ -277,6 +277,9 @@ LANES_INLINE long floors_fly_from(const struct flight *f, const struct floors_li
         if (f->n_link > 0) {
             flight_account_links(f, from, to);
         }
+        if (f->work->floors.account.forces) {
+            force_peaks_note(f->work->floors.account.forces, to->u, to->time);
+        }
         *now = to;
         *next = from;
     }

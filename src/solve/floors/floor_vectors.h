@@ -61,7 +61,13 @@ enum {
 // trial, CHAIN_PITCH numbers of a chain and so on: a loop has few addresses to count up.
 #ifdef FLOORS_OF_RUNS
 enum { FLOORS_NEXT = 1, FLOORS_WHOLE = 1, FLOORS_PARTS = FLOORS_VECTORS };
-enum { FLOORS_PITCH = WIDE_RUNS, MOTION_PITCH = 3, PEAK_PITCH = 5, CHAIN_PITCH = 5 };
+enum {
+    FLOORS_PITCH = WIDE_RUNS,
+    MOTION_PITCH = 3,
+    PEAK_PITCH = 5,
+    CHAIN_PITCH = 5,
+    LINE_PITCH = 4
+};
 typedef floor_lanes floor_number;
 #define HELD_AT(once, x, i)                                                                        \
     ((floor_lanes)((once) ? (floor_lanes)((x)[i] - (floor_lanes){0.0}) : FLOORS_AT(x, i)))
@@ -71,7 +77,7 @@ typedef floor_lanes floor_number;
 #define FLOORS_HEEDED(p, flags) ((flags) & (p)->active)
 #else
 enum { FLOORS_NEXT = FLOORS_VECTOR, FLOORS_WHOLE = LANES_WIDTH };
-enum { FLOORS_PITCH = 1, MOTION_PITCH = 1, PEAK_PITCH = 1 };
+enum { FLOORS_PITCH = 1, MOTION_PITCH = 1, PEAK_PITCH = 1, LINE_PITCH = 1 };
 typedef double floor_number;
 #define CHAIN_AT(p, x, i) FLOORS_AT((p)->chain.x, i)
 #define JOINED(p, i, x) (FLOORS_AT((p)->chain.joint, i) * (x))
@@ -79,14 +85,15 @@ typedef double floor_number;
 #define FLOORS_HEEDED(p, flags) (flags)
 #endif
 
-// The vector of floor i of an array, to read and to write; and the same of a motion or a trial, and
-// of peaks.
+// The vector of floor i of an array, to read and to write; and the same of a motion or a trial, of
+// peaks, and of the lines of storeys.
 #define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (ptrdiff_t)(i)*FLOORS_PITCH))
 #define FLOORS_SET(x, i) (*(floor_lanes *)((x) + (ptrdiff_t)(i)*FLOORS_PITCH))
 #define MOTION_AT(x, i) FLOORS_AT(x, (ptrdiff_t)(i)*MOTION_PITCH)
 #define MOTION_SET(x, i) FLOORS_SET(x, (ptrdiff_t)(i)*MOTION_PITCH)
 #define PEAK_AT(x, i) FLOORS_AT(x, (ptrdiff_t)(i)*PEAK_PITCH)
 #define PEAK_SET(x, i) FLOORS_SET(x, (ptrdiff_t)(i)*PEAK_PITCH)
+#define LINE_AT(x, i) FLOORS_AT(x, (ptrdiff_t)(i)*LINE_PITCH)
 
 // For each vector of whole lanes, unrolled so that the vectors stay in registers.
 #define EACH_OF_LANES(j)                                                                           \

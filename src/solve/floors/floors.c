@@ -115,6 +115,10 @@ void floors_account_to(struct work *w, struct energy_account *energy, struct res
     };
 }
 
+void floors_forces_to(struct work *w, struct force_peaks *forces) {
+    w->floors.account.forces = forces;
+}
+
 // The steps with the widest vectors for which the processor has registers.
 static const struct floors_steps *steps(void) {
     return LANES_WIDEST_OF(&floors_wide, &floors_narrow);

@@ -6,6 +6,7 @@
 #define JOSTLE_FLOORS_H
 
 #include "solve/account/energy.h"
+#include "solve/account/force_peaks.h"
 #include "solve/state.h"
 
 // Consecutive buildings, and their floors in whole lanes.
@@ -21,6 +22,7 @@ struct floor_block {
 struct floors_account {
     struct energy_account *energy;  // borrowed
     struct results *results;        // borrowed
+    struct force_peaks *forces;     // borrowed; NULL: no forces follow from the drifts
     bool defers;                    // accounts are put off with this model
     bool due;         // the step to the committed state is in no works, and that state in no peaks
     double ground_a;  // [L/T^2] acceleration of the ground when that step began
@@ -45,6 +47,9 @@ bool floors_alloc(struct work *w, struct arena *a);
 
 // Sets where works and peaks of the floors go.
 void floors_account_to(struct work *w, struct energy_account *energy, struct results *results);
+
+// Sets where the steps in free flight take their states for forces.
+void floors_forces_to(struct work *w, struct force_peaks *forces);
 
 // Computes displacements, velocities, accelerations and penetrations of `next` under the forces of
 // its live links, with the trial of their buildings and all corrections in `w`; and takes what

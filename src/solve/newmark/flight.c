@@ -59,20 +59,31 @@ static bool flight_is_linear(const struct link *l) {
 
 // Have all contacts a law of force, and floors at their ends? Are all links linear and few, all
 // storeys of straight lines, and buildings with full matrices elastic? Floors of linked buildings
-// must be in one block, as they are solved for together.
+// must be in one block, as they are solved for together. Limits of drift are seen as ends of lines.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
-    bool possible = (m->elastic || !m->chain.full_damping) && !m->founded &&
-                    n_link <= LINKS_MAX && (n_link == 0 || floors->n_block == 1);
+    bool possible = (m->elastic || !m->chain.full_damping) && !m->founded && n_link <= LINKS_MAX &&
+                    (n_link == 0 || floors->n_block == 1) && !(m->collapse && state_is_linear(m));
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         possible =
             possible && (l->bilateral ? flight_is_linear(l) : !l->law->rebound && link_is_plain(l));
     }
     for (int i = 0; i < m->n_dof; i++) {
-        possible = possible && m->storey[i].law->branch;
+        // The shear of a line less P-delta would have other last bits.
+        possible = possible && m->storey[i].law->branch && m->storey[i].pdelta == 0.0;
     }
     return possible;
+}
+
+// How far storey i may go on its line: not to its limit of drift, as seen from the rest of the
+// line.
+static double flight_limit(const struct model *m, int i, const struct storey_branch *b) {
+    const double most = m->collapse ? m->collapse[i] : INFINITY;
+    if (isinf(most)) {
+        return b->limit;
+    }
+    return b->spring > 0.0 ? fmin(b->limit, b->spring * (most - fabs(b->rest))) : -1.0;
 }
 
 // Finds the lines that the storeys are on. Are the buildings factorised for them, and do low ones
@@ -90,7 +101,7 @@ static bool flight_find_lines(struct flight *f, const double *history) {
             f->back[at] = b.back;
             f->spring[at] = b.spring;
             f->rest[at] = b.rest;
-            f->limit[at] = b.limit;
+            f->limit[at] = flight_limit(f->model, at, &b);
             factorised &= g->elastic || e->tangent[i] == b.back + b.spring;
         }
         factorised &= !effective_prefers_inverse(e) || effective_has_inverse(e);
@@ -184,16 +195,19 @@ void flight_account_links(const struct flight *f, const struct state *now, struc
         next->delta[k] = state_penetration(next, f->model, k);
     }
     (void)impacts_step(f->impacts, now, next, NULL);  // none opens, which alone can fail
+    peaks_columns(f->account->results, f->model, next);
 }
 
-static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
-    if (!f->possible || s->n_live > f->n_link || f->work->h != f->model->dt) {
-        return false;
-    }
-    // A storey that has left its line in the last step most likely will again in the next.
+// A storey that has left its line in the last step most likely will again in the next.
+bool flight_is_on_lines(struct flight *f, const struct state *before, const struct state *s) {
     const size_t histories = (size_t)f->model->n_storey_history * sizeof *s->storey_history;
     return memcmp(before->storey_history, s->storey_history, histories) == 0 &&
            (!f->on_lines || flight_find_lines(f, s->storey_history));
+}
+
+static bool flight_may_start(struct flight *f, const struct state *before, const struct state *s) {
+    return f->possible && s->n_live <= f->n_link && f->work->h == f->model->dt &&
+           flight_is_on_lines(f, before, s);
 }
 
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
@@ -216,18 +230,13 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     if (n == first) {
         return n;
     }
-    // Accounts for these steps, and computes what they leave out.
+    // Accounts for these steps.
     struct state *s = *now;
     if (f->on_lines) {
         floors_catch_up(w, *next, s);
     }
     gaps_update(&w->gaps, s);
     gaps_peaks(&w->gaps, s);
-    if (f->on_lines) {
-        forcing_floors(s, m, s->time);
-        state_internal_forces(s, m);
-        state_totals(s, m);
-    }
     peaks_speed(f->account->results, m->n_dof);
     w->totals->steps += n - first;
     w->totals->iterations += n - first;

@@ -48,6 +48,10 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
+// Finds the lines that the storeys of state `s`, to which a step led from `before`, are on. False:
+// they have left their lines in that step, or buildings are not factorised for these.
+bool flight_is_on_lines(struct flight *f, const struct state *before, const struct state *s);
+
 // Finds the forces of the links at the end of the step from `now` to `next`, whose trial is in
 // struct work, from the corrections without them in work.correction; and adds to those what the
 // forces do.

@@ -36,24 +36,22 @@ static void newmark_begin(struct work *w, const struct state *now, struct state 
         forcing_of_pieces(next, w->forcing, end);
     } else {
         forcing_grounds_known(&w->ahead, next, m, end);
-        if (state_is_linear(m) && state_is_uniform(m)) {
-            return;
+        if (!state_is_uniform(m)) {
+            forcing_floors(next, m, end);
         }
-        forcing_floors(next, m, end);
     }
 }
 
-// At the drifts of the solution, are the shears of building k those that their linearisation
-// predicted? The displacement below a storey is that above less the drift.
-LANES static bool newmark_agrees(const struct work *w, const struct state *next, int k) {
-    const struct building *g = &w->model->building[k];
-    const double *tangent = w->effective[k].tangent, *stiffness = g->stiffness;
-    const double *u = next->u + g->first;
-    const double *drift = next->drift + g->first, *drift_0 = w->storeys.drift + g->first;
-    const double *shear = next->shear + g->first, *shear_0 = w->storeys.shear + g->first;
+// At the drifts of the solution, are the shears of n storeys without parts those that their
+// linearisation predicted? The displacement below a storey is that above less the drift.
+LANES static bool newmark_agrees(const struct work *w, const struct state *next, int first, int n) {
+    const double *tangent = w->memory->tangent + first;
+    const double *stiffness = w->model->chain.stiffness + first, *u = next->u + first;
+    const double *drift = next->drift + first, *drift_0 = w->storeys.drift + first;
+    const double *shear = next->shear + first, *shear_0 = w->storeys.shear + first;
     const double tolerance = w->model->tolerance;
     long beyond = 0;
-    for (int i = 0, n = g->n_floor; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         double predicted = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
         double size = fabs(u[i] - drift[i]) + fabs(u[i]) + fabs(drift_0[i]);
         double allowed = tolerance * fabs(shear[i]) + 8.0 * DBL_EPSILON * stiffness[i] * size;
@@ -106,6 +104,7 @@ static int newmark_linearise(struct work *w, const struct state *now, const stru
     }
     const int status = effective_factor(&w->effective[k], w->b, w->g);
     w->h = status == STATUS_OK ? w->h : 0.0;
+    w->totals->indefinite += status != STATUS_OK;
     return status;
 }
 
@@ -132,11 +131,16 @@ static void newmark_extrapolate(const struct work *w, const struct state *next, 
 // STATUS_RETRY: a matrix is not positive definite.
 static int newmark_relinearise(struct work *w, const struct state *now, const struct state *next,
                                bool *agree) {
+    const struct model *m = w->model;
+    *agree = !m->chain.parts && newmark_agrees(w, next, 0, m->chain.n);
+    if (*agree) {
+        return STATUS_OK;
+    }
     *agree = true;
-    for (int k = 0; k < w->model->n_body; k++) {
-        const struct building *g = &w->model->building[k];
-        if (g->elastic ||
-            (g->n_part > 0 ? newmark_parts_agree(w, next, k) : newmark_agrees(w, next, k))) {
+    for (int k = 0; k < m->n_body; k++) {
+        const struct building *g = &m->building[k];
+        if (g->elastic || (g->n_part > 0 ? newmark_parts_agree(w, next, k)
+                                         : newmark_agrees(w, next, g->first, g->n_floor))) {
             continue;
         }
         w->factors += *agree;
@@ -192,31 +196,31 @@ LANES static void newmark_predict_shears(const struct building *g, const double 
 // Drifts and shears at the trial. Storeys of straight lines most likely stay on theirs: the end of
 // the step tells. The tangents of smooth laws change in every step; those at the trial are close
 // enough to those at the end of most steps.
-static int newmark_try(struct work *w, const struct state *now, struct state *next) {
+static int newmark_try(struct work *w, const struct state *now, const struct state *next) {
     const struct model *m = w->model;
     const double *history = now->storey_history;
-    const size_t size = (size_t)m->n_dof * sizeof *next->drift;
+    struct state trial = *next;
     int status = STATUS_OK;
-    for (int k = 0; k < m->n_body; k++) {
-        floors_trial(w, now, k);
-    }
-    chain_forces(&m->chain, w->u_trial, w->v_trial, next->drift, next->shear, next->damping_force);
+    trial.drift = w->storeys.drift;
+    trial.shear = w->storeys.shear;
+    trial.rate = w->storeys.rate;
+    chain_try(&m->chain, w->h, now->u, now->v, now->a, trial.drift, trial.shear);
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->predictable) {
-            newmark_predict_shears(g, w->effective[k].tangent, now, next);
+            newmark_predict_shears(g, w->effective[k].tangent, now, &trial);
         } else if (!g->elastic) {
-            state_storeys(next, m, g, history, next->storey_history);
+            state_storeys(&trial, m, g, history, trial.storey_history);
+        }
+        if (g->n_part > 0) {
+            floors_trial(w, now, k);
         }
     }
-    state_full_forces(next, m, w->v_trial, history, next->storey_history);
-    memcpy(w->storeys.drift, next->drift, size);
-    memcpy(w->storeys.shear, next->shear, size);
-    memcpy(w->storeys.rate, next->rate, size);
+    state_parts(&trial, m, w->v_trial, history, trial.storey_history);
     for (int k = 0; status == STATUS_OK && k < m->n_body; k++) {
         if (m->building[k].smooth) {
             w->factors++;
-            status = newmark_linearise(w, now, next, k);
+            status = newmark_linearise(w, now, &trial, k);
         }
     }
     return status;
@@ -251,15 +255,11 @@ static int newmark_solve(struct work *w, const struct state *now, struct state *
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// Completes the end of the step: internal forces where newmark_solve has not left them, total
-// accelerations, and the histories of the links' laws.
+// Completes the end of the step: internal forces where newmark_solve has not left them, and the
+// histories of the links' laws.
 static void newmark_finish(struct work *w, struct state *next) {
-    const struct model *m = w->model;
-    if (!state_is_linear(m)) {
-        if (m->elastic) {
-            state_internal_forces(next, m);
-        }
-        state_totals(next, m);
+    if (w->model->elastic && !state_is_linear(w->model)) {
+        state_internal_forces(next, w->model);
     }
     contact_finish(w, next);
 }
@@ -267,6 +267,7 @@ static void newmark_finish(struct work *w, struct state *next) {
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
                  struct error *e) {
     if (work_factor(w, h) != STATUS_OK) {
+        w->totals->indefinite++;
         return STATUS_RETRY;
     }
     newmark_begin(w, now, next, end);

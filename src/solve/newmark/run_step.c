@@ -63,6 +63,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
         return false;
     }
     floors_account_to(&r->work, &r->energy, r->results);
+    floors_forces_to(&r->work, m->n_force > 0 ? &r->forces : NULL);
     return true;
 }
 
@@ -87,19 +88,30 @@ void run_step_resume(struct run *r) {
     r->flight.factors = 0;
 }
 
-// Takes `next` as the new committed state.
+// Takes `next`, or the state on the way at which the model collapses, as the new committed state.
 static int run_step_commit(struct run *r) {
+    int status = r->model->collapse ? collapse_newmark(r) : STATUS_OK;
+    if (status != STATUS_OK) {
+        return status;
+    }
     run_step_take_meeting(r);
     floors_account(&r->work, r->now, r->next);
     if (r->model->founded) {
         peaks_founded(r->results, r->model, r->next);
     }
+    peaks_columns(r->results, r->model, r->next);
     gaps_peaks(&r->work.gaps, r->next);
-    int status = impacts_step(&r->impacts, r->now, r->next, r->error);
+    status = impacts_step(&r->impacts, r->now, r->next, r->error);
     struct state *old = r->now;
     r->now = r->next;
     r->next = old;
     r->results->totals.steps++;
+    if (r->model->n_force > 0) {
+        force_peaks_note(&r->forces, r->now->u, r->now->time);
+    }
+    if (status == STATUS_OK && r->results->collapse.happened) {
+        return STATUS_COLLAPSE;
+    }
     return status == STATUS_OK ? run_poll(r, r->now->time) : status;
 }
 
@@ -177,8 +189,8 @@ struct event run_step_first_event(const struct work *w, const struct state *now,
                                   const struct state *next, double h, const int *count,
                                   int except) {
     const struct model *m = w->model;
-    struct event first = {.link = -1, .time = INFINITY};
-    struct event otherwise = first;
+    static const struct event none = {.link = -1, .time = INFINITY};
+    struct event first = none, otherwise = none;
     for (int i = 0; i < w->n_toggled; i++) {
         int k = w->toggled[i];
         if (k != except && event_splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {

@@ -24,16 +24,16 @@ static bool has_points(const struct suite *s) {
     return s->point_name || s->mixed;
 }
 
-static int check(const struct study_picture *p, struct error *e) {
+static int check(const struct subject *p, struct error *e) {
     const struct suite *s = p->suite;
     if (p->n_limit > 0) {
-        return error_set(e, STATUS_INPUT, "response shows no limit; --limit is for fragility, ida");
+        return error_set(e, STATUS_INPUT, "it shows no limit; --limit is for fragility and ida");
     }
     if (s->n_group <= SCRIPT_COLOURS) {
         return STATUS_OK;
     }
     return error_set(e, STATUS_INPUT,
-                     "response cannot be drawn: the values of the other sweeps (%s ...) make %d "
+                     "the values of the other sweeps (%s ...) make %d "
                      "curves, more than %d; choose with --at, or make samples with --over",
                      s->group[0], s->n_group, SCRIPT_COLOURS);
 }
@@ -180,7 +180,7 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     panel_close(c);
 }
 
-static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
+static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none, .band = s->n_group == 1 && s->n_sample > 1};
     study_demand_init(&v.demand, s);
@@ -201,9 +201,10 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     return STATUS_OK;
 }
 
-const struct study_figure study_figure_response = {
+const struct figure figure_response = {
     .name = "response",
     .doc = "a demand against a swept parameter: median and band, or a line for each group",
+    .of_study = true,
     .guess = SUITE_ANY,
     .check = check,
     .draw = draw,

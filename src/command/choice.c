@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "result/choice.h"
+#include "command/choice.h"
 
 #include <stdlib.h>
 

@@ -54,7 +54,7 @@ void study_display_end(struct study_display *d) {
     }
 }
 
-int study_end(long n_failed, long n_run, const char *path, const char *first) {
+int study_display_status(long n_failed, long n_run, const char *path, const char *first) {
     if (n_failed == 0) {
         return EXIT_DONE;
     }

@@ -2,7 +2,8 @@
 // Incremental dynamic analysis: one curve for each sample, demand across and intensity upright,
 // with the 16, 50 and 84 % of the demand at each intensity (Vamvatsikos and Cornell 2002,
 // Earthquake Engineering & Structural Dynamics 31, 491-514). A curve ends with a cross below the
-// intensity at which its run failed.
+// intensity at which its run failed. Where a run collapsed, its curve goes on from the demand that
+// it reached as a flat line to the edge, and ends there.
 #include <math.h>
 #include <stdlib.h>
 
@@ -20,33 +21,75 @@ static const struct {
     {0.16, "16 %", {STYLE_LINE, "#009e73", 1.8, "(10,6)", 0, 0}},
 };
 static const char record_colour[] = "#a0a0a0";
+static const struct style flat_style = {
+    .kind = STYLE_POINTS, .colour = "#000000", .point = POINT_DISC};
+
+// How far flat lines go beyond the largest demand, over the range of demands.
+static const double FLAT = 0.08;
 
 struct view {
     const struct suite *s;
     struct study_demand demand;
     struct span span;  // of the demand
-    bool crosses;
+    bool crosses, flattens;
 };
 
-static int check(const struct study_picture *p, struct error *e) {
+static int check(const struct subject *p, struct error *e) {
     const struct suite *s = p->suite;
     if (!s->abscissa->number || s->n_point < 2) {
-        return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' %s", s->abscissa->name,
+        return error_set(e, STATUS_INPUT, "'%s' %s", s->abscissa->name,
                          s->abscissa->number ? "has one value only" : "is not a sweep of numbers");
     }
     if (s->mixed) {
         return error_set(e, STATUS_INPUT,
-                         "ida cannot be drawn: '%s' is %s, along which other things change, too; "
+                         "'%s' is %s, along which other things change, too; "
                          "see response",
                          s->abscissa->name, s->mixed);
     }
     if (s->n_group > 1) {
         return error_set(e, STATUS_INPUT,
-                         "ida cannot be drawn: the study has other sweeps (%s ...); choose one "
+                         "the study has other sweeps (%s ...); choose one "
                          "value with --at, or make them samples with --over",
                          s->group[0]);
     }
     return STATUS_OK;
+}
+
+// How many points the curve of a sample has: up to its first collapse.
+static int points_of(const struct suite *s, int sample) {
+    int n = 0;
+    while (n < s->n_point && (n == 0 || !suite_collapsed(s, 0, sample, n - 1))) {
+        n++;
+    }
+    return n;
+}
+
+static bool ends_flat(const struct suite *s, int sample) {
+    return suite_collapsed(s, 0, sample, points_of(s, sample) - 1);
+}
+
+// From the demand that a collapsed run reached to the edge of the picture.
+static void write_flats(struct view *v, FILE *to) {
+    const struct suite *s = v->s;
+    const double edge = v->span.high + FLAT * (v->span.high - v->span.low);
+    fprintf(to, "$flats << EOD\n# demand, intensity, of collapses\n");
+    for (int k = 0; k < s->n_sample; k++) {
+        const int last = points_of(s, k) - 1;
+        if (ends_flat(s, k)) {
+            const double ends[] = {v->demand.factor * suite_reached(s, 0, k, last), edge};
+            for (int i = 0; i < 2; i++) {
+                study_number(to, ends[i]);
+                study_number(to, s->point[last]);
+                fputc('\n', to);
+            }
+            fputc('\n', to);
+            v->flattens = true;
+        }
+    }
+    fprintf(to, "EOD\n");
+    if (v->flattens) {
+        span_add(&v->span, edge);
+    }
 }
 
 static void write_samples(struct view *v, FILE *to) {
@@ -56,8 +99,8 @@ static void write_samples(struct view *v, FILE *to) {
         fputs("# ", to);
         safe_put(to, SAFE_COMMENT, s->sample[k]);
         fputc('\n', to);
-        for (int j = 0; j < s->n_point; j++) {
-            const double x = v->demand.factor * suite_value(s, 0, k, j);
+        for (int j = 0; j < points_of(s, k); j++) {
+            const double x = v->demand.factor * suite_reached(s, 0, k, j);
             study_number(to, x);
             study_number(to, s->point[j]);
             fputc('\n', to);
@@ -69,7 +112,8 @@ static void write_samples(struct view *v, FILE *to) {
     for (int k = 0; k < s->n_sample; k++) {
         for (int j = 1; j < s->n_point; j++) {
             const double before = suite_value(s, 0, k, j - 1);
-            if (isfinite(before) && !isfinite(suite_value(s, 0, k, j))) {
+            if (isfinite(before) && !isfinite(suite_value(s, 0, k, j)) &&
+                !suite_collapsed(s, 0, k, j)) {
                 study_number(to, v->demand.factor * before);
                 study_number(to, s->point[j - 1]);
                 fputc('\n', to);
@@ -113,7 +157,7 @@ static int write_percentiles(struct view *v, FILE *to, struct error *e) {
     return STATUS_OK;
 }
 
-static void write_legend(const struct view *v, const struct study_picture *p, struct canvas *c) {
+static void write_legend(const struct view *v, const struct subject *p, struct canvas *c) {
     struct legend l = {0};
     char text[128];
     for (int i = 0; v->s->n_sample > 1 && i < CURVES; i++) {
@@ -127,11 +171,14 @@ static void write_legend(const struct view *v, const struct study_picture *p, st
     if (v->crosses) {
         legend_add(&l, panel_points("#000000", POINT_CROSS, 0), "the next run failed", "");
     }
+    if (v->flattens) {
+        legend_add(&l, flat_style, "collapse", "");
+    }
     study_hit_legend(v->s, &l);
     legend_write(&l, c);
 }
 
-static void draw_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
+static void draw_panel(const struct view *v, const struct subject *p, struct canvas *c) {
     const struct axis x = study_demand_axis(&v->demand, v->s, v->span);
     const struct axis y = study_abscissa_axis(v->s);
     study_panel(c, 3.2, &x, &y);
@@ -148,15 +195,20 @@ static void draw_panel(const struct view *v, const struct study_picture *p, stru
     if (v->crosses) {
         panel_series(c, panel_points("#000000", POINT_CROSS, 0), "$failures using 1:2");
     }
+    if (v->flattens) {
+        panel_series(c, panel_line(record_colour, 0.8), "$flats using 1:2");
+        panel_series(c, flat_style, "$flats using 1:2 every ::0::0");
+    }
     study_hit_series(v->s, c);
     panel_close(c);
 }
 
-static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
+static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none};
     study_demand_init(&v.demand, s);
     write_samples(&v, c->data);
+    write_flats(&v, c->data);
     if (s->n_hit > 0) {
         write_hit(&v, c->data);
     }
@@ -176,9 +228,10 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     return STATUS_OK;
 }
 
-const struct study_figure study_figure_ida = {
+const struct figure figure_ida = {
     .name = "ida",
     .doc = "incremental dynamic analysis: a curve for each record, and 16, 50 and 84 %",
+    .of_study = true,
     .guess = SUITE_INTENSITY,
     .check = check,
     .draw = draw,

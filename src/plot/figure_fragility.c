@@ -11,26 +11,24 @@
 enum { STEPS = 200 };
 
 struct view {
-    const struct study_picture *p;
+    const struct subject *p;
     struct study_demand demand;
     struct axis x;
     struct fragility fit[SCRIPT_COLOURS];
     int n;  // curves: limits times groups
 };
 
-static int check(const struct study_picture *p, struct error *e) {
+static int check(const struct subject *p, struct error *e) {
     const struct suite *s = p->suite;
     if (s->point_name) {
-        return error_set(e, STATUS_INPUT,
-                         "fragility cannot be drawn: '%s' is not a sweep of numbers",
-                         s->abscissa->name);
+        return error_set(e, STATUS_INPUT, "'%s' is not a sweep of numbers", s->abscissa->name);
     }
     if (p->n_limit == 0) {
-        return error_set(e, STATUS_INPUT, "fragility needs --limit VALUE");
+        return error_set(e, STATUS_INPUT, "it needs --limit VALUE");
     }
     if (p->n_limit * s->n_group > SCRIPT_COLOURS) {
         return error_set(e, STATUS_INPUT,
-                         "fragility cannot be drawn: %d limits and %d groups (%s ...) make more "
+                         "%d limits and %d groups (%s ...) make more "
                          "than %d curves; choose with --at, or make samples with --over",
                          p->n_limit, s->n_group, s->group[0], SCRIPT_COLOURS);
     }
@@ -90,7 +88,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
+static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
     study_demand_init(&v.demand, s);
@@ -135,9 +133,10 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     return STATUS_OK;
 }
 
-const struct study_figure study_figure_fragility = {
+const struct figure figure_fragility = {
     .name = "fragility",
     .doc = "shares of runs above --limit, and lognormal curves",
+    .of_study = true,
     .guess = SUITE_INTENSITY,
     .check = check,
     .draw = draw,

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The summary of a run as text: tables by the printer, between them sentences. Long tables are cut
+// to the most severe entries, and a line says so. All values as data: show_table.c, show_json.c.
+#include <math.h>
+#include <string.h>
+
+#include "command/choice.h"
+#include "command/printer.h"
+#include "command/report_members.h"
+#include "core/safe.h"
+#include "core/text.h"
+#include "jostle/result.h"
+
+enum { NAME_WIDTH_MIN = 8, NAME_WIDTH_MAX = 16, LINK_WIDTH_MAX = 33, LAW_WIDTH_MAX = 17 };
+
+#define READ(name, wide, of)                                                                       \
+    { .head = name, .dimension = &dimension_##of, .width = wide, .digits = 4, .look = LOOK_READ }
+#define COUNT(name, wide) COLUMN_G(name, wide, 9)
+#define RATIO(wide)                                                                                \
+    { .head = "of height", .unit = "%", .width = wide, .digits = 4, .look = LOOK_READ }
+
+struct summary {
+    FILE *to;
+    const struct report *r;
+    int status;
+    struct error *e;
+};
+
+// The entries of a table and the width of their names.
+struct shown {
+    struct choice choice[SHOWN_MAX];
+    int n, width;
+};
+
+// Writes all cells of entry `i`. Returns whether one has the mark of a floor that was hit.
+typedef bool row_function(struct printer *t, const struct report *r, int i);
+
+// A table with the names of the entries and the columns behind them.
+static void print_table(struct summary *s, const struct shown *shown, const char *name,
+                        const struct printer_column *column, int n, row_function *row) {
+    struct printer t = {.to = s->to, .units = &s->r->units, .at_head = UNITS_BELOW};
+    bool any_hit = false;
+    fputc('\n', s->to);
+    printer_add(&t, &(struct printer_column)COLUMN_NAME(name, shown->width), 1);
+    printer_add(&t, column, n);
+    printer_head(&t);
+    for (int i = 0; i < shown->n; i++) {
+        any_hit |= row(&t, s->r, shown->choice[i].index);
+        printer_line(&t);
+    }
+    s->status = printer_end(&t, s->status, s->e);
+    if (any_hit) {
+        fprintf(s->to, "%s\n", report_hit_note);
+    }
+}
+
+#define PRINT_TABLE(s, shown, name, column, row)                                                   \
+    print_table(s, shown, name, column, (int)(sizeof(column) / sizeof(column)[0]), row)
+
+static void not_shown(const struct summary *s, int n, const char *what, const char *order) {
+    if (n > 0) {
+        safe_line(s->to, "  %d more %s not shown (by %s); all are in %s%s", n, what, order,
+                  s->r->file ? s->r->file : "the result file",
+                  s->r->file ? " (jostle show --tsv)" : "");
+    }
+}
+
+static int widest(int width, const char *text, int limit) {
+    const int n = text_columns(text, strlen(text));
+    return n <= width ? width : n < limit ? n : limit;
+}
+
+// Index of the largest value; 0 if all are NaN.
+static int largest(const double *value, int n) {
+    int at = 0;
+    for (int i = 1; i < n; i++) {
+        at = value[i] > value[at] || isnan(value[at]) ? i : at;
+    }
+    return at;
+}
+
+static struct shown choose_buildings(const struct report *r) {
+    struct shown s = {.width = NAME_WIDTH_MIN};
+    for (int i = 0; i < r->n_building; i++) {
+        const struct report_building *b = &r->building[i];
+        const double *drift = b->peak[PEAK_DRIFT];
+        const double rank = drift ? drift[largest(drift, b->n_floor)] : 0;
+        s.n = choice_add(s.choice, s.n, SHOWN_MAX, (struct choice){rank, i});
+    }
+    choice_sort(s.choice, s.n);
+    for (int i = 0; i < s.n; i++) {
+        s.width = widest(s.width, r->building[s.choice[i].index].name, NAME_WIDTH_MAX);
+    }
+    return s;
+}
+
+static const struct printer_column buildings[] = {COUNT("floors", 6), READ("mass", 10, mass),
+                                                  READ("T1", 9, time), READ("T2", 9, time),
+                                                  READ("T3", 9, time)};
+static bool building_row(struct printer *t, const struct report *r, int i) {
+    const struct report_building *b = &r->building[i];
+    double mass = 0;
+    for (int f = 0; f < b->n_floor; f++) {
+        mass += b->mass[f];
+    }
+    printer_text(t, b->name);
+    printer_whole(t, b->n_floor);
+    printer_number(t, mass);
+    for (int k = 0; k < 3; k++) {
+        printer_number(t, k < b->n_floor ? b->period[k] : (double)NAN);
+    }
+    return false;
+}
+
+// The largest of the drifts, over the height of its storey, and its number; returns its index.
+static int drift_cells(struct printer *t, const struct report_building *b, const double *drift) {
+    const int i = largest(drift, b->n_floor);
+    printer_number(t, drift[i]);
+    printer_number(t, b->height[i] > 0 ? 100 * drift[i] / b->height[i] : (double)NAN);
+    printer_whole(t, i + 1);
+    return i;
+}
+
+static const struct printer_column displacements[] = {READ("roof displ.", 12, length),
+                                                      READ("time", 8, time),
+                                                      READ("storey drift", 12, length),
+                                                      RATIO(9),
+                                                      COUNT("storey", 7),
+                                                      READ("time", 8, time)};
+static bool displacement_row(struct printer *t, const struct report *r, int i) {
+    const struct report_building *b = &r->building[i];
+    printer_text(t, b->name);
+    printer_number(t, b->peak[PEAK_DISPLACEMENT][b->n_floor - 1]);
+    printer_number(t, b->peak_time[PEAK_DISPLACEMENT][b->n_floor - 1]);
+    const int storey = drift_cells(t, b, b->peak[PEAK_DRIFT]);
+    printer_number(t, b->peak_time[PEAK_DRIFT][storey]);
+    return false;
+}
+
+static const struct printer_column residuals[] = {READ("storey drift", 12, length), RATIO(9),
+                                                  COUNT("storey", 7)};
+static bool residual_row(struct printer *t, const struct report *r, int i) {
+    printer_text(t, r->building[i].name);
+    drift_cells(t, &r->building[i], r->building[i].residual_drift);
+    return false;
+}
+
+// The second column ends in the mark.
+static const struct printer_column forces[] = {READ("total accel.", 13, acceleration),
+                                               {.head = "", .unit = "g", .width = 10},
+                                               COUNT("floor", 6),
+                                               READ("time", 8, time),
+                                               READ("base shear", 12, force),
+                                               READ("time", 8, time)};
+static bool force_row(struct printer *t, const struct report *r, int i) {
+    const struct report_building *b = &r->building[i];
+    const int floor = largest(b->peak[PEAK_ACCELERATION], b->n_floor);
+    const bool hit = report_floor_was_hit(r, b->name, floor + 1);
+    const double peak = b->peak[PEAK_ACCELERATION][floor];
+    const double rest[] = {floor + 1, b->peak_time[PEAK_ACCELERATION][floor],
+                           b->peak[PEAK_SHEAR][0], b->peak_time[PEAK_SHEAR][0]};
+    char in_g[32];
+    snprintf(in_g, sizeof in_g, "%.4g%c", peak * unit_in_g(&r->units), hit ? '*' : ' ');
+    printer_text(t, b->name);
+    printer_number(t, peak);
+    printer_text(t, in_g);
+    printer_numbers(t, rest, 4);
+    return hit;
+}
+
+static void print_peaks(struct summary *s, const struct shown *shown) {
+    struct shown yielding = {.width = shown->width};
+    for (int i = 0; i < shown->n; i++) {
+        if (s->r->building[shown->choice[i].index].residual_drift) {
+            yielding.choice[yielding.n++] = shown->choice[i];
+        }
+    }
+    PRINT_TABLE(s, shown, "peak of", displacements, displacement_row);
+    if (yielding.n > 0) {
+        PRINT_TABLE(s, &yielding, "residual", residuals, residual_row);
+    }
+    PRINT_TABLE(s, shown, "peak of", forces, force_row);
+}
+
+static void print_members(const struct summary *s, const struct shown *shown) {
+    const struct report_building *building[SHOWN_MAX];
+    for (int i = 0; i < shown->n; i++) {
+        building[i] = &s->r->building[shown->choice[i].index];
+    }
+    report_print_members(s->r, building, shown->n, s->to);
+}
+
+static bool contact_row(struct printer *t, const struct report *r, int i) {
+    const struct report_link *c = &r->contact[i];
+    const struct link_peak *p = &c->peak;
+    const double none = NAN;
+    const bool hit = p->impacts > 0;
+    const double value[] = {c->gap,
+                            (double)p->impacts,
+                            hit ? p->force : none,
+                            hit ? p->force_time : none,
+                            hit ? p->penetration : none,
+                            p->impulse,
+                            p->dissipated};
+    printer_text(t, c->name);
+    printer_text(t, c->law);
+    printer_numbers(t, value, 7);
+    return false;
+}
+
+// Those that were hit hardest come first. Laws have a column where they differ.
+static void print_contacts(struct summary *s) {
+    const struct report *r = s->r;
+    struct printer_column contacts[] = {{0},
+                                        READ("gap", 9, length),
+                                        COUNT("impacts", 7),
+                                        READ("force", 9, force),
+                                        READ("time", 7, time),
+                                        READ("penetr.", 9, length),
+                                        READ("impulse", 9, impulse),
+                                        READ("dissip.", 9, energy)};
+    struct shown shown = {.width = NAME_WIDTH_MIN};
+    int n_hit = 0, law = 3, room = LINK_WIDTH_MAX;
+    bool differ = false;
+    for (int i = 0; i < r->n_contact; i++) {
+        const bool hit = r->contact[i].peak.impacts > 0;
+        const double rank = hit ? r->contact[i].peak.force : -HUGE_VAL;
+        n_hit += hit;
+        differ = differ || strcmp(r->contact[i].law, r->contact[0].law) != 0;
+        shown.n = choice_add(shown.choice, shown.n, SHOWN_MAX, (struct choice){rank, i});
+    }
+    for (int i = 0; i < shown.n && differ; i++) {
+        law = widest(law, r->contact[shown.choice[i].index].law, LAW_WIDTH_MAX);
+        contacts[0] = (struct printer_column)COLUMN_NAME("law", law);
+        room = LINK_WIDTH_MAX - law - 2;
+    }
+    for (int i = 0; i < shown.n; i++) {
+        shown.width = widest(shown.width, r->contact[shown.choice[i].index].name, room);
+    }
+    fprintf(s->to, "\n%d %s, %d hit, %ld %s", r->n_contact,
+            r->n_contact == 1 ? "contact" : "contacts", n_hit, r->n_impact,
+            r->n_impact == 1 ? "impact" : "impacts");
+    if (r->totals.coarse > 0) {
+        fprintf(s->to, " (%ld of fewer than %d steps)", r->totals.coarse, IMPACT_STEPS_MIN);
+    }
+    if (shown.n > 0 && !differ) {
+        fputs(", law ", s->to);
+        safe_put(s->to, SAFE_TERMINAL, r->contact[0].law);
+    }
+    if (shown.n > 0) {
+        PRINT_TABLE(s, &shown, "contact", contacts, contact_row);
+        not_shown(s, r->n_contact - shown.n, "contacts", "force");
+    } else {
+        fputc('\n', s->to);
+    }
+}
+
+static const struct printer_column links[] = {READ("force", 10, force), READ("time", 8, time),
+                                              READ("deformation", 12, length),
+                                              READ("time", 8, time), READ("work", 10, energy)};
+static bool link_row(struct printer *t, const struct report *r, int i) {
+    const struct link_peak *p = &r->link[i].peak;
+    const double value[] = {p->force, p->force_time, p->penetration, p->penetration_time,
+                            p->dissipated};
+    printer_text(t, r->link[i].name);
+    printer_numbers(t, value, 5);
+    return false;
+}
+
+static void print_links(struct summary *s) {
+    struct shown shown = {.width = NAME_WIDTH_MIN};
+    for (int i = 0; i < s->r->n_link && i < SHOWN_MAX; i++) {
+        shown.choice[shown.n++] = (struct choice){.index = i};
+        shown.width = widest(shown.width, s->r->link[i].name, LINK_WIDTH_MAX);
+    }
+    if (shown.n > 0) {
+        PRINT_TABLE(s, &shown, "link", links, link_row);
+        not_shown(s, s->r->n_link - shown.n, "links", "number");
+    }
+}
+
+static const struct printer_column columns[] = {
+    READ("force", 10, force),
+    READ("shear", 10, force),
+    READ("moment", 10, energy),
+    {.head = "V/Vs", .width = 8, .digits = 4, .look = LOOK_READ},
+    {.head = "M/Ms", .width = 8, .digits = 4, .look = LOOK_READ}};
+static bool column_row(struct printer *t, const struct report *r, int i) {
+    const struct report_link *c = &r->column[i];
+    const double value[] = {c->peak.force, c->shear, c->moment, c->shear_demand, c->moment_demand};
+    printer_text(t, c->name);
+    printer_numbers(t, value, 5);
+    return false;
+}
+
+static void print_columns(struct summary *s) {
+    struct shown shown = {.width = NAME_WIDTH_MIN};
+    for (int i = 0; i < s->r->n_column && i < SHOWN_MAX; i++) {
+        shown.choice[shown.n++] = (struct choice){.index = i};
+        shown.width = widest(shown.width, s->r->column[i].name, LINK_WIDTH_MAX);
+    }
+    if (shown.n > 0) {
+        PRINT_TABLE(s, &shown, "column", columns, column_row);
+        not_shown(s, s->r->n_column - shown.n, "columns", "number");
+    }
+    bool fails = false;
+    for (int i = 0; i < s->r->n_column; i++) {
+        fails |= s->r->column[i].shear_demand > 1.0 || s->r->column[i].moment_demand > 1.0;
+    }
+    if (fails) {
+        fputs("a column with V/Vs or M/Ms above 1 would fail; in this analysis it stays elastic\n",
+              s->to);
+    }
+}
+
+// The energies of the end, as the tables have numbers.
+static void print_energies(const struct summary *s, const char *unit) {
+    static const enum energy energy[] = {ENERGY_INPUT, ENERGY_DAMPING, ENERGY_HYSTERETIC,
+                                         ENERGY_CONTACT};
+    char text[4][32];
+    for (int i = 0; i < 4; i++) {
+        printer_read(s->r->energy[energy[i]], 4, text[i], sizeof text[i]);
+    }
+    fprintf(s->to, "energy      [%s] input %s; damping %s, storeys %s, contacts%s %s\n", unit,
+            text[0], text[1], text[2], s->r->n_link > 0 ? " and links" : "", text[3]);
+}
+
+static void print_totals(const struct summary *s) {
+    const struct report *r = s->r;
+    const struct totals *t = &r->totals;
+    const double input = r->energy[ENERGY_INPUT];
+    char unit[40];
+    unit_text(&r->units, dimension_energy, unit, sizeof unit);
+    if (r->dt > 0.0) {
+        fprintf(s->to,
+                "\nsteps       %ld (%ld rejected, %ld split at impacts, %ld not to tolerance)\n",
+                t->steps, t->rejected, t->events, t->unsolved);
+        if (t->indefinite > 0) {
+            fprintf(s->to, "            %ld of the rejected because a stiffness was negative\n",
+                    t->indefinite);
+        }
+        fprintf(s->to, "iterations  %ld\n", t->iterations);
+    } else {
+        fprintf(s->to, "\nsteps       %ld (%ld rejected, %ld events located)\n", t->steps,
+                t->rejected, t->events);
+    }
+    print_energies(s, unit);
+    fprintf(s->to, "residual    [%s] %.4g at the rows written", unit, r->residual_peak);
+    if (input > 0) {
+        fprintf(s->to, ", %.2g of the input", r->residual_peak / input);
+    }
+    fprintf(s->to, "\nwall time   %.3g s\n", t->seconds);
+    if (r->file) {
+        safe_line(s->to, "results     %s", r->file);
+    }
+}
+
+// The number of a run in a study, and the values of its parameters, a line each.
+static void print_run(const struct report *r, FILE *to) {
+    fprintf(to, "run %ld of a study\n", r->run);
+    for (const char *line = r->parameters; *line;) {
+        const size_t n = strcspn(line, "\n");
+        safe_line(to, "  %.*s", (int)n, line);
+        line += n + (line[n] == '\n');
+    }
+}
+
+static void print_collapse(const struct report *r, FILE *to) {
+    const struct report_collapse *c = &r->collapse;
+    const char *length = r->units.length_name, *time = r->units.time_name;
+    if (c->happened) {
+        safe_line(
+            to,
+            "COLLAPSED at %.6g %s: the drift of storey %ld of building %s reached %.4g %s; the "
+            "run ended there",
+            c->time, time, c->storey, c->building, fabs(c->drift), length);
+    }
+}
+
+int report_print(const struct report *r, FILE *to, struct error *e) {
+    struct summary s = {.to = to, .r = r, .e = e};
+    if (r->title[0]) {
+        safe_line(to, "%s", r->title);
+    }
+    if (r->run > 0) {
+        print_run(r, to);
+    }
+    fprintf(to, "units %s %s %s, duration %.6g %s, ", r->units.force_name, r->units.length_name,
+            r->units.time_name, r->duration, r->units.time_name);
+    if (r->dt > 0.0) {
+        fprintf(to, "step %.6g %s\n", r->dt, r->units.time_name);
+    } else {
+        fprintf(to, "adaptive steps\n");
+    }
+    print_collapse(r, to);
+    const struct shown shown = choose_buildings(r);
+    PRINT_TABLE(&s, &shown, "building", buildings, building_row);
+    not_shown(&s, r->n_building - shown.n, "buildings", "drift");
+    if (r->n_building > 0 && r->building[0].peak[0]) {
+        print_peaks(&s, &shown);
+        print_members(&s, &shown);
+        print_contacts(&s);
+        print_links(&s);
+        print_columns(&s);
+        print_totals(&s);
+    }
+    return s.status;
+}

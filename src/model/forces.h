@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forces that follow from the drifts of a building: the storey shears of its parts, where more than
+// one resists, and the forces of the members of its frames and walls. They are the rows of a matrix
+// times the drifts. Those of all buildings are one list, in which each building begins at a whole
+// lane.
+#ifndef JOSTLE_FORCES_H
+#define JOSTLE_FORCES_H
+
+#include "core/arena.h"
+#include "jostle/model.h"
+#include "model/frame.h"
+
+// What resists in a building beside others: number 0 is the shear storeys, the others its parts.
+// The index of its first storey shear among the forces of the building; -1: it has none, as it is
+// alone or not linear.
+int forces_of_share(const struct building *g, int number);
+const char *forces_share_name(const struct building *g, int number);
+
+// The members of all frames and walls of the building, part by part.
+int forces_n_member(const struct building *g);
+
+// The index of force `which` of the first member of part `part` (from 0), which those of the next
+// members follow.
+int forces_of_members(const struct building *g, int part, enum frame_force which);
+
+// Fills n_force, force and force_by_drift of the building, whose parts are there; `linear` storeys
+// have a share. *first is the number of forces of the buildings before; it grows by those of this
+// one. False: no memory.
+bool forces_create(struct building *g, bool linear, int *first, struct arena *a);
+
+// The forces of the building at these drifts (n_floor), n_force rounded up to whole lanes.
+void forces_at(const struct building *g, const double *drift, double *force);
+
+// Makes the forces that members do not have NAN.
+void forces_hide(const struct building *g, double *force);
+
+#endif

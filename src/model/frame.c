@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The deformations of a member are three numbers, each a sum over unknowns plus a share of one
+// storey drift: its bending, a - b; its swaying, a + b; and its stretching. The stiffness of all
+// unknowns is the sum over deformations of k times the square of that row. It is a band, because
+// joints are numbered level by level.
+#include "model/frame.h"
+
+#include <assert.h>
+#include <float.h>
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <string.h>
+
+#include "model/parts.h"
+
+// A pivot this small, relative to the stiffness of its unknown, is rounding: nothing holds it.
+static const double HELD = 64.0 * DBL_EPSILON;
+
+const struct part_kind frame_part = {
+    .name = "frame",
+    .traits = PART_LINEAR,
+    .respond = parts_linear_respond,
+    .stored = parts_linear_stored,
+};
+
+const struct part_kind frame_wall = {
+    .name = "wall",
+    .traits = PART_LINEAR,
+    .respond = parts_linear_respond,
+    .stored = parts_linear_stored,
+};
+
+const struct plane_frame *frame_of(const struct part *p) {
+    return p->kind == &frame_part || p->kind == &frame_wall ? p->data : NULL;
+}
+
+const char *frame_member_name(const struct frame_member *m, struct arena *a) {
+    static const char *const kind[] = {
+        [FRAME_COLUMN] = "column", [FRAME_BEAM] = "beam", [FRAME_WALL] = "wall"};
+    return arena_format(a, "%s_%d_%d", kind[m->kind], m->level, m->number);
+}
+
+struct frame_member frame_member(enum frame_kind kind, int level, int number, double length,
+                                 double ei, double ga, double ea) {
+    assert(length > 0.0 && ei > 0.0 && ga > 0.0 && ea >= 0.0);
+    return (struct frame_member){
+        .kind = kind,
+        .level = level,
+        .number = number,
+        .length = length,
+        .bend = ei / length,
+        .sway = 3.0 / (length / ei + 12.0 / (ga * length)),
+        .axial = ea / length,
+    };
+}
+
+bool frame_has(const struct frame_member *m, enum frame_force force) {
+    return force != FRAME_NORMAL || m->kind == FRAME_COLUMN;
+}
+
+// One of the three deformations of a member.
+enum { FRAME_TERMS = 4, FRAME_DEFORMATIONS = 3 };
+struct deformation {
+    double stiffness;
+    int n;
+    int unknown[FRAME_TERMS];
+    double weight[FRAME_TERMS];
+    double by_drift;  // of the storey of a column
+};
+
+static void frame_add_term(struct deformation *d, int unknown, double weight) {
+    if (unknown >= 0) {
+        d->unknown[d->n] = unknown;
+        d->weight[d->n++] = weight;
+    }
+}
+
+static void frame_deform(const struct plane_frame *f, const struct frame_member *m,
+                         struct deformation d[FRAME_DEFORMATIONS]) {
+    const struct frame_joint *i = &f->joint[m->joint[0]], *j = &f->joint[m->joint[1]];
+    d[0] = (struct deformation){.stiffness = m->bend};
+    frame_add_term(&d[0], i->turn, 1.0);
+    frame_add_term(&d[0], j->turn, -1.0);
+    d[1] = (struct deformation){.stiffness = m->sway};
+    frame_add_term(&d[1], i->turn, 1.0);
+    frame_add_term(&d[1], j->turn, 1.0);
+    d[2] = (struct deformation){.stiffness = m->axial};
+    if (m->kind == FRAME_BEAM) {
+        // The chord turns by (rise_j - rise_i) / length.
+        frame_add_term(&d[1], i->rise, 2.0 / m->length);
+        frame_add_term(&d[1], j->rise, -2.0 / m->length);
+    } else {
+        // The chord turns by -drift / length.
+        d[1].by_drift = 2.0 / m->length;
+        if (m->axial > 0.0) {
+            frame_add_term(&d[2], i->rise, -1.0);
+            frame_add_term(&d[2], j->rise, 1.0);
+        }
+    }
+}
+
+// The force of a deformation where the unknowns are x, by a unit drift of its storey or another.
+static double frame_force(const struct deformation *d, const double *x, bool own_drift) {
+    double sum = own_drift ? d->by_drift : 0.0;
+    for (int i = 0; i < d->n; i++) {
+        sum += d->weight[i] * x[d->unknown[i]];
+    }
+    return d->stiffness * sum;
+}
+
+// Joins the members to their joints. `propped` are joints on a column that does not stretch.
+static void frame_join(struct plane_frame *f, bool *propped) {
+    for (int i = 0; i < f->n_member; i++) {
+        struct frame_member *m = &f->member[i];
+        const int line = m->kind == FRAME_WALL ? 0 : m->number - 1;  // a wall has one line
+        const int below = (m->level - 1) * f->n_line + line;
+        const bool beam = m->kind == FRAME_BEAM;
+        m->joint[0] = beam ? below + f->n_line : below;
+        m->joint[1] = below + f->n_line + (beam ? 1 : 0);
+        f->joint[m->joint[1]].turns = true;
+        f->joint[m->joint[0]].turns |= m->joint[0] >= f->n_line;
+        propped[m->joint[1]] |= !beam && m->axial == 0.0;
+    }
+}
+
+// Numbers the unknowns. A joint above the ground rises by itself unless it is propped.
+static void frame_number(struct plane_frame *f, const bool *propped) {
+    for (int i = 0; i < f->n_joint; i++) {
+        struct frame_joint *j = &f->joint[i];
+        j->turn = j->turns ? f->n_unknown++ : -1;
+        j->rise = -1;
+        if (propped[i]) {
+            j->rise = f->joint[i - f->n_line].rise;
+        } else if (i >= f->n_line && j->turns) {
+            j->rise = f->n_unknown++;
+        }
+    }
+}
+
+static size_t frame_band(const struct plane_frame *f) {
+    int band = 0;
+    for (int i = 0; i < f->n_member; i++) {
+        struct deformation d[FRAME_DEFORMATIONS];
+        frame_deform(f, &f->member[i], d);
+        for (int k = 0; k < FRAME_DEFORMATIONS; k++) {
+            for (int p = 0; p < d[k].n; p++) {
+                for (int q = 0; q < d[k].n; q++) {
+                    const int apart = d[k].unknown[p] - d[k].unknown[q];
+                    band = apart > band ? apart : band;
+                }
+            }
+        }
+    }
+    return (size_t)band;
+}
+
+// Adds the stiffness of all unknowns to a symmetric band as GSL stores it: entry (i, k) is that of
+// unknowns i and i + k.
+static void frame_assemble(const struct plane_frame *f, gsl_matrix *band) {
+    for (int i = 0; i < f->n_joint; i++) {
+        if (f->joint[i].turn >= 0) {
+            *gsl_matrix_ptr(band, (size_t)f->joint[i].turn, 0) += f->joint[i].spring;
+        }
+    }
+    for (int i = 0; i < f->n_member; i++) {
+        struct deformation d[FRAME_DEFORMATIONS];
+        frame_deform(f, &f->member[i], d);
+        for (int k = 0; k < FRAME_DEFORMATIONS; k++) {
+            for (int p = 0; p < d[k].n; p++) {
+                for (int q = 0; q < d[k].n; q++) {
+                    const int row = d[k].unknown[p], apart = d[k].unknown[q] - row;
+                    if (apart >= 0) {
+                        *gsl_matrix_ptr(band, (size_t)row, (size_t)apart) +=
+                            d[k].stiffness * d[k].weight[p] * d[k].weight[q];
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Factorises the band of this diagonal. The first unknown that nothing holds; -1: all are held.
+static int frame_factorise(gsl_matrix *band, const double *diagonal) {
+    const int status = gsl_linalg_cholesky_band_decomp(band);
+    for (size_t i = 0; i < band->size1; i++) {
+        const double pivot = gsl_matrix_get(band, i, 0);
+        if (!(pivot > 0.0 && pivot * pivot > HELD * diagonal[i])) {
+            return (int)i;
+        }
+    }
+    assert(status == 0);
+    return -1;
+}
+
+// The loads of all unknowns that hold joints at 0 under a unit drift of a storey, reversed.
+static void frame_load(const struct plane_frame *f, int storey, double *x) {
+    memset(x, 0, (size_t)f->n_unknown * sizeof *x);
+    for (int i = 0; i < f->n_member; i++) {
+        struct deformation d[FRAME_DEFORMATIONS];
+        frame_deform(f, &f->member[i], d);
+        if (f->member[i].level == storey) {
+            for (int p = 0; p < d[1].n; p++) {
+                x[d[1].unknown[p]] -= d[1].stiffness * d[1].by_drift * d[1].weight[p];
+            }
+        }
+    }
+}
+
+static double *frame_entry(const struct plane_frame *f, int member, enum frame_force force) {
+    const size_t row = (size_t)member * FRAME_FORCES + force;
+    return f->force + row * (size_t)f->n_floor;
+}
+
+// Does the member stand on a pinned base? Its moment there is 0, without rounding.
+static bool frame_is_pinned(const struct plane_frame *f, const struct frame_member *m) {
+    const struct frame_joint *j = &f->joint[m->joint[0]];
+    return m->joint[0] < f->n_line && j->turns && j->spring == 0.0;
+}
+
+// The forces of all members where joints move by x under a unit drift of a storey; and the storey
+// shears, which those of columns add up to.
+static void frame_recover(struct plane_frame *f, int storey, const double *x) {
+    const int n = f->n_floor, column = storey - 1;
+    for (int i = 0; i < f->n_member; i++) {
+        const struct frame_member *m = &f->member[i];
+        const bool own = m->kind != FRAME_BEAM && m->level == storey;
+        struct deformation d[FRAME_DEFORMATIONS];
+        frame_deform(f, m, d);
+        const double bend = frame_force(&d[0], x, own), sway = frame_force(&d[1], x, own);
+        const double shear = 2.0 * sway / m->length;
+        frame_entry(f, i, FRAME_MOMENT_I)[column] = frame_is_pinned(f, m) ? 0.0 : sway + bend;
+        frame_entry(f, i, FRAME_MOMENT_J)[column] = sway - bend;
+        frame_entry(f, i, FRAME_SHEAR)[column] = shear;
+        if (m->kind != FRAME_BEAM) {
+            f->stiffness[(m->level - 1) * n + column] += shear;
+        }
+    }
+}
+
+// The normal forces of columns under a unit drift, from the equilibrium of joints: a column carries
+// what the one above it does, and the shears of the beams beside its upper end. `carried` (n_line).
+static void frame_find_normal(const struct plane_frame *f, int storey, double *carried) {
+    const int drift = storey - 1;
+    memset(carried, 0, (size_t)f->n_line * sizeof *carried);
+    for (int i = f->n_member - 1; i >= 0; i--) {
+        const struct frame_member *m = &f->member[i];
+        const double shear = frame_entry(f, i, FRAME_SHEAR)[drift];
+        if (m->kind == FRAME_BEAM) {
+            carried[m->number - 1] -= shear;
+            carried[m->number] += shear;
+        } else if (m->kind == FRAME_COLUMN) {
+            frame_entry(f, i, FRAME_NORMAL)[drift] = carried[m->number - 1];
+        }
+    }
+}
+
+static void frame_symmetrise(double *k, int n) {
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < i; j++) {
+            k[i * n + j] = k[j * n + i] = (k[i * n + j] + k[j * n + i]) / 2.0;
+        }
+    }
+}
+
+// Reports the joint that nothing holds.
+static int frame_report(const struct plane_frame *f, int unknown, struct error *e) {
+    int i = 0;
+    while (f->joint[i].turn != unknown && f->joint[i].rise != unknown) {
+        i++;
+    }
+    return error_set(e, STATUS_INPUT, "nothing holds the joint of floor %d and line %d",
+                     i / f->n_line, i % f->n_line + 1);
+}
+
+static int frame_refuse(struct error *e) {
+    return error_set(e, STATUS_INPUT, "the stiffness of its members is not finite");
+}
+
+static bool frame_is_finite(const double *x, int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += x[i];
+    }
+    return isfinite(sum);
+}
+
+// Condenses the frame to the drifts, by its factorised band. `x` (n_unknown), `carried` (n_line).
+static void frame_reduce(struct plane_frame *f, const gsl_matrix *factors, double *x,
+                         double *carried) {
+    gsl_vector_view joints = gsl_vector_view_array(x, (size_t)f->n_unknown);
+    for (int storey = 1; storey <= f->n_floor; storey++) {
+        frame_load(f, storey, x);
+        gsl_linalg_cholesky_band_svx(factors, &joints.vector);
+        frame_recover(f, storey, x);
+        frame_find_normal(f, storey, carried);
+    }
+    frame_symmetrise(f->stiffness, f->n_floor);
+}
+
+// Factorises the stiffness of the unknowns and condenses the frame. `x` (n_unknown).
+static int frame_solve(struct plane_frame *f, gsl_matrix *band, double *x, double *carried,
+                       struct error *e) {
+    frame_assemble(f, band);
+    for (size_t i = 0; i < band->size1; i++) {
+        x[i] = gsl_matrix_get(band, i, 0);
+    }
+    if (!frame_is_finite(x, f->n_unknown)) {
+        return frame_refuse(e);
+    }
+    const int loose = frame_factorise(band, x);
+    if (loose >= 0) {
+        return frame_report(f, loose, e);
+    }
+    frame_reduce(f, band, x, carried);
+    return frame_is_finite(f->stiffness, f->n_floor * f->n_floor) ? STATUS_OK : frame_refuse(e);
+}
+
+int frame_condense(struct plane_frame *f, struct arena *a, struct error *e) {
+    const size_t n = (size_t)f->n_floor;
+    bool *propped = arena_alloc(a, (size_t)f->n_joint, sizeof *propped);
+    double *carried = arena_alloc(a, (size_t)f->n_line, sizeof *carried);
+    f->stiffness = arena_alloc(a, n * n, sizeof *f->stiffness);
+    f->force = arena_alloc(a, (size_t)f->n_member * FRAME_FORCES * n, sizeof *f->force);
+    if (!propped || !carried || !f->stiffness || !f->force) {
+        return error_no_memory(e);
+    }
+    frame_join(f, propped);
+    frame_number(f, propped);
+    double *x = arena_alloc(a, (size_t)f->n_unknown, sizeof *x);
+    gsl_matrix *band = x ? gsl_matrix_calloc((size_t)f->n_unknown, frame_band(f) + 1) : NULL;
+    const int status = band ? frame_solve(f, band, x, carried, e) : error_no_memory(e);
+    gsl_matrix_free(band);
+    return status;
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plane frames and walls: members between joints that turn and rise, condensed to storey drifts.
+//
+// Floors are axially rigid. A column is sheared by the drift of its storey only, so a frame is a
+// part on drifts (jostle/part.h). With K theta theta of the unknown turns and rises of its joints
+// at rest floors, and the columns k_j of the coupling to drift j, joints move by x_j = -K^-1 k_j
+// for a unit drift j, and D_ij is the shear of storey i then.
+//
+// Signs: moments on the ends of members and turns of joints are counterclockwise positive. End i is
+// the lower end of a column, the left end of a beam. The shear is (M_i + M_j) / length: of a
+// column, the force to the right on its upper end; of a beam, the upward force on its left end. A
+// normal force is positive in tension.
+#ifndef JOSTLE_FRAME_H
+#define JOSTLE_FRAME_H
+
+#include "core/arena.h"
+#include "jostle/error.h"
+#include "jostle/part.h"
+
+enum frame_kind { FRAME_COLUMN, FRAME_BEAM, FRAME_WALL };
+
+// A joint of a line with a floor, or with the ground.
+struct frame_joint {
+    bool turns;     // a member ends there, and the joint is not clamped
+    double spring;  // [F L] stiffness of a base against its turning; else 0
+    int turn;       // the number of its turn among the unknowns; -1: none
+    int rise;       // of its rise; that of the joint below where the column does not stretch
+};
+
+// A beam-column. With a and b, the turns of its ends from its chord,
+//     M_i = bend (a - b) + sway (a + b),  M_j = -bend (a - b) + sway (a + b).
+struct frame_member {
+    enum frame_kind kind;
+    int level, number;  // storey of a column, floor of a beam; line or bay; from 1
+    int joint[2];       // of end i and of end j
+    double length;      // [L]
+    double bend;        // [F L] E I / L
+    double sway;        // [F L] 3 / (L (1 / (E I) + 12 / (G A L^2)))
+    double axial;       // [F/L] E A / L; 0: it does not stretch
+};
+
+// The uncondensed frame, and what it is condensed to.
+struct plane_frame {
+    int n_floor, n_line;
+    int n_joint;  // (n_floor + 1) n_line, level by level from the ground
+    int n_member;
+    struct frame_joint *joint;    // (n_joint)
+    struct frame_member *member;  // (n_member) level by level, columns before beams
+    int n_unknown;
+    double *stiffness;  // [F/L] (n_floor, n_floor) on drifts, symmetric to the bit
+    double *force;      // (n_member, FRAME_FORCES, n_floor) forces of members by unit drifts
+};
+
+// The forces of a member.
+enum frame_force { FRAME_MOMENT_I, FRAME_MOMENT_J, FRAME_SHEAR, FRAME_NORMAL, FRAME_FORCES };
+
+// A member with bending stiffness `ei` [F L^2]; infinite `ga` [F]: without shear deformation; `ea`
+// [F] 0: it does not stretch.
+struct frame_member frame_member(enum frame_kind kind, int level, int number, double length,
+                                 double ei, double ga, double ea);
+
+// Does the member have this force? Beams and walls have no normal force, as floors are rigid.
+bool frame_has(const struct frame_member *m, enum frame_force force);
+
+// Joins the members to joints, numbers the unknowns and condenses the frame. The caller has set the
+// numbers of floors, lines and members, and the members without their joints; and of the joints at
+// the ground `turns` and `spring`. STATUS_INPUT: some joint is held by nothing, or a stiffness is
+// not finite; STATUS_SYSTEM: no memory.
+int frame_condense(struct plane_frame *f, struct arena *a, struct error *e);
+
+// "column_2_3": storey 2, third line.
+const char *frame_member_name(const struct frame_member *m, struct arena *a);
+
+// The frame of a part that is one; NULL: it is none.
+const struct plane_frame *frame_of(const struct part *p);
+
+extern const struct part_kind frame_part, frame_wall;
+
+#endif

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/frame_draft.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "deck/reader.h"
+#include "model/frame.h"
+
+bool frame_draft_has_heights(struct builder *b, const struct statement *s,
+                             const struct building_draft *d, const char *what) {
+    if (d->mass && !d->height) {  // else the statement of the building is wrong
+        deck_error(b->deck, &s->word[1],
+                   "a %s needs the heights of the storeys; building %s has no -height", what,
+                   d->name);
+    }
+    return d->height != NULL;
+}
+
+bool frame_draft_has_frame(struct builder *b, const struct statement *s,
+                           const struct building_draft *d) {
+    if (!d->frame && !d->any_frame) {
+        deck_error(b->deck, &s->word[1],
+                   "building %s has no frame; write one above: frame %s -bays LIST -modulus E",
+                   d->name, d->name);
+    }
+    return d->frame != NULL;
+}
+
+bool frame_draft_choose(struct builder *b, const struct argument *a, const char *what, int n,
+                        bool *chosen) {
+    memset(chosen, a->given ? 0 : 1, (size_t)n * sizeof *chosen);
+    for (int i = 0; a->given && i < a->n; i++) {
+        const double x = a->number[i];
+        if (!(x >= 1.0 && x <= n && x == floor(x))) {
+            deck_error(b->deck, &a->word[i], "%s %.10g is not one of 1 to %d", what, x, n);
+            return false;
+        }
+        if (chosen[(int)x - 1]) {
+            deck_error(b->deck, &a->word[i], "%s %.10g is selected twice", what, x);
+            return false;
+        }
+        chosen[(int)x - 1] = true;
+    }
+    return true;
+}
+
+bool frame_draft_members(struct builder *b, const struct statement *s, struct argument *a,
+                         struct frame_members *q) {
+    const bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &q->selection);
+    const bool good = deck_options(b->deck, s, &(struct row_set){q->rows, q->n_row, a}, 1);
+    if (q->selection.building < 0) {
+        return false;
+    }
+    q->building = builder_draft(b, q->selection.building);
+    if (!frame_draft_has_frame(b, s, q->building)) {
+        return false;
+    }
+    if (!selected || !good) {
+        q->building->frame->torn = true;
+        return false;
+    }
+    struct frame_draft *f = q->building->frame;
+    const bool beam = strcmp(q->what, "beam") == 0;
+    q->n_across = f->n_line - (beam ? 1 : 0);
+    f->torn |= !frame_draft_choose(b, &a[q->lines], beam ? "bay" : "line", q->n_across, q->chosen);
+    q->inertia = builder_spread(b, &a[q->inertias], q->selection.n_floor,
+                                beam ? "selected floors" : "selected storeys");
+    f->torn |= !q->inertia;
+    return !f->torn;
+}
+
+void frame_draft_place(struct builder *b, const struct statement *s,
+                       const struct frame_members *q) {
+    for (int i = 0; i < q->selection.n_floor; i++) {
+        const int level = q->selection.floor[i];
+        for (int k = 0; k < q->n_across; k++) {
+            struct section_draft *m = &q->member[(level - 1) * q->n_across + k];
+            if (q->chosen[k] && m->word.text) {
+                deck_error(b->deck, &s->word[1], "%s_%d_%d of building %s is given already, in %s",
+                           q->what, level, k + 1, q->building->name,
+                           source_mention(b->deck, &m->word.place, &s->word[0].place));
+                return;
+            }
+            if (q->chosen[k]) {
+                *m = (struct section_draft){s->word[0], q->inertia[i], q->area ? q->area[i] : 0.0};
+            }
+        }
+    }
+}
+
+static void set_base(struct plane_frame *f, int line, const struct base_draft *own,
+                     const struct base_draft *all) {
+    const struct base_draft *base = own && own->word.text ? own : all;
+    const double rotation = base ? base->rotation : (double)INFINITY;
+    struct frame_joint *j = &f->joint[line];
+    j->turns = isfinite(rotation);
+    j->spring = j->turns ? rotation : 0.0;
+}
+
+// A frame without members yet; NULL: no memory.
+static struct plane_frame *begin(struct builder *b, const struct building_draft *d, int n_line,
+                                 int n_member) {
+    struct plane_frame *f = arena_alloc(b->arena, 1, sizeof *f);
+    if (f) {
+        *f = (struct plane_frame){.n_floor = d->n_floor, .n_line = n_line};
+        f->n_joint = (d->n_floor + 1) * n_line;
+        f->joint = arena_alloc(b->arena, (size_t)f->n_joint, sizeof *f->joint);
+        f->member = arena_alloc(b->arena, (size_t)n_member, sizeof *f->member);
+    }
+    return f && f->joint && f->member ? f : NULL;
+}
+
+// Condenses the frame and adds it to the parts of the building.
+static void end(struct builder *b, struct building_draft *d, struct plane_frame *f,
+                const struct part_kind *kind, const struct word *word, const char *source) {
+    struct error e;
+    const int status = frame_condense(f, b->arena, &e);
+    if (status == STATUS_INPUT) {
+        deck_error(b->deck, word, "%s of building %s: %s", kind->name, d->name, e.message);
+    } else if (status == STATUS_OK && source) {
+        const struct part part = {
+            .kind = kind, .source = source, .n = d->n_floor, .stiffness = f->stiffness, .data = f};
+        builder_add_part(b, d, &part);
+    }
+}
+
+// Has the storey a column? Reports one that has none.
+static bool has_columns(struct builder *b, const struct building_draft *d, int storey) {
+    const struct frame_draft *f = d->frame;
+    for (int line = 0; line < f->n_line; line++) {
+        if (f->column[(storey - 1) * f->n_line + line].word.text) {
+            return true;
+        }
+    }
+    deck_error(b->deck, &f->word, "the frame of building %s has no columns in storey %d", d->name,
+               storey);
+    return false;
+}
+
+// Warns about the first bay between two columns without a beam.
+static void warn_open(struct builder *b, const struct building_draft *d) {
+    const struct frame_draft *f = d->frame;
+    for (int i = 0; i < d->n_floor; i++) {
+        for (int bay = 0; bay < f->n_line - 1; bay++) {
+            const struct section_draft *left = &f->column[i * f->n_line + bay];
+            if (left[0].word.text && left[1].word.text &&
+                !f->beam[i * (f->n_line - 1) + bay].word.text) {
+                deck_warning(b->deck, &f->word,
+                             "the frame of building %s has no beam on floor %d in bay %d", d->name,
+                             i + 1, bay + 1);
+                return;
+            }
+        }
+    }
+}
+
+static void add_frame(struct builder *b, struct building_draft *d) {
+    const struct frame_draft *f = d->frame;
+    const int n = f->n_line, n_bay = n - 1;
+    struct plane_frame *to = begin(b, d, n, d->n_floor * (n + n_bay));
+    bool stands = to != NULL;
+    for (int i = 1; stands && i <= d->n_floor; i++) {
+        stands = has_columns(b, d, i);
+    }
+    if (!stands) {
+        return;
+    }
+    int n_column = 0;
+    for (int level = 1; level <= d->n_floor; level++) {
+        for (int k = 0; k < n; k++) {
+            const struct section_draft *m = &f->column[(level - 1) * n + k];
+            if (m->word.text) {
+                to->member[to->n_member++] =
+                    frame_member(FRAME_COLUMN, level, k + 1, d->height[level - 1],
+                                 f->modulus * m->inertia, INFINITY, f->modulus * m->area);
+                n_column++;
+            }
+        }
+        for (int k = 0; k < n_bay; k++) {
+            const struct section_draft *m = &f->beam[(level - 1) * n_bay + k];
+            if (m->word.text) {
+                to->member[to->n_member++] = frame_member(FRAME_BEAM, level, k + 1, f->bay[k],
+                                                          f->modulus * m->inertia, INFINITY, 0.0);
+            }
+        }
+    }
+    for (int k = 0; k < n; k++) {
+        if (f->column[k].word.text) {
+            set_base(to, k, &f->base[k], d->base);
+        } else if (f->base[k].word.text) {
+            deck_error(b->deck, &f->base[k].word,
+                       "the frame of building %s has no column in storey 1 on line %d", d->name,
+                       k + 1);
+        }
+    }
+    warn_open(b, d);
+    end(b, d, to, &frame_part, &f->word,
+        arena_format(b->arena, "%d columns and %d beams", n_column, to->n_member - n_column));
+}
+
+static void add_wall(struct builder *b, struct building_draft *d, const struct wall_draft *w) {
+    struct plane_frame *to = begin(b, d, 1, w->n_floor);
+    if (!to) {
+        return;
+    }
+    int number = 1;
+    for (int i = 0; i < d->parts.n; i++) {
+        number += ((const struct part *)d->parts.item)[i].kind == &frame_wall;
+    }
+    for (int i = 0; i < w->n_floor; i++) {
+        to->member[to->n_member++] = frame_member(FRAME_WALL, i + 1, number, d->height[i], w->ei[i],
+                                                  w->ga ? w->ga[i] : INFINITY, 0.0);
+    }
+    set_base(to, 0, NULL, d->base);
+    end(b, d, to, &frame_wall, &w->word,
+        arena_format(b->arena, "%d storey%s", w->n_floor, w->n_floor == 1 ? "" : "s"));
+}
+
+// Reports walls that end below the roof of a building that nothing else holds.
+static void check_top(struct builder *b, const struct building_draft *d) {
+    const struct wall_draft *wall = d->walls.item;
+    int top = 0;
+    for (int i = 0; i < d->walls.n; i++) {
+        top = wall[i].n_floor > top ? wall[i].n_floor : top;
+    }
+    if (d->walls.n > 0 && !d->frame && !d->any_stiffness && d->parts.n == 0 && top < d->n_floor &&
+        d->stiffness[top] == 0.0) {
+        deck_error(b->deck, &wall[0].word, "nothing resists in storey %d of building %s", top + 1,
+                   d->name);
+    }
+}
+
+void frame_draft_finish(struct builder *b) {
+    for (int i = 0; !b->deck->torn && i < b->buildings.n; i++) {
+        struct building_draft *d = builder_draft(b, i);
+        if (d->base && !d->any_frame && !d->any_wall) {
+            deck_error(b->deck, &d->base->word,
+                       "building %s has no frame and no wall that stands on a base", d->name);
+        }
+        check_top(b, d);
+        if (d->foundation && (d->frame || d->walls.n > 0)) {
+            deck_warning(b->deck,
+                         d->frame ? &d->frame->word : &((struct wall_draft *)d->walls.item)->word,
+                         "building %s stands on a foundation: the results have no forces of its "
+                         "members",
+                         d->name);
+        }
+        if (d->frame && !d->frame->torn) {
+            add_frame(b, d);
+        }
+        for (int k = 0; k < d->walls.n; k++) {
+            add_wall(b, d, (const struct wall_draft *)d->walls.item + k);
+        }
+    }
+}
