@@ -20,6 +20,7 @@ enum row_kind {
     ROW_TEXTS,    // one or more words
     ROW_FILE,     // one word: the path of a file
     ROW_FLAG,     // no value
+    ROW_CHOICE,   // one of the words of its range; as a number 0 for the first, 1 for the next
 };
 
 enum row_flag {
@@ -34,7 +35,8 @@ enum row_flag {
 struct range {
     double min, max;          // may be infinite
     bool min_open, max_open;  // the limit itself is not allowed
-    const char *text;         // how a message states it: "> 0", ">= 0 and < 1"
+    const char *text;         // how a message states it: "> 0", ">= 0 and < 1", "peak or pinched"
+    const char *const *word;  // of ROW_CHOICE, NULL after the last
 };
 
 extern const struct range range_positive;      // > 0

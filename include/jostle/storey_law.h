@@ -12,7 +12,7 @@
 
 JOSTLE_C_BEGIN
 
-enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 9, STOREY_HISTORY_MAX = 8 };
+enum { STOREY_ROWS_MAX = 40, STOREY_CONSTANTS_MAX = 40, STOREY_HISTORY_MAX = 56 };
 
 // Properties of a law that an integrator of high order uses.
 enum storey_trait {
@@ -37,6 +37,7 @@ struct storey_law {
     const char *summary;
     const char *formula;
     const char *source;
+    const char *remarks;  // range, typical parameters, limits; NULL: none
     const struct row *row;
     int n_row;
     int n_constant;

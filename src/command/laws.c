@@ -102,6 +102,7 @@ static void print_storey_law(enum page page, const struct storey_law *law) {
     rows_entry(page, "what", law->summary);
     rows_code(page, "shear", law->formula);
     rows_entry(page, "source", law->source);
+    rows_entry(page, "remarks", law->remarks);
     if (page == PAGE_MARKDOWN) {
         rows_names(law->row, law->n_row, yields);
     }

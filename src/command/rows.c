@@ -60,6 +60,8 @@ static void put_default(const struct row *row, const char *unit, char *cell) {
         snprintf(cell, CELL, "required");
     } else if (row->flags & ROW_ONE_OF) {
         snprintf(cell, CELL, "one of");
+    } else if (row->kind == ROW_CHOICE && !isnan(row->fallback)) {
+        snprintf(cell, CELL, "%s", row->range->word[(int)row->fallback]);
     } else if (is_number(row) && isfinite(row->fallback)) {
         bool bare = unit[0] == '\0' || row->fallback == 0.0;
         snprintf(cell, CELL, "%.6g%s%.80s", row->fallback, bare ? "" : " ", bare ? "" : unit);
@@ -71,7 +73,7 @@ static struct line make_line(const struct row *row, const char *power) {
     static const char *const value[] = {
         [ROW_NUMBER] = " NUMBER", [ROW_LIST] = " LIST",   [ROW_INTEGER] = " INTEGER",
         [ROW_TEXT] = " WORD",     [ROW_TEXTS] = " WORDS", [ROW_FILE] = " FILE",
-        [ROW_FLAG] = "",
+        [ROW_FLAG] = "",          [ROW_CHOICE] = " WORD",
     };
     snprintf(l.cell[OPTION], CELL, "-%s%s", row->key, value[row->kind]);
     put_unit(row, power, l.cell[UNIT]);

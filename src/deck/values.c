@@ -216,6 +216,30 @@ static bool read_texts(struct deck *d, const struct row *row, const struct word 
     return ok;
 }
 
+// The word of a choice as a number.
+static bool read_choice(struct deck *d, const struct row *row, const struct word *w,
+                        struct argument *out) {
+    const char *text = deck_text(d, w);
+    double *number = deck_array(d, 1, sizeof *number);
+    if (!text || !number) {
+        return false;
+    }
+    const char *const *known = row->range->word;
+    int n = 0;
+    while (known[n] && strcmp(known[n], text) != 0) {
+        n++;
+    }
+    if (!known[n]) {
+        deck_unknown(d, w, text, row->key, (const char **)known, n);
+        return false;
+    }
+    *number = n;
+    out->n = 1;
+    out->number = number;
+    out->word = w;
+    return true;
+}
+
 bool deck_values(struct deck *d, const struct row *row, double power, const struct word *word,
                  int n_word, struct argument *out) {
     struct text_short t;
@@ -236,6 +260,9 @@ bool deck_values(struct deck *d, const struct row *row, double power, const stru
     if (n_word < 1) {
         deck_error(d, NULL, "%s needs a value", row->key);
         return false;
+    }
+    if (row->kind == ROW_CHOICE) {
+        return read_choice(d, row, word, out);
     }
     if (row->kind == ROW_TEXT || row->kind == ROW_TEXTS || row->kind == ROW_FILE) {
         return read_texts(d, row, word, n_word, out);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "jostle/storey_law.h"
+#include "support/storey.h"
 #include "support/support.h"
 
 static const double STIFFNESS = 2e7;
@@ -20,9 +21,8 @@ static struct bound_law bind(const struct storey_law *law, double hardening) {
     struct bound_law b = {.law = law};
     double value[STOREY_ROWS_MAX];
     for (int i = 0; i < law->n_row; i++) {
-        value[i] = strcmp(law->row[i].key, "yield") == 0       ? YIELD
-                   : strcmp(law->row[i].key, "hardening") == 0 ? hardening
-                                                               : law->row[i].fallback;
+        const double fallback = law->row[i].fallback;
+        value[i] = isnan(fallback) ? test_storey_value(law->row[i].key, hardening) : fallback;
     }
     struct error e;
     assert_int_equal(law->prepare(value, STIFFNESS, b.constant, &e), STATUS_OK);

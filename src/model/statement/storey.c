@@ -14,10 +14,12 @@ static const struct row rows[N_ROW] = {
 
 // Computes the constants of the k-th selected storey.
 static bool prepare(struct builder *b, const struct statement *s, const struct storey_law *law,
-                    double *const *value, int k, double stiffness, struct storey *out) {
+                    double *const *value, const struct argument *given, int k, double stiffness,
+                    struct storey *out) {
     double own[STOREY_ROWS_MAX];
     for (int r = 0; r < law->n_row; r++) {
-        own[r] = value[r] ? value[r][k] : NAN;
+        const bool flag = law->row[r].kind == ROW_FLAG && given[r].given;
+        own[r] = value[r] ? value[r][k] : flag ? 1.0 : NAN;
     }
     double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
     if (!constant) {
@@ -92,7 +94,7 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }
-        good = good && prepare(b, s, law, value, k, d->stiffness[i], &d->storey[i]);
+        good = good && prepare(b, s, law, value, given, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
         // Sets the yield shears of the storeys, for laws with a row `yield`. At most one warning
