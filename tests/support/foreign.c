@@ -129,22 +129,45 @@ static void write_attribute(hid_t file, const char *path, const char *text) {
     H5Oclose(o);
 }
 
+static bool is_link_name(const char *text) {
+    return text[0] != '\0' && !strchr(text, '/') && strcmp(text, ".") != 0;
+}
+
 // Links keep the names that the objects in them have elsewhere.
 static void rename_object(hid_t file, const char *path, const char *text) {
     char to[5000];
     const size_t n = (size_t)(strrchr(path, '/') + 1 - path);
-    if (text[0] == '\0' || strchr(text, '/') || strcmp(text, ".") == 0) {
+    if (!is_link_name(text)) {
         return;
     }
     snprintf(to, sizeof to, "%.*s%s%s", (int)n, path, text, path + n);
     H5Lmove(file, path, file, to, H5P_DEFAULT, H5P_DEFAULT);
 }
 
-// Do the ends of links keep the names of buildings, which cannot be `text`?
-static bool keeps_ends(const char *path, const char *text) {
+// Is the dataset one of ends of links, which are names of buildings?
+static bool is_of_ends(const char *path) {
     const char *name = strrchr(path, '/');
-    const bool is_end = name && (strcmp(name, "/left") == 0 || strcmp(name, "/right") == 0);
-    return is_end && (!text[0] || strcmp(text, ".") == 0 || strchr(text, '/'));
+    return name && (strcmp(name, "/left") == 0 || strcmp(name, "/right") == 0);
+}
+
+// Gives the ends of links the names that rename_object gives buildings.
+static void rename_ends(hid_t file, const char *path, const char *text) {
+    hid_t d = H5Dopen2(file, path, H5P_DEFAULT), type = H5Dget_type(d), space = H5Dget_space(d);
+    const hssize_t n = H5Sget_simple_extent_npoints(space);
+    char **list = malloc((size_t)(n + 1) * sizeof *list);
+    char(*name)[5000] = malloc((size_t)(n + 1) * sizeof *name);
+    assert_true(H5Dread(d, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, list) >= 0);
+    for (hssize_t i = 0; i < n; i++) {
+        const bool stays = !is_link_name(text) || strcmp(list[i], "wall") == 0;
+        snprintf(name[i], sizeof name[i], "%s%s", stays ? "" : text, list[i]);
+        list[i] = name[i];
+    }
+    assert_true(H5Dwrite(d, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, list) >= 0);
+    free(name);
+    free(list);
+    H5Sclose(space);
+    H5Tclose(type);
+    H5Dclose(d);
 }
 
 void foreign_text(const char *from, const char *to, int i, const char *text) {
@@ -155,12 +178,13 @@ void foreign_text(const char *from, const char *to, int i, const char *text) {
     for (int names = 0; names < 2; names++) {
         for (int k = 0; k < n; k++) {
             const char *path = field[k].path;
-            if ((i >= 0 ? k != i : field[k].fixed || keeps_ends(path, text)) ||
-                names != (path[0] == '=')) {
+            if ((i >= 0 ? k != i : field[k].fixed) || names != (path[0] == '=')) {
                 continue;
             }
             if (names) {
                 rename_object(file, path + 1, text);
+            } else if (i < 0 && is_of_ends(path)) {
+                rename_ends(file, path, text);
             } else if (strchr(path, '@')) {
                 write_attribute(file, path, text);
             } else {

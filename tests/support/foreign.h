@@ -18,8 +18,8 @@ struct foreign_field {
 int foreign_fields(const char *file, struct foreign_field *field);
 
 // Copies the file `from` to `to` with another text in field `i`; i < 0: in all that are not fixed.
-// A name that HDF5 does not take for a link (empty, with a slash) stays; then so do the ends of
-// links, which name buildings.
+// A name that HDF5 does not take for a link (empty, with a slash) stays. Ends of links follow the
+// names of buildings.
 void foreign_text(const char *from, const char *to, int i, const char *text);
 
 // Copies the file with another value in all its numbers but scales of floors and links.
