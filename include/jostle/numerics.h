@@ -9,7 +9,7 @@
 
 JOSTLE_C_BEGIN
 
-enum { NUMERICS_VERSION = 7 };
+enum { NUMERICS_VERSION = 8 };
 
 JOSTLE_C_END
 
