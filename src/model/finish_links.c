@@ -129,14 +129,31 @@ static void check_names(struct builder *b) {
     }
 }
 
-static void finish_ends(const struct model *m, struct link *l) {
+// Rows count floors of their building from 0 until here. False: no memory.
+static bool place_row(struct arena *a, struct link *l, int side, int first) {
+    const int n = l->row[side].n;
+    struct link_entry *entry = arena_alloc(a, (size_t)n, sizeof *entry);
+    for (int i = 0; entry && i < n; i++) {
+        entry[i] =
+            (struct link_entry){first + l->row[side].entry[i].dof, l->row[side].entry[i].weight};
+    }
+    l->row[side].entry = entry;
+    l->dof[side] = n > 0 && entry ? entry[0].dof : WALL;
+    return entry != NULL;
+}
+
+static void finish_ends(struct arena *a, const struct model *m, struct link *l) {
     int ground[2] = {WALL, WALL};
     for (int i = 0; i < 2; i++) {
         if (l->building[i] != WALL) {
             l->building[i] = l->column[i] < 0 ? l->building[i] : m->n_building + l->column[i];
             const struct building *g = &m->building[l->building[i]];
             const int floor = l->column[i] < 0 ? l->floor[i] : 1;
-            l->dof[i] = l->row[i].n > 0 ? l->dof[i] : g->first + floor - 1;
+            if (l->row[i].n == 0) {
+                l->dof[i] = g->first + floor - 1;
+            } else if (!place_row(a, l, i, g->first)) {
+                return;
+            }
             ground[i] = g->ground;
         }
     }
@@ -151,7 +168,7 @@ void finish_links(struct builder *b, struct model *m) {
     for (int bilateral = 0; link && bilateral < 2; bilateral++) {
         for (int i = 0; i < b->links.n; i++) {
             if (draft[i].link.bilateral == bilateral) {
-                finish_ends(m, &draft[i].link);
+                finish_ends(b->arena, m, &draft[i].link);
                 draft[i].link.word = &draft[i].word;
                 check_overlap(b, m, &draft[i]);
                 draft[i].link.history = m->n_link_history;

@@ -110,15 +110,6 @@ bool level_read(struct builder *b, const struct word *w, struct selection *out, 
     return place_level(b, &place, value.number[0], out, level);
 }
 
-// The index of floor 1 of a building among all degrees of freedom, while the deck is read.
-static int first_of(struct builder *b, int building) {
-    int first = 0;
-    for (int i = 0; i < building; i++) {
-        first += builder_draft(b, i)->n_floor;
-    }
-    return first;
-}
-
 double level_weight(struct builder *b, const struct link *l, int side) {
     if (isnan(l->level[side])) {
         return NAN;
@@ -137,13 +128,10 @@ double level_weight(struct builder *b, const struct link *l, int side) {
 
 // Adds sign times the row of one end to the n entries. Entries of one floor are added up. Returns
 // the number of entries.
-static int add_end(struct builder *b, const struct link *l, int side, double sign,
-                   struct link_entry *entry, int n) {
-    const int building = l->building[side];
-    const int floor = l->floor[side], first = first_of(b, building);
+static int add_end(const struct link *l, int side, double sign, struct link_entry *entry, int n) {
+    const int floor = l->floor[side];
     const double share = isnan(l->level[side]) ? 1.0 : l->weight[side];
-    const struct link_entry own[] = {{first + floor - 1, sign * share},
-                                     {first + floor - 2, sign * (1.0 - share)}};
+    const struct link_entry own[] = {{floor - 1, sign * share}, {floor - 2, sign * (1.0 - share)}};
     for (int i = 0; i < 2; i++) {
         int at = 0;
         while (at < n && entry[at].dof != own[i].dof) {
@@ -182,12 +170,12 @@ bool level_rows(struct builder *b, struct link *l, const struct word *w) {
     struct link_entry entry[ENTRIES_MAX];
     for (int i = 0; i < 2 && !l->within; i++) {
         if (!isnan(l->level[i]) && l->column[i] < 0) {
-            set_row(b, l, i, entry, add_end(b, l, i, 1.0, entry, 0));
+            set_row(b, l, i, entry, add_end(l, i, 1.0, entry, 0));
         }
     }
     if (l->within) {
         l->building[1] = l->building[0];
-        const int n = add_end(b, l, 1, -1.0, entry, add_end(b, l, 0, 1.0, entry, 0));
+        const int n = add_end(l, 1, -1.0, entry, add_end(l, 0, 1.0, entry, 0));
         if (is_nothing(entry, n)) {
             deck_error(b->deck, w, "both ends of the link are the same");
             return false;
@@ -204,14 +192,13 @@ double level_effective_mass(struct builder *b, const struct link *l) {
     for (int i = 0; i < 2; i++) {
         const struct building_draft *d =
             l->building[i] == WALL ? NULL : builder_draft(b, l->building[i]);
-        const int first = l->row[i].n > 0 ? first_of(b, l->building[i]) : 0;
         if (l->column[i] >= 0) {
             inverse += 1.0 / struck_column_draft(b, l->column[i])->column.mass;
             continue;
         }
         for (int k = 0; d && d->mass && k < l->row[i].n; k++) {
             const struct link_entry *e = &l->row[i].entry[k];
-            inverse += e->weight * e->weight / d->mass[e->dof - first];
+            inverse += e->weight * e->weight / d->mass[e->dof];
         }
         if (d && d->mass && l->row[i].n == 0) {
             inverse += 1.0 / d->mass[l->floor[i] - 1];

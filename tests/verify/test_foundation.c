@@ -181,6 +181,33 @@ static void soil_gives_springs_and_dashpots(void **state) {
     model_free(m);
 }
 
+// Levels and columns of a building behind one with a foundation, of which the deck says so last.
+static void levels_of_other_buildings_stay_where_they_are(void **state) {
+    static const char deck[] =
+        "units N m s\nbuilding A -floors 2 -mass 100t -stiffness 90MN/m -height 3m\n"
+        "building B -floors 3 -mass 120t -stiffness 60MN/m -height 2.5m\n"
+        "column B@3m -name c -EI 50MN*m^2 -mass 1t\n"
+        "contact A B -by-level -gap 5mm -law hertz -k 3e9N/m^1.5\ndamping A rayleigh 3%%\n"
+        "damping B rayleigh 3%%\nground record %s -format series -dt 0.02 -unit g\n"
+        "duration 6\nstep fixed 0.5ms\n%s";
+    (void)state;
+    struct analysis a[2] = {
+        analysis_of(deck, el_centro(), ""),
+        analysis_of(deck, el_centro(),
+                    "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
+    };
+    assert_int_equal(a[0].model->n_contact, 4);  // A@2.5m, B@3m, A@5m, B@6m
+    for (int i = 0; i < 4; i++) {
+        assert_true(a[0].results->link[i].impacts > 0);
+        assert_int_equal(a[1].results->link[i].impacts, a[0].results->link[i].impacts);
+        assert_close(a[1].results->link[i].force, a[0].results->link[i].force, 1e-5);
+    }
+    assert_close(a[1].results->column[0][COLUMN_SHEAR_BELOW].max,
+                 a[0].results->column[0][COLUMN_SHEAR_BELOW].max, 1e-5);
+    analysis_free(&a[0]);
+    analysis_free(&a[1]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_building_is_that_of_an_independent_program),
@@ -188,6 +215,7 @@ int main(void) {
         cmocka_unit_test(the_period_is_that_of_veletsos_and_meek),
         cmocka_unit_test(a_stiff_foundation_is_the_fixed_base),
         cmocka_unit_test(soil_gives_springs_and_dashpots),
+        cmocka_unit_test(levels_of_other_buildings_stay_where_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

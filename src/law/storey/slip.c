@@ -85,8 +85,9 @@ const struct storey_law storey_slip = {
     .formula =
         "V = W k drift + F(drift, p+) - F(-drift, p-), F = max(0, min((1 - W) k (d - g - p), Y "
         "+ H p)), p grows where the hook yields, so that the slope is R k",
-    .source = "two elastic-plastic springs with a gap that grows, as ElasticPPGap of OpenSees with "
-              "damage; slip of braces and timber: Stewart (1987), Univ. of Canterbury report 87-11",
+    .source =
+        "two elastic-plastic springs with a gap that grows, as ElasticPPGap of OpenSees with "
+        "damage; slip of braces and timber: Stewart (1987), PhD thesis, University of Canterbury",
     .remarks =
         "for tension-only braces, bolted and nailed timber, masonry infill. k is the stiffness "
         "with a hook that has caught: with a slack, first steps and modes have k, the storey "
