@@ -50,9 +50,9 @@ static const struct link *link_at_level(const struct builder *b, const struct st
     return NULL;
 }
 
-void struck_column_add(struct builder *b, const struct struck_column *given, double damping,
+void struck_column_add(struct builder *b, const struct struck_column *column, double damping,
                        const struct word *w) {
-    struct struck_column c = *given;
+    struct struck_column c = *column;
     const double *height = builder_draft(b, c.building)->height;
     double floor_below = 0.0;
     for (int i = 0; i < c.floor - 1; i++) {

@@ -8,7 +8,7 @@
 // Adds the column: its name, place, mass and bending stiffness are given, the rest is found here.
 // `damping` is the damping ratio of the struck point. Reports a second column at that level, and
 // links that have named the level before.
-void struck_column_add(struct builder *b, const struct struck_column *c, double damping,
+void struck_column_add(struct builder *b, const struct struck_column *column, double damping,
                        const struct word *w);
 
 // The index of the column of the building at this level; -1: none.

@@ -86,7 +86,7 @@ static void build(struct builder *b, const struct statement *s) {
     bool good = placed;
     const char *name = pairs_name(b, &a[NAME], &good);
     const double bending = bending_of(b, s, a);
-    if (!good || bending == 0.0) {
+    if (!placed || !good || bending == 0.0) {
         return;
     }
     const double n = a[NUMBER].number[0];
