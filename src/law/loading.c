@@ -3,13 +3,14 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 // Rounding of a shear on a line, relative to the shear.
 static const double ROUNDING = 1e-13;
 
 static struct loading_line loading_line_at(const double *h, int i) {
-    const double *p = h + LOADING_PATH + 3 * i;
+    const double *p = h + LOADING_PATH + (ptrdiff_t)3 * i;
     return (struct loading_line){p[0], p[1], p[2]};
 }
 
@@ -20,7 +21,7 @@ static inline double loading_line_shear(const struct loading_line *l, double dri
 static void loading_add(double *h, double drift, double shear, double slope) {
     const int n = (int)h[LOADING_N];
     assert(n < LOADING_LINES_MAX);
-    double *p = h + LOADING_PATH + 3 * n;
+    double *p = h + LOADING_PATH + (ptrdiff_t)3 * n;
     p[0] = drift;
     p[1] = shear;
     p[2] = slope;

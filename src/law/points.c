@@ -41,6 +41,7 @@ static int points_backbone(const double *c, double drift, struct loading_line *l
         const double shear = c[POINTS_SHEAR + i] + slope * (from - c[POINTS_DRIFT + i]);
         line[used++] = (struct loading_line){from, fmax(shear, 0.0), shear > 0.0 ? slope : 0.0};
     }
+    assert(used > 0);
     // A backbone that falls ends at zero shear.
     const struct loading_line *last = &line[used - 1];
     if (last->slope < 0.0) {

@@ -186,7 +186,7 @@ void finish_links(struct builder *b, struct model *m) {
 
 void finish_loads(struct builder *b, struct model *m) {
     const struct load_draft *draft = b->loads.item;
-    const size_t n = (size_t)(b->loads.n + foundation_n_load(m));
+    const size_t n = (size_t)b->loads.n + (size_t)foundation_n_load(m);
     struct load *load = arena_alloc(b->arena, n, sizeof *load);
     for (int i = 0; load && i < b->loads.n; i++) {
         load[i].dof = m->building[draft[i].building].first + draft[i].floor - 1;

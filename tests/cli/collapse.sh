@@ -91,8 +91,8 @@ same_runs() {
     for path in $(h5ls -r "$1" | awk '$2 == "Dataset" && $1 !~ "^/runs/" { print $1 }'); do
         h5diff "$1" "$2" "$path" "$path" >"$out" 2>"$err" || return 1
     done
-    [ "$(h5ls -r "$1")" = "$(h5ls -r "$2")" ] &&
-        h5diff "$1" "$2" /runs /runs >"$out.diff" 2>&1
+    [ "$(h5ls -r "$1")" = "$(h5ls -r "$2")" ] || return 1
+    h5diff "$1" "$2" /runs /runs >"$out.diff" 2>&1
     ! grep -E '^dataset|error' "$out.diff"
 }
 run "$jostle" run study.deck -q -j 3 -o threads.h5
