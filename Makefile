@@ -169,7 +169,7 @@ check-long: $(PROGRAM) $(LIBRARY) $(TESTS) $(LONG)
 	    $(B)/log $(TESTS) $(LONG) $(SCRIPTS) $(LONG_SCRIPTS)
 
 asan: setup  ## the tests under the address and undefined-behaviour sanitizers
-	@ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
+	@ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/support/lsan.supp:print_suppressions=0 \
 	    JOSTLE_SANITIZED=1 $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g'
 
