@@ -58,7 +58,7 @@ int forces_n_member(const struct building *g) {
     return forces_members_below(g, g->n_part);
 }
 
-int forces_of_members(const struct building *g, int part, enum frame_force which) {
+int forces_of_members(const struct building *g, int part, int which) {
     assert(part >= 0 && part <= g->n_part);
     return forces_shares_below(g, g->n_part + 1) + (int)which * forces_n_member(g) +
            forces_members_below(g, part);

@@ -54,7 +54,7 @@ struct frame_member frame_member(enum frame_kind kind, int level, int number, do
     };
 }
 
-bool frame_has(const struct frame_member *m, enum frame_force force) {
+bool frame_has(const struct frame_member *m, int force) {
     return force != FRAME_NORMAL || m->kind == FRAME_COLUMN;
 }
 

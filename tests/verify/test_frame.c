@@ -56,7 +56,7 @@ static struct statics statics_of(struct model *m, const double *load) {
 }
 
 // A force of a member of the first part.
-static double force_of(const struct statics *s, const char *name, enum frame_force which) {
+static double force_of(const struct statics *s, const char *name, int which) {
     const struct building *g = s->building;
     const struct plane_frame *f = frame_of(&g->part[0]);
     for (int i = 0; i < f->n_member; i++) {
