@@ -19,8 +19,8 @@ const char *forces_share_name(const struct building *g, int number);
 // The members of all frames and walls of the building, part by part.
 int forces_n_member(const struct building *g);
 
-// The index of force `which` (enum frame_force) of the first member of part `part` (from 0), which those of the next
-// members follow.
+// The index of force `which` (enum frame_force) of the first member of part `part` (from 0), which
+// those of the next members follow.
 int forces_of_members(const struct building *g, int part, int which);
 
 // Fills n_force, force and force_by_drift of the building, whose parts are there; `linear` storeys

@@ -59,7 +59,8 @@ enum frame_force { FRAME_MOMENT_I, FRAME_MOMENT_J, FRAME_SHEAR, FRAME_NORMAL, FR
 struct frame_member frame_member(enum frame_kind kind, int level, int number, double length,
                                  double ei, double ga, double ea);
 
-// Does the member have this force (enum frame_force)? Beams and walls have no normal force, as floors are rigid.
+// Does the member have this force (enum frame_force)? Beams and walls have no normal force, as
+// floors are rigid.
 bool frame_has(const struct frame_member *m, int force);
 
 // Joins the members to joints, numbers the unknowns and condenses the frame. The caller has set the
