@@ -32,7 +32,7 @@ struct part {
     const char *name;         // its own in the building, as the result file has it
     const char *source;       // what it was made from, for messages: a file, members
     int n;                    // storeys of its building
-    const double *stiffness;  // [F/L] (n, n) on drifts, of a linear part; NULL: it is not linear
+    const double *stiffness;  // [F/L] (n, n) on drifts, of all that is linear; NULL: nothing is
     const void *data;
     int n_history;
     int history;  // offset of its values in the state's storey history

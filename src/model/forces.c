@@ -23,7 +23,7 @@ static bool forces_shared(const struct building *g) {
 // The storey shears of a share.
 static int forces_count_shares(const struct building *g, int number) {
     const bool linear = number == 0 ? g->storeys_linear && forces_storeys_resist(g)
-                                    : g->part[number - 1].stiffness != NULL;
+                                    : g->part[number - 1].kind->traits & PART_LINEAR;
     return forces_shared(g) && linear ? g->n_floor : 0;
 }
 

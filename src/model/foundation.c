@@ -26,30 +26,34 @@
 #include "model/pdelta.h"
 
 // The part of a building with a foundation. The storeys that yield are kept one by one. All that is
-// linear is one matrix.
+// linear is the stiffness of the part.
 struct founded {
     int n;                        // storeys
     const double *share;          // (n) r_i
-    const double *linear;         // [F/L] (n + 2, n + 2) on drifts, without the storeys that yield
     const struct storey *storey;  // (n) history: offset in that of the part
 };
-
-static double founded_sum(const double *drift, int n) {
-    double sum = 0.0;
-    for (int i = 0; i < n; i++) {
-        sum += drift[i];
-    }
-    return sum;
-}
 
 // d e_i / d d_j.
 static double founded_entry(const struct founded *f, int i, int j) {
     return (i == j) - f->share[i] - (i == 0 && j <= f->n);
 }
 
-static double founded_deformation(const struct founded *f, int i, const double *drift) {
-    const double sway = founded_sum(drift, f->n + 1), turn = sway + drift[f->n + 1];
-    return drift[i] - f->share[i] * turn - (i == 0 ? sway : 0.0);
+// u_b and phi.
+struct founded_motion {
+    double sway, turn;
+};
+
+static struct founded_motion founded_motion(const struct founded *f, const double *drift) {
+    double sway = 0.0;
+    for (int i = 0; i <= f->n; i++) {
+        sway += drift[i];
+    }
+    return (struct founded_motion){sway, sway + drift[f->n + 1]};
+}
+
+static double founded_deformation(const struct founded *f, int i, const double *drift,
+                                  struct founded_motion slab) {
+    return drift[i] - f->share[i] * slab.turn - (i == 0 ? slab.sway : 0.0);
 }
 
 static void founded_add_storey(const struct founded *f, int i, struct storey_response r,
@@ -69,25 +73,14 @@ static void founded_add_storey(const struct founded *f, int i, struct storey_res
 static void founded_respond(const struct part *p, const double *history, const double *drift,
                             const double *rate, const struct part_sums *to, double *after) {
     const struct founded *f = p->data;
-    const int n = f->n + 2;
-    (void)rate;
-    for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-            const double k = f->linear[i * n + j];
-            if (to->shear) {
-                to->shear[i] += k * drift[j];
-            }
-            if (to->by_drift) {
-                to->by_drift[i * n + j] += k;
-            }
-        }
-    }
+    const struct founded_motion slab = founded_motion(f, drift);
+    parts_linear_respond(p, history, drift, rate, to, after);
     for (int i = 0; i < f->n; i++) {
         const struct storey *s = &f->storey[i];
         if (s->law->n_history > 0) {
-            const struct storey_response r =
-                s->law->respond(s->constant, history + s->history, founded_deformation(f, i, drift),
-                                after ? after + s->history : NULL);
+            const struct storey_response r = s->law->respond(s->constant, history + s->history,
+                                                             founded_deformation(f, i, drift, slab),
+                                                             after ? after + s->history : NULL);
             founded_add_storey(f, i, r, to);
         }
     }
@@ -95,18 +88,13 @@ static void founded_respond(const struct part *p, const double *history, const d
 
 static double founded_stored(const struct part *p, const double *history, const double *drift) {
     const struct founded *f = p->data;
-    const int n = f->n + 2;
-    double sum = 0.0;
-    for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-            sum += drift[i] * f->linear[i * n + j] * drift[j] / 2.0;
-        }
-    }
+    const struct founded_motion slab = founded_motion(f, drift);
+    double sum = parts_linear_stored(p, history, drift);
     for (int i = 0; i < f->n; i++) {
         const struct storey *s = &f->storey[i];
         if (s->law->n_history > 0) {
-            sum +=
-                s->law->stored(s->constant, history + s->history, founded_deformation(f, i, drift));
+            sum += s->law->stored(s->constant, history + s->history,
+                                  founded_deformation(f, i, drift, slab));
         }
     }
     return sum;
@@ -115,8 +103,8 @@ static double founded_stored(const struct part *p, const double *history, const 
 static const struct part_kind founded_linear = {
     .name = "foundation",
     .traits = PART_LINEAR,
-    .respond = founded_respond,
-    .stored = founded_stored,
+    .respond = parts_linear_respond,
+    .stored = parts_linear_stored,
 };
 static const struct part_kind founded_yields = {
     .name = "foundation",
@@ -241,18 +229,18 @@ static struct part *founded_part(struct arena *a, const struct building_draft *d
         return NULL;
     }
     *f = (struct founded){.n = fixed->n_floor};
-    if (!founded_take_storeys(a, f, fixed, d->storey, height, &n_history) ||
-        !(f->linear = founded_matrix(a, f, fixed, d->foundation, height))) {
+    if (!founded_take_storeys(a, f, fixed, d->storey, height, &n_history)) {
         return NULL;
     }
     *part = (struct part){
         .kind = n_history > 0 ? &founded_yields : &founded_linear,
         .name = "foundation",
         .n = f->n + 2,
+        .stiffness = founded_matrix(a, f, fixed, d->foundation, height),
         .data = f,
         .n_history = n_history,
     };
-    return part;
+    return part->stiffness ? part : NULL;
 }
 
 // Masses, and the stiffness at rest, of the building with its part; false: no memory.
@@ -273,8 +261,8 @@ static bool founded_properties(struct arena *a, const struct building *fixed, do
     memcpy(mass, fixed->mass, n * sizeof *mass);
     mass[n] = out->foundation->mass;
     mass[n + 1] = out->foundation->inertia / (height * height);
-    founded_respond(out->part, history, still, still, &(struct part_sums){.by_drift = initial},
-                    NULL);
+    out->part->kind->respond(out->part, history, still, still,
+                             &(struct part_sums){.by_drift = initial}, NULL);
     for (size_t i = 0; i < all; i++) {
         stiffness[i] = initial[i * all + i];
     }
@@ -359,14 +347,14 @@ int foundation_loads(struct builder *b, const struct model *m, struct load *out)
     return n;
 }
 
-void foundation_storeys(const struct building *g, double *drift, double *shear) {
+void foundation_storeys(const struct building *g, const double *drift, const double *shear,
+                        double *own_drift, double *own_shear) {
     assert(g->fixed && g->n_part == 1);
     const struct founded *f = g->part->data;
-    const double sway = founded_sum(drift, f->n + 1), turn = sway + drift[f->n + 1];
-    const double below = shear[f->n];
+    const struct founded_motion slab = founded_motion(f, drift);
     for (int i = 0; i < f->n; i++) {
-        drift[i] -= f->share[i] * turn + (i == 0 ? sway : 0.0);
-        shear[i] -= below;
+        own_drift[i] = founded_deformation(f, i, drift, slab);
+        own_shear[i] = shear[i] - shear[f->n];
     }
 }
 
@@ -376,18 +364,21 @@ const struct storey *foundation_storey(const struct model *m, const struct build
                     : &m->storey[g->first + i];
 }
 
+struct foundation_row foundation_row(const struct building *g, int i) {
+    assert(g->fixed && i >= 0 && i < g->n_level);
+    const struct founded *f = g->part->data;
+    const int slab = g->first + f->n;
+    return (struct foundation_row){.dof = {g->first + i, i > 0 ? g->first + i - 1 : slab, slab + 1},
+                                   .weight = {1.0, -1.0, -f->share[i]}};
+}
+
 double foundation_across(const struct model *m, int dof, const double *x) {
     for (int k = 0; m->founded && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        const int i = dof - g->first, n = g->n_level;
-        if (g->fixed && i >= 0 && i < n) {
-            const double *own = x + g->first;
-            double height = 0.0;
-            for (int j = 0; j < n; j++) {
-                height += g->height[j];
-            }
-            const double below = i > 0 ? own[i - 1] : own[n];
-            return own[i] - below - g->height[i] / height * own[n + 1];
+        const int i = dof - g->first;
+        if (g->fixed && i >= 0 && i < g->n_level) {
+            const struct foundation_row r = foundation_row(g, i);
+            return x[r.dof[0]] - x[r.dof[1]] + r.weight[2] * x[r.dof[2]];
         }
     }
     return x[dof] - m->chain.joint[dof] * x[dof - 1];

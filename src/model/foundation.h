@@ -19,9 +19,18 @@ int foundation_loads(struct builder *b, const struct model *m, struct load *out)
 // The law of storey `i` (from 0) of a building of the model, with or without a foundation.
 const struct storey *foundation_storey(const struct model *m, const struct building *g, int i);
 
-// Storey deformations and shears of a building with a foundation, from drifts and shears of its
-// degrees of freedom. In place: the values of floors are replaced.
-void foundation_storeys(const struct building *g, double *drift, double *shear);
+// Storey deformations and shears (n_level) of a building with a foundation, from drifts and shears
+// (n_floor) of its degrees of freedom, which are other arrays.
+void foundation_storeys(const struct building *g, const double *drift, const double *shear,
+                        double *own_drift, double *own_shear);
+
+// The deformation of storey `i` (from 0) of a building with a foundation, as a sum of
+// displacements: of the floor above, the floor below or the slab, and the rocking.
+struct foundation_row {
+    int dof[3];
+    double weight[3];
+};
+struct foundation_row foundation_row(const struct building *g, int i);
 
 // The drift of the storey below floor `dof` at the displacements x (n_dof), an array of
 // core/lanes.h, or the same difference of others: with a foundation, that of the storey alone.

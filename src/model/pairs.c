@@ -153,7 +153,7 @@ static bool find_levels(struct builder *b, const struct pairs *p, double *level[
 
 // Adds the pair of floors, or of floor `at[side]` and the level of the other building there.
 static void add_pair(struct pairs *p, int *floor[2], double *level[2], const int at[2],
-                     const double *of[2], int only) {
+                     double *const of[2], int only) {
     for (int i = 0; i < 2; i++) {
         floor[i][p->n] = at[i];
         level[i][p->n] = only >= 0 && only != i ? of[only][at[only]] : (double)NAN;
@@ -190,12 +190,10 @@ bool pairs_by_level(struct builder *b, const struct statement *s, double depth, 
     if (arena_failed(b->arena)) {
         return false;
     }
-    const double *const known[2] = {of[0], of[1]};
-    const double *levels[2] = {known[0], known[1]};
     while (at[0] <= n[0] && at[1] <= n[1]) {
         const double apart = of[0][at[0]] - of[1][at[1]];
         const bool meet = fabs(apart) < depth;
-        add_pair(out, floor, level, at, levels, meet ? -1 : apart > 0.0);
+        add_pair(out, floor, level, at, of, meet ? -1 : apart > 0.0);
         at[0] += meet || apart <= 0.0;
         at[1] += meet || apart > 0.0;
     }

@@ -14,7 +14,8 @@ void parts_respond(const struct building *g, const double *history, const double
 // Recoverable energy of the parts of building `g` [F L].
 double parts_stored(const struct building *g, const double *history, const double *drift);
 
-// The functions of a linear part, whose shears are its stiffness times the drifts.
+// The functions of a linear part, whose shears are its stiffness times the drifts; of other parts,
+// what is linear in them.
 void parts_linear_respond(const struct part *p, const double *history, const double *drift,
                           const double *rate, const struct part_sums *to, double *after);
 double parts_linear_stored(const struct part *p, const double *history, const double *drift);

@@ -45,7 +45,8 @@ static void analysis_row_founded(struct run *r, const struct state *s) {
     for (int k = 0; k < r->model->n_building; k++) {
         const struct building *g = &r->model->building[k];
         if (g->fixed) {
-            foundation_storeys(g, r->row_drift + g->first, r->row_shear + g->first);
+            foundation_storeys(g, s->drift + g->first, s->shear + g->first, r->row_drift + g->first,
+                               r->row_shear + g->first);
         }
     }
 }

@@ -78,13 +78,10 @@ void peaks_founded(struct results *r, const struct model *m, const struct state 
     const double *const value[] = {drift, shear};
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        const size_t size = (size_t)g->n_floor * sizeof *drift;
         if (!g->fixed) {
             continue;
         }
-        memcpy(drift, s->drift + g->first, size);
-        memcpy(shear, s->shear + g->first, size);
-        foundation_storeys(g, drift, shear);
+        foundation_storeys(g, s->drift + g->first, s->shear + g->first, drift, shear);
         for (int q = 0; q < 2; q++) {
             for (int i = 0; i < g->n_level; i++) {
                 peak_larger(fabs(value[q][i]), s->time, &r->founded_peak[q][g->first + i],

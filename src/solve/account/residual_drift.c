@@ -154,11 +154,9 @@ void residual_drifts(const struct model *m, const struct state *s, double *out) 
             residual_drift_settle(m, s, b, out + b->first);
             continue;
         }
-        memcpy(drift, s->drift + b->first, (size_t)b->n_floor * sizeof *drift);
         if (b->fixed) {
-            memcpy(shear, s->shear + b->first, (size_t)b->n_floor * sizeof *shear);
-            foundation_storeys(b, drift, shear);
+            foundation_storeys(b, s->drift + b->first, s->shear + b->first, drift, shear);
         }
-        residual_drift_storeys(m, s, b, drift, out + b->first);
+        residual_drift_storeys(m, s, b, b->fixed ? drift : s->drift + b->first, out + b->first);
     }
 }

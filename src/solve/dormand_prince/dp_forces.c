@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "model/forces.h"
+#include "model/foundation.h"
 #include "solve/account/force_peaks.h"
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
@@ -78,18 +79,6 @@ static void dp_forces_columns(const struct dp *p) {
     }
 }
 
-// Deformation of storey i of a building with a foundation.
-static struct motion dp_forces_deformation(const struct dp *p, const struct building *g, int i) {
-    const int slab = g->first + g->n_level, rock = slab + 1;
-    const int dof[] = {g->first + i, i > 0 ? g->first + i - 1 : slab, rock};
-    double height = 0.0;
-    for (int k = 0; k < g->n_level; k++) {
-        height += g->height[k];
-    }
-    const double weight[] = {1.0, -1.0, -g->height[i] / height};
-    return dp_forces_sum(p, 3, dof, weight);
-}
-
 // Shear of storey i of a linear building with a foundation, or its rate (foundation.c).
 static double dp_forces_founded_shear(const struct dp *p, const struct building *g, const double *x,
                                       int i) {
@@ -120,7 +109,8 @@ static void dp_forces_founded(const struct dp *p, const struct building *g) {
     const double *shear = p->system.part_shear + g->first;
     double end[6];
     for (int i = 0; i < g->n_level; i++) {
-        const struct motion deformation = dp_forces_deformation(p, g, i);
+        const struct foundation_row row = foundation_row(g, i);
+        const struct motion deformation = dp_forces_sum(p, 3, row.dof, row.weight);
         dp_forces_founded_motion(p, 0, g->first + i, &deformation);
         if (!g->elastic) {
             dp_forces_note_founded(p, 1, g->first + i, shear[i] - shear[g->n_level], p->next.time);
