@@ -96,6 +96,15 @@ struct building_draft *builder_add_building(struct builder *b, const char *name)
     return added ? d : NULL;
 }
 
+bool builder_has_heights(struct builder *b, const struct building_draft *d, const struct word *w,
+                         const char *what) {
+    if (!d->height && !d->any_height) {
+        deck_error(b->deck, w, "%s needs the heights of the storeys; building %s has no -height",
+                   what, d->name);
+    }
+    return d->height != NULL;
+}
+
 void builder_add_part(struct builder *b, struct building_draft *d, const struct part *part) {
     assert(part->kind);
     int number = 1;

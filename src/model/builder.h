@@ -155,6 +155,11 @@ struct building_draft *builder_draft(struct builder *b, int i);
 // Adds a building with this new name; NULL: no memory.
 struct building_draft *builder_add_building(struct builder *b, const char *name);
 
+// True if the building has storey heights. Otherwise reports at `w` that `what` ("a level") needs
+// them, unless its statement gives some that are wrong.
+bool builder_has_heights(struct builder *b, const struct building_draft *d, const struct word *w,
+                         const char *what);
+
 // Adds a part to the building. Its name is that of its kind, with a number from the second part on.
 void builder_add_part(struct builder *b, struct building_draft *d, const struct part *part);
 

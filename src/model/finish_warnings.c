@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "model/finish.h"
+#include "model/pairs.h"
 #include "model/struck_column.h"
 
 static const double ROUNDING = 1e-9;
@@ -207,11 +208,7 @@ static void check_drift(struct builder *b, const struct model *m) {
 }
 
 static double level(const struct building *g, int floor) {
-    double height = 0.0;
-    for (int i = 0; g->height && i < floor; i++) {
-        height += g->height[i];
-    }
-    return height;
+    return g->height ? level_of_floor(g->height, floor) : 0.0;
 }
 
 // True if the storey heights put the ends of the contact at different levels.

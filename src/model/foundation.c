@@ -22,6 +22,7 @@
 #include "core/arena.h"
 #include "law/lists.h"
 #include "model/modes.h"
+#include "model/pairs.h"
 #include "model/parts.h"
 #include "model/pdelta.h"
 
@@ -280,11 +281,8 @@ int foundation_put(struct builder *b, const struct building_draft *d, const stru
                    int *n_history, struct building *out, struct error *e) {
     struct arena *a = b->arena;
     const size_t all = (size_t)fixed->n_floor + 2;
-    double height = 0.0;
     assert(fixed->height);
-    for (int i = 0; i < fixed->n_floor; i++) {
-        height += fixed->height[i];
-    }
+    const double height = level_of_floor(fixed->height, fixed->n_floor);
     struct building *kept = arena_alloc(a, 1, sizeof *kept);
     struct part *part = founded_part(a, d, fixed, height);
     double *omega = arena_alloc(a, all, sizeof *omega);

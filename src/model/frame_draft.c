@@ -8,16 +8,6 @@
 #include "deck/reader.h"
 #include "model/frame.h"
 
-bool frame_draft_has_heights(struct builder *b, const struct statement *s,
-                             const struct building_draft *d, const char *what) {
-    if (d->mass && !d->height) {  // else the statement of the building is wrong
-        deck_error(b->deck, &s->word[1],
-                   "a %s needs the heights of the storeys; building %s has no -height", what,
-                   d->name);
-    }
-    return d->height != NULL;
-}
-
 bool frame_draft_has_frame(struct builder *b, const struct statement *s,
                            const struct building_draft *d) {
     if (!d->frame && !d->any_frame) {

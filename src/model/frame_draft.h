@@ -60,9 +60,6 @@ bool frame_draft_members(struct builder *b, const struct statement *s, struct ar
 // Puts the members in their places, and reports the first that is there already.
 void frame_draft_place(struct builder *b, const struct statement *s, const struct frame_members *q);
 
-// Report a building without storey heights, which `what` needs, or without a frame.
-bool frame_draft_has_heights(struct builder *b, const struct statement *s,
-                             const struct building_draft *d, const char *what);
 bool frame_draft_has_frame(struct builder *b, const struct statement *s,
                            const struct building_draft *d);
 

@@ -50,10 +50,7 @@ static bool place_level(struct builder *b, const struct word *w, double z, struc
                         double *level) {
     const struct building_draft *d = builder_draft(b, out->building);
     const char *unit = b->deck->units.length_name;
-    double top = 0.0;
-    for (int i = 0; i < d->n_floor; i++) {
-        top += d->height[i];
-    }
+    const double top = level_of_floor(d->height, d->n_floor);
     const double rounding = SAME_LEVEL * top;
     if (z <= rounding) {
         deck_error(b->deck, w, "level %.6g %s is not above the ground of building %s", z, unit,
@@ -100,14 +97,18 @@ bool level_read(struct builder *b, const struct word *w, struct selection *out, 
         return false;
     }
     const struct building_draft *d = builder_draft(b, out->building);
-    if (!d->height) {
-        deck_error(b->deck, &place,
-                   "a level needs the heights of the storeys; building %s has no "
-                   "-height",
-                   d->name);
+    if (!builder_has_heights(b, d, &place, "a level")) {
         return false;
     }
     return place_level(b, &place, value.number[0], out, level);
+}
+
+double level_of_floor(const double *height, int floor) {
+    double level = 0.0;
+    for (int i = 0; i < floor; i++) {
+        level += height[i];
+    }
+    return level;
 }
 
 double level_weight(struct builder *b, const struct link *l, int side) {
@@ -118,12 +119,8 @@ double level_weight(struct builder *b, const struct link *l, int side) {
         return struck_column_draft(b, l->column[side])->column.weight;
     }
     const double *height = builder_draft(b, l->building[side])->height;
-    const int floor = l->floor[side];
-    double below = 0.0;
-    for (int i = 0; i < floor - 1; i++) {
-        below += height[i];
-    }
-    return (l->level[side] - below) / height[floor - 1];
+    const int below = l->floor[side] - 1;
+    return (l->level[side] - level_of_floor(height, below)) / height[below];
 }
 
 // Adds sign times the row of one end to the n entries. Entries of one floor are added up. Returns

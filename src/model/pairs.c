@@ -137,15 +137,12 @@ bool pairs_read(struct builder *b, const struct statement *s, enum wall_use wall
 static bool find_levels(struct builder *b, const struct pairs *p, double *level[2]) {
     for (int i = 0; i < 2; i++) {
         const struct building_draft *d = builder_draft(b, p->building[i]);
-        if (!d->height) {
-            deck_error(b->deck, &p->word[i],
-                       "-by-level needs the heights of the storeys; building %s has no -height",
-                       d->name);
+        if (!builder_has_heights(b, d, &p->word[i], "-by-level")) {
             return false;
         }
         level[i] = arena_alloc(b->arena, (size_t)d->n_floor + 1, sizeof *level[i]);
-        for (int k = 0; level[i] && k < d->n_floor; k++) {
-            level[i][k + 1] = level[i][k] + d->height[k];
+        for (int k = 1; level[i] && k <= d->n_floor; k++) {
+            level[i][k] = level_of_floor(d->height, k);
         }
     }
     return level[0] && level[1];

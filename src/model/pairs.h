@@ -51,6 +51,9 @@ enum end_kind level_kind(struct builder *b, struct word *w);
 // floor is at this level to rounding, `out` is that floor and *level is NAN. False after a report.
 bool level_read(struct builder *b, const struct word *w, struct selection *out, double *level);
 
+// The level of a floor [L], from the heights of the storeys; 0 for the ground, floor 0.
+double level_of_floor(const double *height, int floor);
+
 // The weight of the floor above in the displacement of an end at a level: the position in the
 // storey as a share of its height; of a column, that of a point without force. NAN: the end is at a
 // floor.

@@ -54,12 +54,8 @@ void struck_column_add(struct builder *b, const struct struck_column *column, do
                        const struct word *w) {
     struct struck_column c = *column;
     const double *height = builder_draft(b, c.building)->height;
-    double floor_below = 0.0;
-    for (int i = 0; i < c.floor - 1; i++) {
-        floor_below += height[i];
-    }
     c.height = height[c.floor - 1];
-    c.below = c.level - floor_below;
+    c.below = c.level - level_of_floor(height, c.floor - 1);
     const double x = c.below / c.height, above = c.height - c.below;
     c.weight = x * x * (3.0 - 2.0 * x);
     c.stiffness = 3.0 * c.bending * pow(c.height / (c.below * above), 3.0);

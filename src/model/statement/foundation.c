@@ -112,15 +112,10 @@ static void build(struct builder *b, const struct statement *s) {
     struct building_draft *d = builder_draft(b, i);
     if (d->foundation) {
         deck_error(b->deck, &s->word[1], "building %s has a foundation already", d->name);
-    } else if (d->n_floor > 0 && !d->height) {
-        deck_error(b->deck, &s->word[1],
-                   "a foundation needs the heights of the storeys; building "
-                   "%s has no -height",
-                   d->name);
     } else if (d->n_floor > FLOORS_MAX - 2) {
         deck_error(b->deck, &s->word[1], "a building with a foundation has at most %d floors",
                    FLOORS_MAX - 2);
-    } else if (d->n_floor > 0) {
+    } else if (d->n_floor > 0 && builder_has_heights(b, d, &s->word[1], "a foundation")) {
         struct foundation *f = arena_alloc(b->arena, 1, sizeof *f);
         if (!f) {
             return;

@@ -26,7 +26,7 @@ static bool may_have(struct builder *b, const struct statement *s, const struct 
                    FRAME_BAYS_MAX);
         return false;
     }
-    return frame_draft_has_heights(b, s, d, "frame");
+    return builder_has_heights(b, d, &s->word[1], "a frame");
 }
 
 static void build(struct builder *b, const struct statement *s) {

@@ -42,7 +42,7 @@ static void build(struct builder *b, const struct statement *s) {
     struct building_draft *d = builder_draft(b, selection.building);
     d->any_part = d->any_wall = true;
     if (!selected || !good || !stands_on_ground(b, s, &selection) ||
-        !frame_draft_has_heights(b, s, d, "wall")) {
+        !builder_has_heights(b, d, &s->word[1], "a wall")) {
         return;
     }
     struct wall_draft wall = {.word = s->word[0], .n_floor = selection.n_floor};
