@@ -47,6 +47,25 @@ sed 's/^units .*/units kN cm ms/; s/^param gap .*/sweep gap values 5mm 8mm/' pai
 echo 'output -histories' >>study.deck
 run "$jostle" run -q study.deck
 expect "a study with histories runs" '[ $status -eq 0 ]'
+cat >frame.deck <<'END'
+title "a frame, a column that is struck, a foundation, P-delta, a limit of collapse"
+units kip in s
+building F -floors 2 -mass 100t -height 3m
+frame F -bays 6m -modulus 200GPa
+columns F:1:2 -I 2e-4m^4 -A 0.01m^2
+beams F:1:2 -I 3e-4m^4
+pdelta F
+building T -floors 3 -mass 100t -stiffness 150MN/m -height 4m
+column T@5m -name c1 -EI 20MN*m^2 -mass 500kg -shear-strength 500kN
+foundation T -mass 50t -inertia 500t*m^2 -sway 1GN/m -rocking 20GN*m
+contact F:1 T -gap 1mm -law linear -k 1e8N/m
+contact F:2 T@5m -gap 1mm -law linear -k 1e8N/m
+collapse drift-ratio 20%
+ground sine -amplitude 3m/s^2 -frequency 1.5 -cycles 3
+step fixed 1ms
+END
+run "$jostle" run -q frame.deck
+expect "a deck with the parts of buildings runs" '[ $status -eq 0 ]'
 expect "compressed histories take less room" '[ "$(wc -c <packed.h5)" -lt "$(wc -c <loose.h5)" ]'
 if command -v h5diff >/dev/null; then
     run h5diff packed.h5 loose.h5 /buildings/A/displacement /buildings/A/displacement
@@ -61,7 +80,7 @@ else
     skip "histories that fit in one block are contiguous" "no h5dump"
 fi
 if python3 -c 'import h5py' 2>/dev/null; then
-    run python3 "$root/tests/support/check_result.py" {pair,lean,alone,packed,long,study}.h5
+    run python3 "$root/tests/support/check_result.py" {pair,lean,alone,packed,long,study,frame}.h5
     expect "names, units and dimension scales are right" '[ $status -eq 0 ]'
 else
     skip "names, units and dimension scales are right" "no h5py"

@@ -287,7 +287,7 @@ def energy(runs):
     if len(runs) > 1:  # the scale of the residual is told at the first one only
         lower[1].curves = []
         return [upper[0], lower[0], upper[1], lower[1]], None
-    return [upper[0], lower[0]], (f"energy: {{}} {unit} in, {{}} {unit} into ",
+    return [upper[0], lower[0]], (f"energy: {{}} {unit} in, {{}} into ",
                                   [entered[-1], e["contact"][-1]])
 
 

@@ -25,15 +25,17 @@ CONTACT_ENVELOPE = "force force_time penetration impulse impacts dissipated".spl
 # energy all is energy, in ground all is acceleration, a name that ends in _time is a time, and what
 # is not named here is a plain number, a name or a text.
 POWERS = {
-    (1, 0, 0): "force peak_force storey_shear",
-    (0, 1, 0): "displacement drift residual_drift penetration max_penetration deformation gap height",
+    (1, 0, 0): "force peak_force storey_shear shear axial V N shear_below shear_above "
+               "gravity_load",
+    (0, 1, 0): "displacement drift residual_drift collapse_drift penetration max_penetration "
+               "deformation gap height left_level right_level",
     (0, 0, 1): "time period t_start t_end duration step",
     (0, 1, -1): "velocity v_approach v_rebound",
     (0, 1, -2): "acceleration",
     (1, -1, 0): "stiffness",
     (1, -1, 2): "mass effective_mass",
     (1, 0, 1): "impulse",
-    (1, 1, 0): "dissipated work",
+    (1, 1, 0): "dissipated work moment M_i M_j moment_below moment_point moment_above",
 }
 POWERS = {name: powers for powers, names in POWERS.items() for name in names.split()}
 GROUPS_MAX = 12  # xarray reads the whole file anew for each group: only the first and last ones
@@ -140,7 +142,7 @@ class Checker:
             return (0, 0, 1)
         if groups and groups[-1] in ("energy", "ground"):
             return (1, 1, 0) if groups[-1] == "energy" else (0, 1, -2)
-        return POWERS.get(name, (0, 0, 0))
+        return POWERS.get(re.sub("_(max|min)$", "", name), (0, 0, 0))
 
     def units(self, f):
         """All is in the units of force, length and time that the file names; sweeps are in theirs."""
