@@ -112,7 +112,8 @@ static int search(const struct options *o, const struct plan *plan, const struct
     struct error e;
     q->poll = progress_poll;
     q->context = &progress;
-    progress_start(&progress, (double)(plan->n_run / view->sweep[roles->abscissa]->n), "records");
+    const long n_sample = plan->n_run / view->sweep[roles->abscissa]->n;
+    progress_start(&progress, (double)n_sample, "records");
     int status = capacity_search(q, &found, &e);
     progress_end(&progress);
     struct ida_print p = {
