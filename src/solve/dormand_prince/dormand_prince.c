@@ -236,7 +236,7 @@ static int dp_stuck(const struct dp *p, int k, struct error *e) {
 // Does a force begin with an infinite slope there? That of a contact may (d^(1/4)), and that of a
 // damper with an event at v = 0 does.
 static bool dp_is_steep(const struct dp *p, const struct dp_event *event) {
-    bool turns = event->kind == DP_TURN && p->model->link[event->index].bilateral;
+    bool turns = event->kind == DP_TURN && dp_system_is_steep(&p->model->link[event->index]);
     return event->kind == DP_CLOSE || turns;
 }
 

@@ -49,6 +49,7 @@ enum dp_row {
 // The equations of motion on the present branches.
 struct dp_system {
     struct forcing forcing;
+    bool creeps;             // some law of a link has a state of its own
     bool special;            // is there more than linear floors on one ground, and links?
     double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
     double *mobility;        // [1/M] (n_dof) 1 / m
@@ -68,7 +69,8 @@ struct dp_system {
 // The system at one instant. Links are those live in the state at the start of the step.
 struct dp_link_rates {
     struct contact_response response;
-    double power;  // [F L/T] of its force
+    double power;        // [F L/T] of its force
+    double creep, flow;  // [L] [L/T] what struct contact_law.creep gives the rate of, and its rate
 };
 struct dp_rates {
     double *u, *v;                 // [L] [L/T] (n_dof)
@@ -199,6 +201,9 @@ double dp_system_shear(const struct dp *p, int i, double drift);
 // small to count.
 double dp_system_lag(const struct dp *p, int i);
 
+// Has the force of a link that is no contact an infinite slope at v = 0?
+bool dp_system_is_steep(const struct link *l);
+
 // Brings the histories of `now` to its present drifts, penetrations and velocities.
 void dp_system_commit(struct dp *p);
 
@@ -248,6 +253,11 @@ void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r)
 // Between steps only: they are made in the second stage, whose weight in the works is 0.
 void dp_rates_move(const struct dp *p, double x, int building);
 void dp_rates_within(struct dp *p, double x, int building);
+
+// Sets the response of link number i of the live ones, whose law has a creep, and the rate of the
+// creep, from r->creep. dp_rates_creep gives the creep at place x of the step.
+void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_link_rates *r);
+double dp_rates_creep(const struct dp *p, int i, double x);
 
 // The storey shears of the parts of building `g` at displacements u and velocities v (n_dof), an
 // array (n_floor): p->system.part_shear, at the drifts part_drift. The history is one of states,

@@ -58,7 +58,7 @@ static void dp_integrate(const struct dp *p, const double *time, struct energy_a
 // of such a law gives 0 but for the rule. NAN: it does depend.
 static double dp_elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
-    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0) {
+    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0 || p->model->link[k].law->creep) {
         return NAN;
     }
     double start = p->now.delta[k];
