@@ -74,7 +74,7 @@ bool bilateral_is_linear(const struct contact_law *law, const double *constant) 
 }
 
 const struct contact_law bilateral_law = {
-    .name = "bilateral",
+    .name = "viscous",
     .summary = "spring and viscous damper that act in both directions",
     .formula = "F = k d + c |v|^a sign(v)",
     .source = "Soong & Dargush (1997), Passive Energy Dissipation Systems, section 3.5",

@@ -76,6 +76,14 @@ struct link_law link_law_at(int i) {
         .name = law->name, .storey = law, .row = law->row, .n_row = law->n_row};
 }
 
+bool link_law_has(const struct link_law *law, int row) {
+    bool has = row != LINK_ROW_TENSION_ONLY || !law->hangs;
+    for (int r = 0; r < law->n_row; r++) {
+        has = has && strcmp(law->row[r].key, link_law_rows[row].key) != 0;
+    }
+    return has;
+}
+
 static const struct storey_law *link_law_of(const double *constant) {
     return storey_laws[(int)constant[LAW]];
 }
@@ -199,7 +207,8 @@ static void link_law_slip(double slip, double *value) {
 
 int link_law_prepare(const struct link_law *from, const double *value, double *constant,
                      struct error *e) {
-    const double stiffness = value[LINK_ROW_STIFFNESS], slack = value[LINK_ROW_SLACK];
+    const double stiffness = value[LINK_ROW_STIFFNESS];
+    const double slack = isnan(value[LINK_ROW_SLACK]) ? 0.0 : value[LINK_ROW_SLACK];
     const double *own = value + LINK_ROWS;
     double bilinear[STOREY_ROWS_MAX];
     int law = 0;

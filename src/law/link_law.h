@@ -42,6 +42,9 @@ struct link_law link_law_at(int i);
 // Rows of links with a storey law (LINK_ROWS).
 extern const struct row link_law_rows[LINK_ROWS];
 
+// Does a link with a storey law have this row? The slip law has a slack of its own.
+bool link_law_has(const struct link_law *law, int row);
+
 // The law that is made of the storey law of `from`, without rows.
 struct contact_law link_law_make(const struct link_law *from);
 

@@ -75,7 +75,7 @@ static bool check_viscous(struct builder *b, const struct statement *s,
     }
     for (size_t i = 0; i < sizeof of_dashpot / sizeof of_dashpot[0]; i++) {
         const struct argument *a = &given[of_dashpot[i]];
-        if (a->given && is_zero(&given[BILATERAL_DASHPOT])) {
+        if (a->given && !given[BILATERAL_DASHPOT].given) {
             deck_error(b->deck, &a->key, "-%s needs -dashpot", bilateral_rows[of_dashpot[i]].key);
             return false;
         }
@@ -156,10 +156,15 @@ static void build_storey_law(struct builder *b, const struct statement *s, const
     struct argument own[N_ROW] = {0}, given[LINK_ROWS + STOREY_ROWS_MAX] = {0};
     struct row *row = arena_alloc(b->arena, (size_t)n_row, sizeof *row);
     struct contact_law *made = arena_alloc(b->arena, 1, sizeof *made);
-    struct row_set set[] = {{rows, N_ROW, own},
-                            {link_law_rows, law->hangs ? LINK_ROW_TENSION_ONLY : LINK_ROWS, given},
-                            {law->row, law->n_row, given + LINK_ROWS}};
-    if (!row || !made || !deck_options(b->deck, s, set, 3) || !p) {
+    struct row_set set[2 + LINK_ROWS] = {{rows, N_ROW, own},
+                                         {law->row, law->n_row, given + LINK_ROWS}};
+    int n_set = 2;
+    for (int r = 0; r < LINK_ROWS; r++) {
+        if (link_law_has(law, r)) {
+            set[n_set++] = (struct row_set){&link_law_rows[r], 1, &given[r]};
+        }
+    }
+    if (!row || !made || !deck_options(b->deck, s, set, n_set) || !p) {
         return;
     }
     memcpy(row, link_law_rows, sizeof link_law_rows);

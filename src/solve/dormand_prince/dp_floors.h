@@ -228,7 +228,7 @@ FLOORS_CLONES static double dp_largest_error(const struct dp *p) {
     }
     double error;
     memcpy(&error, most, sizeof error);
-    for (int i = 0; p->system.creeps && i < p->now.n_live; i++) {
+    for (int i = 0; p->system.creeps && p->scales.most_u > 0.0 && i < p->now.n_live; i++) {
         const double of_link = fabs(dp_creep(p, &error_sums, i)) / p->scales.most_u;
         error = of_link > error || isnan(of_link) ? of_link : error;
     }
