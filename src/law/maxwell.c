@@ -99,7 +99,7 @@ const struct contact_law maxwell_law = {
     .summary = "spring and viscous damper in series",
     .formula = "F = k (d - z) = c |dz/dt|^a sign(dz/dt)",
     .source = "Soong & Dargush (1997), Passive Energy Dissipation Systems, section 3.5",
-    .remarks = "the damper with the stiffness of its brace",
+    .remarks = "for a damper in series with its brace; the spring is the stiffness of both",
     .row = maxwell_rows,
     .n_row = MAXWELL_ROWS,
     .n_constant = N_CONSTANT,

@@ -42,7 +42,7 @@ const struct edp_quantity edp_quantities[] = {
     {"link-work", EDP_OF_LINK, "links", "work", NULL, EDP_SUM, "work done on bilateral links"},
     {"link-dissipated", EDP_OF_LINK, "links", "dissipated", NULL, EDP_SUM,
      "energy dissipated by bilateral links"},
-    {"link-residual", EDP_OF_LINK, "links", "residual", NULL, EDP_LARGEST,
+    {"link-residual", EDP_OF_LINK, "links", "residual_deformation", NULL, EDP_LARGEST,
      "deformation of a bilateral link that remains without force"},
     {"column-shear", EDP_OF_COLUMN, "columns", "shear", NULL, EDP_LARGEST,
      "shear in a struck column"},
