@@ -127,10 +127,11 @@ static void print_link_laws(enum page page) {
     rows_heading(page, 2,
                  page == PAGE_TEXT ? "Laws of links, for link -law NAME\n"
                                    : "Laws of links, for `link ... -law NAME`");
-    printf("Every storey law is a law of links: its shear is the tension of the link, its drift the "
-           "lengthening.\nA link with a storey law, friction, hook or cable has these options, "
-           "with one value or one for each\nlink:\n%s",
-           page == PAGE_TEXT ? "\n" : "");
+    printf(
+        "Every storey law is a law of links: its shear is the tension of the link, its drift the "
+        "lengthening.\nA link with a storey law, friction, hook or cable has these options, "
+        "with one value or one for each\nlink:\n%s",
+        page == PAGE_TEXT ? "\n" : "");
     rows_print(page, link_law_rows, LINK_ROWS, NULL);
     printf("\n");
     for (int i = 0; i < n_link_law; i++) {

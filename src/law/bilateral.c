@@ -73,14 +73,20 @@ bool bilateral_is_linear(const struct contact_law *law, const double *constant) 
            (constant[BILATERAL_DASHPOT] == 0.0 || constant[BILATERAL_EXPONENT] == 1.0);
 }
 
+bool bilateral_is_steep(const struct contact_law *law, const double *constant) {
+    return law == &bilateral_law && constant[BILATERAL_DASHPOT] > 0.0 &&
+           constant[BILATERAL_EXPONENT] < 1.0;
+}
+
 const struct contact_law bilateral_law = {
     .name = "viscous",
     .summary = "spring and viscous damper that act in both directions",
     .formula = "F = k d + c |v|^a sign(v)",
     .source = "Soong & Dargush (1997), Passive Energy Dissipation Systems, section 3.5",
-    .remarks = "An exponent a below 1 limits the damper force at high velocity. Beyond -relief F_r, "
-               "which the damper reaches at v_r, its force is F_r + c_r (|v| - v_r), with "
-               "-relief-dashpot c_r.",
+    .remarks =
+        "An exponent a below 1 limits the damper force at high velocity. Beyond -relief F_r, "
+        "which the damper reaches at v_r, its force is F_r + c_r (|v| - v_r), with "
+        "-relief-dashpot c_r.",
     .row = bilateral_rows,
     .n_row = BILATERAL_ROWS,
     .n_constant = N_CONSTANT,

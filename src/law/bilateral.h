@@ -20,6 +20,9 @@ extern const struct range bilateral_exponent;  // > 0 and <= 3
 // Is the force k d + c v?
 bool bilateral_is_linear(const struct contact_law *law, const double *constant);
 
+// Has it an infinite slope at v = 0?
+bool bilateral_is_steep(const struct contact_law *law, const double *constant);
+
 extern const struct row bilateral_rows[BILATERAL_ROWS];
 
 // The law is not in the table of contact laws, because it has no contact condition.

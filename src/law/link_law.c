@@ -155,7 +155,8 @@ static bool link_law_parts(const double *c, const double *h, double x, double y)
     double at_x, at_y;
     const double tangent = link_law_extend(c, h, x, &at_x).tangent;
     const double change = link_law_extend(c, h, y, &at_y).tangent - tangent;
-    const bool straight = link_law_of(c)->n_history == 0 || link_law_of(c)->traits & STOREY_STRAIGHT;
+    const bool straight =
+        link_law_of(c)->n_history == 0 || link_law_of(c)->traits & STOREY_STRAIGHT;
     return straight ? fabs(change) > SAME * c[LINK_STIFFNESS] : isnan(at_x) != isnan(at_y);
 }
 
@@ -225,7 +226,6 @@ int link_law_prepare(const struct link_law *from, const double *value, double *c
     constant[LINK_EXPONENT] = 1.0;
     constant[LAW] = law;
     constant[SLACK] = slack;
-    constant[SLACK_SHORT] =
-        from->hangs || !isnan(value[LINK_ROW_TENSION_ONLY]) ? INFINITY : slack;
+    constant[SLACK_SHORT] = from->hangs || !isnan(value[LINK_ROW_TENSION_ONLY]) ? INFINITY : slack;
     return from->storey->prepare(own, stiffness, constant + OWN, e);
 }

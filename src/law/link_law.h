@@ -27,9 +27,9 @@ enum { LINK_ROW_STIFFNESS, LINK_ROW_SLACK, LINK_ROW_TENSION_ONLY, LINK_ROWS };
 // A law by its name in `link -law NAME`.
 struct link_law {
     const char *name;
-    const struct contact_law *law;     // NULL: made of the storey law by link_law_make
-    const struct storey_law *storey;   // NULL: none
-    const struct row *row;             // (n_row) all its rows, or those after the LINK_ROWS ones
+    const struct contact_law *law;    // NULL: made of the storey law by link_law_make
+    const struct storey_law *storey;  // NULL: none
+    const struct row *row;            // (n_row) all its rows, or those after the LINK_ROWS ones
     int n_row;
     const char *what;  // how it differs from the storey law; NULL: it has its name
     bool hangs;        // always with tension only

@@ -59,8 +59,7 @@ static double maxwell_root(double b, double p, double s, double *slope) {
     return x;
 }
 
-static struct contact_response maxwell_force(const double *c, const double *h, double d,
-                                             double v) {
+static struct contact_response maxwell_force(const double *c, const double *h, double d, double v) {
     (void)v;
     const double k = c[LINK_STIFFNESS], half = h[MAXWELL_STEP] / 2.0, kappa = k * half;
     const double s = k * (d - h[MAXWELL_CREEP] - half * h[MAXWELL_RATE]);

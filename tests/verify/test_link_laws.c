@@ -29,10 +29,10 @@ struct reference {
 static void assert_reference(const struct reference *want) {
     for (int s = 0; s < N_STEP; s++) {
         const double rtol = want->rtol[s];
-        struct analysis a = analysis_of(BUILDING
-                                        "%sground record %s -format series -dt 0.02 -unit g "
-                                        "-scale %g\nduration 31.18\n%s",
-                                        want->deck, analysis_el_centro(), want->scale, step[s]);
+        struct analysis a =
+            analysis_of(BUILDING "%sground record %s -format series -dt 0.02 -unit g "
+                                 "-scale %g\nduration 31.18\n%s",
+                        want->deck, analysis_el_centro(), want->scale, step[s]);
         const struct results *r = a.results;
         for (int i = 0; i < FLOORS; i++) {
             assert_close(r->peak[PEAK_DISPLACEMENT][i], want->displacement[i], rtol);
@@ -190,8 +190,8 @@ static void friction_beside_a_spring_is_a_bilinear_storey(void **state) {
 }
 
 // One mass with a Maxwell element alone, released with the velocity v. Linear: with z the state of
-// the damper, m u'' = -k (u - z), z' = k (u - z) / c. The force f obeys f'' + (k/c) f' + (k/m) f = 0,
-// f(0) = 0, f'(0) = k v.
+// the damper, m u'' = -k (u - z), z' = k (u - z) / c. The force f obeys f'' + (k/c) f' + (k/m) f =
+// 0, f(0) = 0, f'(0) = k v.
 static void a_linear_maxwell_link_has_its_closed_form(void **state) {
     (void)state;
     const double m = 2.0, k = 300.0, c = 20.0, v = 0.4;

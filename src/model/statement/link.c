@@ -136,11 +136,12 @@ static bool set_storey_law(struct builder *b, struct link *link, int k, const vo
 // The values of all rows, spread over n links. NULL after a report.
 static double **spread(struct builder *b, const struct row *row, int n_row,
                        const struct argument *given, int n) {
-    static double flag = 1.0;
     double **value = arena_alloc(b->arena, (size_t)n_row, sizeof *value);
-    for (int r = 0; value && r < n_row; r++) {
+    double *flag = arena_alloc(b->arena, 1, sizeof *flag);
+    for (int r = 0; value && flag && r < n_row; r++) {
+        *flag = 1.0;
         const bool is_flag = row[r].kind == ROW_FLAG;
-        const struct argument raised = {.given = true, .n = 1, .number = &flag};
+        const struct argument raised = {.given = true, .n = 1, .number = flag};
         const struct argument *a = is_flag && given[r].given ? &raised : &given[r];
         if (a->n > 0) {
             value[r] = builder_spread(b, a, n, "links");

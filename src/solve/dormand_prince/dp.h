@@ -70,7 +70,7 @@ struct dp_system {
 struct dp_link_rates {
     struct contact_response response;
     double power;        // [F L/T] of its force
-    double creep, flow;  // [L] [L/T] what struct contact_law.creep gives the rate of, and its rate
+    double creep, flow;  // [L] [L/T] struct contact_law.creep: the value that grows, and its rate
 };
 struct dp_rates {
     double *u, *v;                 // [L] [L/T] (n_dof)
@@ -201,9 +201,6 @@ double dp_system_shear(const struct dp *p, int i, double drift);
 // small to count.
 double dp_system_lag(const struct dp *p, int i);
 
-// Has the force of a link that is no contact an infinite slope at v = 0?
-bool dp_system_is_steep(const struct link *l);
-
 // Brings the histories of `now` to its present drifts, penetrations and velocities.
 void dp_system_commit(struct dp *p);
 
@@ -254,8 +251,7 @@ void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r)
 void dp_rates_move(const struct dp *p, double x, int building);
 void dp_rates_within(struct dp *p, double x, int building);
 
-// Sets the response of link number i of the live ones, whose law has a creep, and the rate of the
-// creep, from r->creep. dp_rates_creep gives the creep at place x of the step.
+// Response and flow of live link number i, from r->creep; and the creep at place x of the step.
 void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_link_rates *r);
 double dp_rates_creep(const struct dp *p, int i, double x);
 
@@ -370,11 +366,8 @@ double dp_motion_noise(const struct dp *p, int k);
 void dp_motion_reach(struct dp *p);
 
 // dp_events.c: what ends a step before its time.
-
-// Puts the first event in the step into p->event.
+// Puts the first event in the step into p->event. Takes the step again so that it ends there.
 void dp_events_first(struct dp *p);
-
-// Takes the step again so that it ends at p->event.
 void dp_events_locate(struct dp *p);
 
 // Is it one of a storey? Else it is one of a link.

@@ -113,8 +113,7 @@ static void dp_push_link(const struct dp_system *s, const struct link *l, double
     }
 }
 
-void dp_rates_creeping(const struct dp *p, int i, double d, double v,
-                       struct dp_link_rates *r) {
+void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_link_rates *r) {
     const struct link *l = &p->model->link[p->now.live[i]];
     const double history[] = {0.0, r->creep, 0.0};
     r->response = l->law->force(l->constant, history, d, v);

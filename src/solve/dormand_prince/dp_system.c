@@ -7,6 +7,7 @@
 // are left to the error control.
 #include <math.h>
 
+#include "law/bilateral.h"
 #include "model/storey_force.h"
 #include "solve/dormand_prince/dp.h"
 
@@ -124,15 +125,10 @@ static void dp_start_floor(struct dp *p, int k, int floor) {
     dp_fill_rows(p, i);
 }
 
-bool dp_system_is_steep(const struct link *l) {
-    const double *history = (const double[CONTACT_HISTORY_MAX]){0.0};
-    return l->bilateral && !(l->law->traits & CONTACT_TURNS) &&
-           !isfinite(l->law->force(l->constant, history, 0.0, 0.0).dfdv);
-}
-
 static enum phase dp_start_phase(const struct dp *p, int k) {
     const struct link *l = &p->model->link[k];
-    if (l->bilateral && !(l->law->traits & CONTACT_TURNS) && !dp_system_is_steep(l)) {
+    if (l->bilateral && !(l->law->traits & CONTACT_TURNS) &&
+        !bilateral_is_steep(l->law, l->constant)) {
         return PHASE_ANY;
     }
     return state_rate(&p->now, p->model, k) < 0.0 ? PHASE_RELEASE : PHASE_APPROACH;

@@ -61,9 +61,8 @@ static bool flight_is_possible(const struct model *m, const struct floors *floor
                     (n_link == 0 || floors->n_block == 1) && !(m->collapse && state_is_linear(m));
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        possible =
-            possible && (l->bilateral ? bilateral_is_linear(l->law, l->constant)
-                                      : !l->law->rebound && link_is_plain(l));
+        possible = possible && (l->bilateral ? bilateral_is_linear(l->law, l->constant)
+                                             : !l->law->rebound && link_is_plain(l));
     }
     for (int i = 0; i < m->n_dof; i++) {
         // The shear of a line less P-delta would have other last bits.
