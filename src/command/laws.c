@@ -124,13 +124,11 @@ static void print_link_law(enum page page, const struct link_law *law) {
 }
 
 static void print_link_laws(enum page page) {
-    rows_heading(page, 2,
-                 page == PAGE_TEXT ? "Laws of links, for link -law NAME\n"
-                                   : "Laws of links, for `link ... -law NAME`");
+    rows_heading(page, 2, page == PAGE_TEXT ? "Laws of links\n" : "Laws of links");
     printf(
-        "Every storey law is a law of links: its shear is the tension of the link, its drift the "
-        "lengthening.\nA link with a storey law, friction, hook or cable has these options, "
-        "with one value or one for each\nlink:\n%s",
+        "For link -law NAME. Each storey law is a law of links: its shear is the tension of the "
+        "link, its drift\nthe lengthening. A link with a storey law, friction, hook or cable has "
+        "these options, with one value\nor one for each link:\n%s",
         page == PAGE_TEXT ? "\n" : "");
     rows_print(page, link_law_rows, LINK_ROWS, NULL);
     printf("\n");
