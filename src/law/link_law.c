@@ -2,8 +2,9 @@
 // A storey law as the law of a link, with slack s in series. At the lengthening x the law is at the
 // deformation q, with V(q) from the committed history:
 //     q = x - s,    if V(x - s) >= 0: the link is tight in tension,
-//     q = x + s',   if V(x + s') <= 0: it is tight in compression; never with tension only,
+//     q = x + s',   if V(x + s') <= 0: it is tight in compression,
 //     otherwise the link is loose: it has no force, and q is where V = 0.
+// With tension only s' is infinite, with compression only s is.
 // A contact law counts the shortening d = -x and the compression.
 #include "law/link_law.h"
 
@@ -15,7 +16,7 @@
 #include "law/lists.h"
 #include "law/maxwell.h"
 
-enum { LAW = LINK_CONSTANTS, SLACK, SLACK_SHORT, OWN };  // SLACK_SHORT infinite: tension only
+enum { LAW = LINK_CONSTANTS, SLACK, SLACK_SHORT, OWN };  // s and s'
 enum { DEFORMATION, LOOSE, HISTORY };                    // q; 1: the link is loose
 
 // Halvings that find an end of a line to the last bits.
@@ -31,6 +32,8 @@ const struct row link_law_rows[LINK_ROWS] = {
                         "change of length before the link carries a force"},
     [LINK_ROW_TENSION_ONLY] = {"tension-only", ROW_FLAG, 0, OF_NONE, NULL, NAN,
                                "the link carries no compression"},
+    [LINK_ROW_COMPRESSION_ONLY] = {"compression-only", ROW_FLAG, 0, OF_NONE, NULL, NAN,
+                                   "the link carries no tension"},
 };
 
 enum { SLIP, FRICTION_ROWS };
@@ -39,7 +42,7 @@ static const struct row friction_rows[FRICTION_ROWS] = {
               "force at which the link slips"},
 };
 
-enum { VISCOUS, MAXWELL, FRICTION, HOOK, CABLE, N_OWN };
+enum { VISCOUS, MAXWELL, FRICTION, HOOK, CABLE, GAP, N_OWN };
 
 #define STOREY_LAW(descriptor) +1
 const int n_link_law = N_OWN
@@ -67,7 +70,15 @@ struct link_law link_law_at(int i) {
             return (struct link_law){.name = i == HOOK ? "hook" : "cable",
                                      .storey = &storey_elastic,
                                      .what = "elastic with -tension-only",
-                                     .hangs = true};
+                                     .only = LINK_ROW_TENSION_ONLY};
+        case GAP:
+            return (struct link_law){.name = "gap",
+                                     .storey = &storey_bilinear,
+                                     .row = storey_bilinear.row,
+                                     .n_row = storey_bilinear.n_row,
+                                     .what = "bilinear with -compression-only: a gap spring whose "
+                                             "-slack is the gap, and grows by what impacts crush",
+                                     .only = LINK_ROW_COMPRESSION_ONLY};
         default:
             break;
     }
@@ -77,7 +88,7 @@ struct link_law link_law_at(int i) {
 }
 
 bool link_law_has(const struct link_law *law, int row) {
-    bool has = row != LINK_ROW_TENSION_ONLY || !law->hangs;
+    bool has = law->only == 0 || row < LINK_ROW_TENSION_ONLY;
     for (int r = 0; r < law->n_row; r++) {
         has = has && strcmp(law->row[r].key, link_law_rows[row].key) != 0;
     }
@@ -102,17 +113,20 @@ static struct storey_response link_law_respond(const double *c, const double *h,
 // The response at the lengthening x, and q. NAN: the link is loose.
 static struct storey_response link_law_extend(const double *c, const double *h, double x,
                                               double *q) {
+    struct storey_response r = {0};
     *q = x - c[SLACK];
-    struct storey_response r = link_law_respond(c, h, *q);
-    if (r.shear >= 0.0 || c[SLACK] + c[SLACK_SHORT] == 0.0) {
-        return r;
+    if (isfinite(*q)) {
+        r = link_law_respond(c, h, *q);
+        if (r.shear >= 0.0 || c[SLACK] + c[SLACK_SHORT] == 0.0) {
+            return r;
+        }
     }
     *q = x + c[SLACK_SHORT];
     if (isfinite(*q)) {
         r = link_law_respond(c, h, *q);
-    }
-    if (isfinite(*q) && r.shear <= 0.0) {
-        return r;
+        if (r.shear <= 0.0) {
+            return r;
+        }
     }
     *q = NAN;
     return (struct storey_response){0};
@@ -206,6 +220,11 @@ static void link_law_slip(double slip, double *value) {
     }
 }
 
+// Does the link act in that direction only?
+static bool link_law_is(const struct link_law *from, enum link_law_row row, const double *value) {
+    return from->only == row || !isnan(value[row]);
+}
+
 int link_law_prepare(const struct link_law *from, const double *value, double *constant,
                      struct error *e) {
     const double stiffness = value[LINK_ROW_STIFFNESS];
@@ -225,7 +244,7 @@ int link_law_prepare(const struct link_law *from, const double *value, double *c
     constant[LINK_DASHPOT] = 0.0;
     constant[LINK_EXPONENT] = 1.0;
     constant[LAW] = law;
-    constant[SLACK] = slack;
-    constant[SLACK_SHORT] = from->hangs || !isnan(value[LINK_ROW_TENSION_ONLY]) ? INFINITY : slack;
+    constant[SLACK] = link_law_is(from, LINK_ROW_COMPRESSION_ONLY, value) ? INFINITY : slack;
+    constant[SLACK_SHORT] = link_law_is(from, LINK_ROW_TENSION_ONLY, value) ? INFINITY : slack;
     return from->storey->prepare(own, stiffness, constant + OWN, e);
 }

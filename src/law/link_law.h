@@ -3,9 +3,9 @@
 // a link the shear of a storey law is the tension, and its drift is the lengthening of the link.
 //
 // A link with a storey law may be slack. Then it carries no tension before it has lengthened by its
-// slack, and no compression before it has shortened by its slack. With tension only it never
-// carries compression. The slack counts from the deformation at which the law has no force, so
-// that a brace which has yielded in tension hangs loose.
+// slack, and no compression before it has shortened by its slack. It may carry tension only, or
+// compression only. The slack counts from the deformation at which the law has no force, so that a
+// brace which has yielded in tension hangs loose.
 #ifndef JOSTLE_LINK_LAW_H
 #define JOSTLE_LINK_LAW_H
 
@@ -22,7 +22,13 @@ enum link_constant {
 };
 
 // The rows of a link with a storey law before those of the law.
-enum { LINK_ROW_STIFFNESS, LINK_ROW_SLACK, LINK_ROW_TENSION_ONLY, LINK_ROWS };
+enum link_law_row {
+    LINK_ROW_STIFFNESS,
+    LINK_ROW_SLACK,
+    LINK_ROW_TENSION_ONLY,
+    LINK_ROW_COMPRESSION_ONLY,
+    LINK_ROWS
+};
 
 // A law by its name in `link -law NAME`.
 struct link_law {
@@ -31,8 +37,8 @@ struct link_law {
     const struct storey_law *storey;  // NULL: none
     const struct row *row;            // (n_row) all its rows, or those after the LINK_ROWS ones
     int n_row;
-    const char *what;  // how it differs from the storey law; NULL: it has its name
-    bool hangs;        // always with tension only
+    const char *what;        // how it differs from the storey law; NULL: it has its name
+    enum link_law_row only;  // the direction in which it always acts alone; 0: both
 };
 
 // All laws of links: n_link_law of them, the storey laws last.

@@ -38,14 +38,17 @@ static double value_of(const struct row *row, double hardening) {
                                  : test_storey_value(row->key, hardening);
 }
 
+#define BOTH LINK_ROW_STIFFNESS  // the link pulls and pushes
+
 // A link with a storey law.
-static struct test_link tie(const struct link_law *law, double slack, bool tension_only,
+static struct test_link tie(const struct link_law *law, double slack, enum link_law_row only,
                             double hardening) {
     struct test_link l = {.law = link_law_make(law)};
     double value[LINK_ROWS + STOREY_ROWS_MAX] = {
         [LINK_ROW_STIFFNESS] = STIFFNESS,
         [LINK_ROW_SLACK] = slack,
-        [LINK_ROW_TENSION_ONLY] = tension_only ? 1.0 : NAN,
+        [LINK_ROW_TENSION_ONLY] = only == LINK_ROW_TENSION_ONLY ? 1.0 : NAN,
+        [LINK_ROW_COMPRESSION_ONLY] = only == LINK_ROW_COMPRESSION_ONLY ? 1.0 : NAN,
     };
     for (int r = 0; r < law->n_row; r++) {
         value[LINK_ROWS + r] = value_of(&law->row[r], hardening);
@@ -55,9 +58,9 @@ static struct test_link tie(const struct link_law *law, double slack, bool tensi
     return l;
 }
 
-static struct test_link tie_named(const char *name, double slack, bool tension_only) {
+static struct test_link tie_named(const char *name, double slack) {
     const struct link_law law = find(name);
-    return tie(&law, slack, tension_only, 0.0);
+    return tie(&law, slack, BOTH, 0.0);
 }
 
 static struct contact_response respond(const struct test_link *l, double x, double rate) {
@@ -91,7 +94,7 @@ static void a_bilinear_loop_is_that_by_hand(void **state) {
     (void)state;
     enum { STEPS = 3000 };
     const struct link_law bilinear = find("bilinear");
-    struct test_link l = tie(&bilinear, 0.0, false, HARDENING);
+    struct test_link l = tie(&bilinear, 0.0, BOTH, HARDENING);
     const double a = 0.03;
     go(&l, a, STEPS);
     assert_close(tension(&l, a), YIELD + HARDENING * STIFFNESS * (a - AT_YIELD), 1e-12);
@@ -104,7 +107,7 @@ static void a_friction_loop_is_that_by_hand_with_and_without_slack(void **state)
     (void)state;
     enum { STEPS = 3000 };
     for (double slack = 0.0; slack < 0.012; slack += 0.005) {
-        struct test_link l = tie_named("friction", slack, false);
+        struct test_link l = tie_named("friction", slack);
         const double a = 0.03;
         go(&l, a, STEPS);
         assert_true(tension(&l, a) == YIELD);
@@ -118,7 +121,7 @@ static void a_hook_catches_at_its_slack_and_gives_back_all_work(void **state) {
     enum { STEPS = 600 };
     static const char *const name[] = {"hook", "cable"};
     for (int i = 0; i < 2; i++) {
-        struct test_link l = tie_named(name[i], 0.01, false);
+        struct test_link l = tie_named(name[i], 0.01);
         assert_true(tension(&l, 0.01) == 0.0 && tension(&l, -5.0) == 0.0);
         assert_close(tension(&l, 0.012), STIFFNESS * 0.002, 1e-12);
         const double work = go(&l, 0.03, STEPS);
@@ -134,7 +137,7 @@ static void a_brace_in_tension_only_hangs_loose_after_it_has_yielded(void **stat
     (void)state;
     const struct link_law bilinear = find("bilinear");
     const double slack = 2e-3;
-    struct test_link l = tie(&bilinear, slack, true, 0.0);
+    struct test_link l = tie(&bilinear, slack, LINK_ROW_TENSION_ONLY, 0.0);
     const double a = 0.03;
     assert_close(go(&l, a, 1), 0.5 * YIELD * a, 1e-12);  // in one step
     assert_true(tension(&l, a) == YIELD);
@@ -144,6 +147,28 @@ static void a_brace_in_tension_only_hangs_loose_after_it_has_yielded(void **stat
     assert_close(tension(&l, a - AT_YIELD / 2.0), YIELD / 2.0, 1e-9);
     assert_near(go(&l, a, 3000) + go(&l, -0.01, 3000), 0.0, 1e-3 * YIELD * a);
     assert_close(go(&l, a + 0.02, 60000), YIELD * (AT_YIELD / 2.0 + 0.02), 1e-4);
+}
+
+// A gap of 10 mm. Each impact crushes the spring, by which the gap grows.
+static void a_gap_spring_remembers_the_impacts_before(void **state) {
+    (void)state;
+    enum { STEPS = 4000 };
+    const double gap = 0.01;
+    struct test_link l = tie_named("gap", gap);
+    assert_true(tension(&l, 5.0) == 0.0 && tension(&l, -gap) == 0.0);
+    assert_close(tension(&l, -gap - AT_YIELD / 2.0), -YIELD / 2.0, 1e-12);
+    const double crushed[] = {0.02, 0.015, 0.03}, most[] = {0.02, 0.02, 0.03};
+    double before = 0.0;
+    for (int i = 0; i < 3; i++) {
+        double work = go(&l, -gap - crushed[i], STEPS);
+        const double rest = most[i] - AT_YIELD;  // the crushing that stays
+        assert_close(tension(&l, -gap - crushed[i]),
+                     fmax(-YIELD, -STIFFNESS * fmax(crushed[i] - rest, 0.0)), 1e-9);
+        work += go(&l, 0.02, STEPS);
+        assert_near(work, YIELD * (rest - before), 1e-3 * YIELD * AT_YIELD);
+        before = rest;
+        assert_near(tension(&l, -gap - rest), 0.0, 1e-9 * YIELD);
+    }
 }
 
 // The damper that carries d -> d + a goes round a rectangle of the height of its relief force.
@@ -212,19 +237,22 @@ static void a_maxwell_link_comes_to_the_force_of_its_damper(void **state) {
 }
 
 // The link number `i` of a sequence over all storey laws, slacks and both kinds: see N_KINDS.
-enum { N_SLACK = 2, N_KINDS = 2 * N_SLACK };
+static const enum link_law_row direction[] = {BOTH, LINK_ROW_TENSION_ONLY,
+                                              LINK_ROW_COMPRESSION_ONLY};
+enum { N_SLACK = 2, N_KINDS = 3 * N_SLACK };
 static struct test_link link_number(const struct link_law *law, int kind) {
-    return tie(law, kind % N_SLACK == 0 ? 0.0 : 4e-3, kind / N_SLACK == 1, HARDENING);
+    const enum link_law_row only = law->only != 0 ? law->only : direction[kind / N_SLACK];
+    return tie(law, kind % N_SLACK == 0 ? 0.0 : 4e-3, only, HARDENING);
 }
 
-static void a_link_in_tension_only_never_pushes(void **state) {
+static void a_link_in_one_direction_never_acts_in_the_other(void **state) {
     (void)state;
     struct random random = {7};
     for (int i = 0; i < n_link_law; i++) {
         const struct link_law law = link_law_at(i);
         for (int kind = 0; law.storey && kind < N_KINDS; kind++) {
             struct test_link l = link_number(&law, kind);
-            const bool both = kind < N_SLACK && !law.hangs;
+            const enum link_law_row only = law.only != 0 ? law.only : direction[kind / N_SLACK];
             int pulls = 0, pushes = 0;
             for (int n = 0; n < 3000; n++) {
                 const double x = l.x + random_uniform(&random, -0.01, 0.01) - 0.1 * l.x;
@@ -234,8 +262,8 @@ static void a_link_in_tension_only_never_pushes(void **state) {
                 go(&l, x, 1);
                 assert_true(tension(&l, x) == force || fabs(tension(&l, x) - force) < 1e-6 * YIELD);
             }
-            assert_true(pulls > 10);
-            assert_true(both ? pushes > 100 : pushes == 0);
+            assert_true(only == LINK_ROW_COMPRESSION_ONLY ? pulls == 0 : pulls > 10);
+            assert_true(only == LINK_ROW_TENSION_ONLY ? pushes == 0 : pushes > 10);
         }
     }
 }
@@ -312,7 +340,7 @@ static void a_kink_is_where_the_line_ends(void **state) {
     (void)state;
     const struct link_law bilinear = find("bilinear");
     const double slack = 4e-3;
-    const struct test_link l = tie(&bilinear, slack, false, HARDENING);
+    const struct test_link l = tie(&bilinear, slack, BOTH, HARDENING);
     for (double x = 6e-4; x < slack + AT_YIELD; x += 1e-3) {
         const struct contact_way loose = {0.0, -1.0, -x, -1.0};
         const double to = l.law.kink(l.constant, l.history, &loose);
@@ -335,10 +363,11 @@ int main(void) {
         cmocka_unit_test(a_friction_loop_is_that_by_hand_with_and_without_slack),
         cmocka_unit_test(a_hook_catches_at_its_slack_and_gives_back_all_work),
         cmocka_unit_test(a_brace_in_tension_only_hangs_loose_after_it_has_yielded),
+        cmocka_unit_test(a_gap_spring_remembers_the_impacts_before),
         cmocka_unit_test(a_viscous_loop_is_that_by_hand),
         cmocka_unit_test(a_maxwell_loop_is_that_by_hand),
         cmocka_unit_test(a_maxwell_link_comes_to_the_force_of_its_damper),
-        cmocka_unit_test(a_link_in_tension_only_never_pushes),
+        cmocka_unit_test(a_link_in_one_direction_never_acts_in_the_other),
         cmocka_unit_test(tangents_agree_with_differences),
         cmocka_unit_test(a_law_of_links_is_a_pure_function),
         cmocka_unit_test(no_closed_path_makes_energy),

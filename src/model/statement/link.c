@@ -13,7 +13,7 @@ enum { NAME, LAW, N_ROW };
 static const struct row rows[N_ROW] = {
     [NAME] = {"name", ROW_TEXT, 0, OF_NONE, NULL, NAN, "name of the link"},
     [LAW] = {"law", ROW_TEXT, 0, OF_NONE, NULL, NAN,
-             "viscous (the default), maxwell, friction, hook, cable, or any storey law"},
+             "viscous (the default), maxwell, friction, hook, cable, gap, or any storey law"},
 };
 
 enum { N_VARIANT = 3 };
@@ -32,7 +32,7 @@ static const struct statement_variant variants[N_VARIANT] = {
     },
     {
         .name = "-law NAME",
-        .summary = "friction (-slip LIST), hook, cable, or a storey law with its options",
+        .summary = "friction (-slip LIST), hook, cable, gap, or a storey law with its options",
         .row = link_law_rows,
         .n_row = LINK_ROWS,
     },
@@ -138,7 +138,8 @@ static double **spread(struct builder *b, const struct row *row, int n_row,
                        const struct argument *given, int n) {
     double **value = arena_alloc(b->arena, (size_t)n_row, sizeof *value);
     double *flag = arena_alloc(b->arena, 1, sizeof *flag);
-    for (int r = 0; value && flag && r < n_row; r++) {
+    value = flag ? value : NULL;
+    for (int r = 0; value && r < n_row; r++) {
         *flag = 1.0;
         const bool is_flag = row[r].kind == ROW_FLAG;
         const struct argument raised = {.given = true, .n = 1, .number = flag};
@@ -149,6 +150,16 @@ static double **spread(struct builder *b, const struct row *row, int n_row,
         }
     }
     return value;
+}
+
+// False after a report that the link would act in no direction.
+static bool check_directions(struct builder *b, const struct argument *given) {
+    const struct argument *second = &given[LINK_ROW_COMPRESSION_ONLY];
+    if (second->given && given[LINK_ROW_TENSION_ONLY].given) {
+        deck_error(b->deck, &second->key, "-tension-only and -compression-only cannot be combined");
+        return false;
+    }
+    return true;
 }
 
 static void build_storey_law(struct builder *b, const struct statement *s, const struct pairs *p,
@@ -165,7 +176,8 @@ static void build_storey_law(struct builder *b, const struct statement *s, const
             set[n_set++] = (struct row_set){&link_law_rows[r], 1, &given[r]};
         }
     }
-    if (!row || !made || !deck_options(b->deck, s, set, n_set) || !p) {
+    if (!row || !made || !deck_options(b->deck, s, set, n_set) || !check_directions(b, given) ||
+        !p) {
         return;
     }
     memcpy(row, link_law_rows, sizeof link_law_rows);
