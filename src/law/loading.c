@@ -37,9 +37,7 @@ double loading_path_slope(const struct loading_rule *rule, const double *h) {
 // Copies what the history says; behind the last line it says nothing.
 static inline void loading_copy(const struct loading_rule *rule, const double *h, double *to) {
     const int n = rule->path + 3 * (int)h[LOADING_N];
-    for (int i = 0; i < n; i++) {
-        to[i] = h[i];
-    }
+    memcpy(to, h, (size_t)n * sizeof *to);
 }
 
 // Where the line of slope `slope` through (*drift, shear), which lies below line *i, meets the
@@ -226,7 +224,7 @@ struct storey_response loading_respond(const struct loading_rule *rule, const do
 // What unloading would give back.
 double loading_stored(const struct loading_rule *rule, const double *c, const double *h,
                       double drift) {
-    double after[STOREY_HISTORY_MAX];
+    double after[STOREY_HISTORY_MAX] = {0};
     const double shear = loading_respond(rule, c, h, drift, after).shear;
     if (after[LOADING_SIDE] == 0.0) {
         return c[LOADING_STIFFNESS] * drift * drift / 2.0;

@@ -17,7 +17,7 @@
 
 #include "law/loading.h"
 
-enum { POINTS_MAX = 4 };
+enum { POINTS_MAX = 6 };
 
 enum points_constant {
     POINTS_N = LOADING_CONSTANTS,

@@ -27,8 +27,6 @@ enum {
 
 static const struct range share_range = {
     .min = 0.0, .max = 1.0, .min_open = true, .max_open = true, .text = "> 0 and < 1"};
-static const struct range falling_range = {
-    .min = -1.0, .max = 1.0, .max_open = true, .text = ">= -1 and < 1"};
 static const struct range pinch_range = {
     .min = 0.0, .max = 1.0, .min_open = true, .text = "> 0 and <= 1"};
 
@@ -38,8 +36,7 @@ static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
     [CRACKED] = {"cracked", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &share_range, NAN,
                  "stiffness between cracking and yield over initial stiffness"},
-    [HARDENING] = {"hardening", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &falling_range, NAN,
-                   "stiffness after yield over initial stiffness"},
+    [HARDENING] = FALLING_ROW,
     [ORIGIN] = {"origin", ROW_FLAG, 0, OF_NONE, NULL, NAN,
                 "unloads and reloads through the origin"},
     [PEAK] = {"peak", ROW_FLAG, 0, OF_NONE, NULL, NAN,
