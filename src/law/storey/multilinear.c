@@ -66,11 +66,9 @@ static int multilinear_check_slope(int i, double before, double slope, bool peak
     const double most = peak ? fmax(before, 0.0) : before;
     if (slope > most || (i == 0 && slope >= 1.0)) {
         return error_set(e, STATUS_INPUT,
-                         "the slope beyond point %d is %.6g k; it must be %s %.6g k%s", i + 1,
-                         slope, i == 0 ? "<" : "<=", most,
-                         i == 0 ? ""
-                         : peak ? ", as before or 0"
-                                : ", as before");
+                         "the slope beyond point %d is %.6g k; it must be %s %.6g k: slopes fall%s",
+                         i + 1, slope, i == 0 ? "<" : "<=", most,
+                         peak ? ", but behind a falling line 0 is allowed" : " from line to line");
     }
     return STATUS_OK;
 }
