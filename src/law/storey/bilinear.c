@@ -73,6 +73,7 @@ const struct storey_law storey_bilinear = {
     .source = "Simo & Hughes (1998), Computational Inelasticity, section 1.4",
     .remarks = "A negative hardening has no end: beyond d_y (1 + 1 / |R|) the shear pushes the "
                "storey over. Give `collapse drift` less than that",
+    .example = "-yield 600kN -hardening 0.05",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -240,6 +240,8 @@ const struct storey_law storey_bouc_wen = {
         "psi 0.1 to 0.5, lambda 0.1 to 0.8. Small loops at V > 0 let the shear relax and drifts "
         "creep. A tangent near 0 (zeta-s near 1) and narrow slips (psi lambda < 0.02) need short "
         "steps",
+    .example = "-yield 600kN -hardening 0.05 -n 1 -delta-nu 0.02 -delta-eta 0.02 "
+               "-zeta-s 0.9 -q 0.1",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = WEN_CONSTANTS,

@@ -33,6 +33,7 @@ const struct storey_law storey_clough = {
     .source = "Clough & Johnston (1966), Proc. Japan Earthquake Eng. Symposium, 227-232; partial "
               "unloading as Mahin & Bertero (1976), J. Struct. Div. ASCE 102, 1125-1139",
     .remarks = "With a negative hardening the backbone falls to V = 0 and stays there",
+    .example = "-yield 600kN -hardening 0.05",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = PEAK_ORIENTED_CONSTANTS,

@@ -189,6 +189,7 @@ const struct storey_law storey_multilinear = {
                "behind a falling line the next may be flatter, so that the storey keeps a residual "
                "strength. A kinematic storey may have a falling last line, which has no end: it "
                "pushes the storey over",
+    .example = "-yield 400kN -drift-2 20mm -shear-2 700kN -drift-3 50mm -shear-3 800kN",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -236,6 +236,7 @@ const struct storey_law storey_ramberg_osgood = {
     .remarks =
         "For steel and soil. Typical: eta 0.02 to 0.5, r 3 to 25. The strength has no limit, "
         "and loops do not deteriorate. Of more than 20 nested loops the smallest are elastic",
+    .example = "-yield 600kN -eta 0.2 -r 7",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -43,6 +43,7 @@ const struct storey_law storey_takeda = {
     .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
               "of Otani (1974), Univ. Illinois SRS 413",
     .remarks = "With a negative hardening the backbone falls to V = 0 and stays there",
+    .example = "-yield 600kN -hardening 0.05 -alpha 0.4 -beta 0.2",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = PEAK_ORIENTED_CONSTANTS,

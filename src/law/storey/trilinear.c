@@ -129,6 +129,8 @@ const struct storey_law storey_trilinear = {
                "cracked 0.2 to 0.5, hardening 0.01 to 0.05, takeda with b 0.3 to 0.5, pinch-drift "
                "0.5 and pinch-shear 0.25 with strong pinching. A negative hardening leads to zero "
                "shear. Damage moves the target out; it does not lower the backbone",
+    .example = "-crack 250kN -yield 600kN -cracked 0.3 -hardening 0.03 -takeda "
+               "-pinch-drift 0.5 -pinch-shear 0.3",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = POINTS_CONSTANTS,
