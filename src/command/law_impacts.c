@@ -233,7 +233,7 @@ int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
     if (out->impact) {
         read_laws(out, words);
     }
-    if (law_words_check(out->deck, &e) != STATUS_OK) {
+    if (law_words_check(out->deck, &e) != STATUS_OK || !out->impact) {
         return fail(out, &e);
     }
     int status = STATUS_OK;

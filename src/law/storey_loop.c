@@ -3,12 +3,10 @@
 
 #include <assert.h>
 
-enum { STEPS = 4000 };  // from one target to the next, at least
-
 void storey_loop_run(const struct storey_path *path, struct storey_point *point) {
-    assert(path->n_part > 0);
+    assert(path->n_part > 0 && path->n_step > 0);
     const struct storey_law *law = path->law;
-    const int n_step = (STEPS + path->n_part - 1) / path->n_part;
+    const int n_step = path->n_step;
     double history[STOREY_HISTORY_MAX] = {0};
     struct storey_response r = law->respond(path->constant, history, 0.0, history);
     double from = 0.0, work = 0.0;

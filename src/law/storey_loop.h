@@ -22,10 +22,11 @@ struct storey_path {
     const double *target;  // (n_target) drifts
     size_t n_target;
     int n_part;  // points from one target to the next
+    int n_step;  // steps from one point to the next
 };
 
 // Sets point (n_target n_part + 1), the first of them at drift 0. Work is the sum of trapezoids
-// over many small steps.
+// over the steps.
 void storey_loop_run(const struct storey_path *path, struct storey_point *point);
 
 // Shears (n_target) at the targets, reached in one step each.

@@ -85,7 +85,7 @@ static struct worn worn_through_zero(const double *c, const struct worn *from, d
 
 struct storey_response wen_worn_respond(const double *c, const double *h, double drift,
                                         double *after) {
-    static const double PER_WIDTH = 0.05;
+    static const double PER_WIDTH = 0.1;
     const double *own = c + WEN_WEAR;
     const double s = (drift - h[WEN_DRIFT]) * c[WEN_PER_DRIFT], sign = copysign(1.0, s),
                  size = fabs(s);
