@@ -4,6 +4,7 @@
 
 #include "deck/reader.h"
 #include "model/builder.h"
+#include "model/storey_choice.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -120,17 +121,7 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    const char *name = deck_text(b->deck, &s->word[2]);
-    const struct storey_law *law = name ? storey_law_find(name) : NULL;
-    if (name && !law) {
-        const char **known = arena_alloc(b->arena, (size_t)n_storey_law, sizeof *known);
-        for (int i = 0; known && i < n_storey_law; i++) {
-            known[i] = storey_laws[i]->name;
-        }
-        if (known) {
-            deck_unknown(b->deck, &s->word[2], name, "storey law", known, n_storey_law);
-        }
-    }
+    const struct storey_law *law = storey_choice_find(b->deck, &s->word[2]);
     if (!law) {
         return;
     }
