@@ -59,7 +59,11 @@ struct building {
     const double *part_dashpot;      // [F T/L] (n_floor, n_floor) initial d shear / d drift rate
     int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
                                      // index of the first among those of all buildings
-    const double *force_by_drift;    // (n_floor, n_force in whole lanes) transposed
+    const double *force_by_action;   // (n_floor + n_hinge, n_force in whole lanes) transposed: by
+                                     // unit drifts, and unit rotations of hinges
+    int n_hinge;                     // of its frame
+    int turn, first_hinge;           // offset of their rotations in the state's storey history, and
+                                     // the index of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
     double damping_beta;             // [T] and beta, of the initial stiffness; 0: none
@@ -232,7 +236,9 @@ struct model {
     const double *displacement;   // [L] (n_dof) initial, relative to the ground
     const double *velocity;       // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
+    int n_part_scratch;                    // the most that a part needs
     int n_force;  // that follow from the drifts of all buildings, each in whole lanes
+    int n_hinge;  // of all buildings
 
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative

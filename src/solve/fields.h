@@ -10,6 +10,9 @@
 struct arena;
 struct model;
 
+// The actions that forces follow from, in whole lanes: drifts, then rotations of hinges.
+int fields_actions(const struct model *m);
+
 // States whose forces are looked at together (account/force_peaks.h).
 enum { FORCES_BATCH = 32 };
 
@@ -27,9 +30,10 @@ enum field_count {
     FIELD_LOADS,
     FIELD_SIGNALS,           // of all grounds
     FIELD_STOREY_HISTORIES,  // (model.n_storey_history)
+    FIELD_PART_SCRATCH,      // (model.n_part_scratch), which is not copied
     FIELD_LINK_HISTORIES,    // (model.n_link_history)
     FIELD_FORCES,            // (model.n_force)
-    FIELD_FORCE_STATES,      // (FORCES_BATCH, model.chain.n) if the model has forces
+    FIELD_FORCE_STATES,      // (FORCES_BATCH, fields_actions) if the model has forces
 };
 
 struct fields;

@@ -23,6 +23,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct state, rate, FIELD_FLOORS),
     FIELD_ARRAY(struct state, external, FIELD_FLOORS),
     FIELD_ARRAY(struct state, storey_history, FIELD_STOREY_HISTORIES),
+    FIELD_ARRAY(struct state, scratch, FIELD_PART_SCRATCH),
     FIELD_VALUE(struct state, n_live),
     FIELD_ARRAY(struct state, live, FIELD_LINKS),
     FIELD_ARRAY(struct state, link, FIELD_LINKS),
@@ -114,7 +115,8 @@ void state_parts(struct state *s, const struct model *m, const double *v, const 
         }
         if (g->n_part > 0) {
             parts_respond(g, from, s->drift + g->first, s->rate + g->first,
-                          &(struct part_sums){.shear = s->shear + g->first}, after);
+                          &(struct part_sums){.shear = s->shear + g->first, .scratch = s->scratch},
+                          after);
         }
     }
 }

@@ -36,6 +36,7 @@ struct state {
     double *rate;            // [L/T] of the drifts of buildings with parts
     double *external;        // [F] loads and -m a_ground
     double *storey_history;  // (model.n_storey_history)
+    double *scratch;         // (model.n_part_scratch) of parts, which carries nothing
 
     // Links. Those not in `live` are open, with force 0.
     int n_live, *live;        // links that were closed in the step to this state, or are; ascending

@@ -99,8 +99,14 @@ static int newmark_linearise(struct work *w, const struct state *now, const stru
     memcpy(w->memory->tangent + g->first, at->tangent + g->first, n * sizeof *tangent);
     if (g->n_part > 0) {
         memset(by_drift, 0, 2 * n * n * sizeof *by_drift);
-        parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first,
-                      &(struct part_sums){.by_drift = by_drift, .by_rate = by_drift + n * n}, NULL);
+        const struct part_sums sums = {
+            .by_drift = by_drift, .by_rate = by_drift + n * n, .scratch = at->scratch};
+        parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first, &sums,
+                      NULL);
+        if (isnan(by_drift[0])) {
+            w->h = 0.0;
+            return STATUS_RETRY;
+        }
     }
     const int status = effective_factor(&w->effective[k], w->b, w->g);
     w->h = status == STATUS_OK ? w->h : 0.0;
