@@ -17,7 +17,8 @@
 JOSTLE_C_BEGIN
 
 enum part_trait {
-    PART_LINEAR = 1,  // the shears are one matrix times the drifts: no rates, no history
+    PART_LINEAR = 1,    // the shears are one matrix times the drifts: no rates, no history
+    PART_STRAIGHT = 2,  // they are so between corners: the tangent changes at these only
 };
 
 // What a part adds to. Matrices are symmetric to the bit. NULL: not needed.

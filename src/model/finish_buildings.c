@@ -125,19 +125,25 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->smooth |= s->law->n_history > 0 && !(s->law->traits & STOREY_STRAIGHT);
     }
     forces_create(g, g->elastic, m, b->arena);
+    const bool yields = !g->elastic;
     for (int i = 0; i < g->n_part; i++) {
-        const bool linear = g->part[i].kind->traits & PART_LINEAR;
-        g->elastic &= linear;
-        g->smooth |= !linear;
+        const unsigned traits = g->part[i].kind->traits;
+        g->elastic &= (traits & PART_LINEAR) != 0;
+        g->smooth |= !(traits & PART_LINEAR) && (yields || !(traits & PART_STRAIGHT));
     }
     // The tangent predicts the shear if each storey is elastic or has a law of straight lines that
-    // does not identify its line (`branch`).
-    g->predictable = !g->elastic && g->n_part == 0;
+    // does not identify its line (`branch`); and with parts, if all storeys are elastic and all
+    // parts are of straight lines.
+    g->predictable = !g->elastic && (g->n_part == 0 || (!yields && !g->smooth));
     for (int i = 0; i < g->n_floor; i++) {
         const struct storey_law *law = storey[g->first + i].law;
         g->predictable &= law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch);
     }
     m->elastic &= g->elastic;
+    if (g->predictable && g->n_part > 0) {
+        g->part_tangent = m->n_part_tangent;
+        m->n_part_tangent += building_n_tangent(g) - g->n_floor;
+    }
 }
 
 static int count_floors(struct builder *b) {

@@ -31,9 +31,8 @@ const struct part_kind frame_wall = {
 };
 
 const struct plane_frame *frame_of(const struct part *p) {
-    const bool is_frame =
-        p->kind == &frame_part || p->kind == &frame_wall || p->kind == &hinges_part;
-    return is_frame ? p->data : NULL;
+    const bool hinged = p->kind == &hinges_part || p->kind == &hinges_straight_part;
+    return hinged || p->kind == &frame_part || p->kind == &frame_wall ? p->data : NULL;
 }
 
 const char *frame_member_name(const struct frame_member *m, struct arena *a) {

@@ -93,7 +93,7 @@ const char *frame_member_name(const struct frame_member *m, struct arena *a);
 // The frame of a part that is one; NULL: it is none.
 const struct plane_frame *frame_of(const struct part *p);
 
-// hinges_part: a frame with hinges.
-extern const struct part_kind frame_part, frame_wall, hinges_part;
+// Frames with hinges: whose laws are smooth, and of straight lines.
+extern const struct part_kind frame_part, frame_wall, hinges_part, hinges_straight_part;
 
 #endif

@@ -118,7 +118,7 @@ static void end(struct builder *b, struct building_draft *d, struct plane_frame 
         struct part part = {
             .kind = kind, .source = source, .n = d->n_floor, .stiffness = f->stiffness, .data = f};
         if (f->n_hinge > 0) {
-            part.kind = &hinges_part;
+            part.kind = hinges_kind(f->hinges);
             part.stiffness = NULL;
             part.n_history = hinges_n_history(f->hinges);
             part.n_scratch = hinges_n_scratch(f->hinges);

@@ -25,6 +25,7 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "core/number.h"
 
 struct hinges {
     int n, n_floor;
@@ -42,6 +43,9 @@ enum { ITERATIONS_MAX = 200, TRIALS_MAX = 40 };
 // A pivot this small, relative to its entry, is rounding.
 static const double HELD = 1e-12;
 static const double SOFTEST = 1e-6;
+
+// A departure from k r this small, relative to the moment, is rounding of the law.
+static const double ROUNDING = 4.0 * DBL_EPSILON;
 
 // Unbalanced moments this small against the largest of all hinges are rounding: laws compute their
 // moments from k r.
@@ -149,17 +153,18 @@ static void hinges_respond_laws(const struct hinges_search *x, struct hinges_poi
         const struct storey_response r =
             s->law->respond(s->constant, x->history + s->history, p->turn[i],
                             x->after ? x->after + s->history : NULL);
-        const double line = hinge->stiffness * p->turn[i];
-        p->departure[i] = r.shear - line;
+        const double line = hinge->stiffness * p->turn[i], departure = r.shear - line;
+        const double size = fabs(r.shear) + fabs(line);
+        p->departure[i] = fabs(departure) > ROUNDING * size ? departure : 0.0;
         p->softening[i] = hinge->stiffness - r.tangent;
-        p->size = fmax(p->size, fabs(r.shear) + fabs(line));
+        p->size = number_max(p->size, size);
     }
 }
 
 static double hinges_unbalance(const struct hinges *h, const struct hinges_point *p) {
     double most = 0.0;
     for (int i = 0; i < h->n; i++) {
-        most = fmax(most, fabs(p->unbalance[i]));
+        most = number_max(most, fabs(p->unbalance[i]));
     }
     return isfinite(p->size) ? most : INFINITY;
 }
@@ -423,6 +428,20 @@ const struct part_kind hinges_part = {
     .respond = hinges_respond,
     .stored = hinges_stored,
 };
+const struct part_kind hinges_straight_part = {
+    .name = "frame",
+    .traits = PART_STRAIGHT,
+    .respond = hinges_respond,
+    .stored = hinges_stored,
+};
+
+const struct part_kind *hinges_kind(const struct hinges *h) {
+    bool straight = true;
+    for (int i = 0; i < h->n; i++) {
+        straight &= (h->hinge[i].storey.law->traits & STOREY_STRAIGHT) != 0;
+    }
+    return straight ? &hinges_straight_part : &hinges_part;
+}
 
 // Copies the hinges and gives them their initial stiffnesses and the places of their histories.
 static struct hinge *hinges_take(struct hinges *h, const struct hinge *hinge, struct arena *a) {

@@ -32,6 +32,9 @@ int hinges_create(struct plane_frame *f, const struct hinge *hinge, struct arena
 int hinges_n_history(const struct hinges *h);
 int hinges_n_scratch(const struct hinges *h);
 
+// What kind of part a frame with these hinges is.
+const struct part_kind *hinges_kind(const struct hinges *h);
+
 // The hinge `i` of the frame.
 const struct hinge *hinges_at(const struct plane_frame *f, int i);
 

@@ -22,6 +22,8 @@ enum field_count {
     FIELD_AT,               // one, behind a pointer
     FIELD_BUILDINGS,        // structs behind a pointer
     FIELD_BUILDING_FLOORS,  // (n_floor) of one of them
+    FIELD_BUILDING_TANGENTS,  // of its storeys (n_floor), and of its parts by drifts and by rates,
+                              // each (n_floor, n_floor)
     FIELDS_ALLOCATED,
     FIELD_FLOORS = FIELDS_ALLOCATED,  // (n_dof) an array of core/lanes.h
     FIELD_LINKS,                      // (n_link) from the start of a line of the cache, whole lanes
@@ -31,6 +33,7 @@ enum field_count {
     FIELD_SIGNALS,           // of all grounds
     FIELD_STOREY_HISTORIES,  // (model.n_storey_history)
     FIELD_PART_SCRATCH,      // (model.n_part_scratch), which is not copied
+    FIELD_PART_TANGENTS,     // (model.n_part_tangent)
     FIELD_LINK_HISTORIES,    // (model.n_link_history)
     FIELD_FORCES,            // (model.n_force)
     FIELD_FORCE_STATES,      // (FORCES_BATCH, fields_actions) if the model has forces
