@@ -93,8 +93,8 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     for (int i = 0; i < d->parts.n; i++) {
         part[i].history = m->n_storey_history;
         m->n_storey_history += part[i].n_history;
-        m->n_part_scratch = part[i].n_scratch > m->n_part_scratch ? part[i].n_scratch
-                                                                  : m->n_part_scratch;
+        m->n_part_scratch =
+            part[i].n_scratch > m->n_part_scratch ? part[i].n_scratch : m->n_part_scratch;
     }
     g->part = part;
     g->n_part = d->parts.n;

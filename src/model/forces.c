@@ -23,9 +23,9 @@ static bool forces_shared(const struct building *g) {
 
 // The storey shears of a share.
 static int forces_count_shares(const struct building *g, int number) {
-    const bool linear =
-        number == 0 ? g->storeys_linear && forces_storeys_resist(g)
-                    : g->part[number - 1].kind->traits & PART_LINEAR || frame_of(&g->part[number - 1]);
+    const bool linear = number == 0 ? g->storeys_linear && forces_storeys_resist(g)
+                                    : g->part[number - 1].kind->traits & PART_LINEAR ||
+                                          frame_of(&g->part[number - 1]);
     return forces_shared(g) && linear ? g->n_floor : 0;
 }
 
@@ -86,8 +86,7 @@ static void forces_fill_hinge(const struct building *g, double *by_action, int p
     const struct hinge *h = hinges_at(f, hinge);
     const size_t stride = (size_t)lanes_whole(g->n_force), n = (size_t)f->n_action;
     const double *moment = f->stiffness + (size_t)(f->n_floor + hinge) * n;
-    const size_t turn =
-        (size_t)(forces_of_members(g, part, FRAME_ROTATION_I + h->end) + h->member);
+    const size_t turn = (size_t)(forces_of_members(g, part, FRAME_ROTATION_I + h->end) + h->member);
     const size_t plastic =
         (size_t)(forces_of_members(g, part, FRAME_PLASTIC_I + h->end) + h->member);
     for (size_t j = 0; j < n; j++) {

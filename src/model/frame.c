@@ -271,8 +271,9 @@ static void frame_recover(struct plane_frame *f, int action, const double *x) {
     }
 }
 
-// The normal forces of columns under a unit action, from the equilibrium of joints: a column carries
-// what the one above it does, and the shears of the beams beside its upper end. `carried` (n_line).
+// The normal forces of columns under a unit action, from the equilibrium of joints: a column
+// carries what the one above it does, and the shears of the beams beside its upper end. `carried`
+// (n_line).
 static void frame_find_normal(const struct plane_frame *f, int action, double *carried) {
     memset(carried, 0, (size_t)f->n_line * sizeof *carried);
     for (int i = f->n_member - 1; i >= 0; i--) {

@@ -148,8 +148,10 @@ static void drop_pinned(struct builder *b, const struct building_draft *d,
         return;
     }
     if (hinge->base) {
-        deck_error(b->deck, &hinge->word, "the base of line %d of building %s is pinned: it has no "
-                   "hinge", line + 1, d->name);
+        deck_error(b->deck, &hinge->word,
+                   "the base of line %d of building %s is pinned: it has no "
+                   "hinge",
+                   line + 1, d->name);
     }
     *hinge = (struct hinge_draft){0};
 }
@@ -160,8 +162,7 @@ static bool may_have_hinges(struct builder *b, const struct building_draft *d) {
     const int n = d->n_floor * f->n_line;
     const struct hinge_draft *first = NULL;
     for (int i = 0; !first && i < 4 * n - 2 * d->n_floor; i++) {
-        const struct hinge_draft *h =
-            i < 2 * n ? &f->column_hinge[i] : &f->beam_hinge[i - 2 * n];
+        const struct hinge_draft *h = i < 2 * n ? &f->column_hinge[i] : &f->beam_hinge[i - 2 * n];
         first = h->word.text ? h : NULL;
     }
     if (d->foundation && first) {

@@ -37,8 +37,8 @@ extern const struct column_table layout_peak;      // the same: /buildings/*/env
 extern const struct column_table layout_member;    // of struct report_member: .../members
 // The same: .../members/envelope; of runs besides the signed extremes. [1]: with hinges.
 extern const struct column_table layout_member_peak[2], layout_member_extreme[2];
-extern const struct column_table layout_share;           // of struct report_share: .../parts
-extern const struct column_table layout_share_peak;      // the same: .../parts/*/envelope
+extern const struct column_table layout_share;        // of struct report_share: .../parts
+extern const struct column_table layout_share_peak;   // the same: .../parts/*/envelope
 extern const struct column_table layout_link;         // of struct report_link: /contacts and /links
 extern const struct column_table layout_level;        // the same, where layout_has_levels
 extern const struct column_table layout_contact;      // of struct report_link: /contacts/envelope

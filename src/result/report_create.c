@@ -28,7 +28,8 @@ static double larger_of(const struct member_extreme *e) {
     return fmax(e->max, -e->min);
 }
 
-// What the hinges of a member have gone through. An end without a hinge has NAN, which fmax ignores.
+// What the hinges of a member have gone through. An end without a hinge has NAN, which fmax
+// ignores.
 static void hinges_fill(struct report_member *to, const struct plane_frame *f,
                         const struct frame_member *m) {
     const struct member_extreme *e = to->extreme;
@@ -38,8 +39,7 @@ static void hinges_fill(struct report_member *to, const struct plane_frame *f,
             const double yield = h->storey.yield / h->stiffness;
             const double ductility = larger_of(&e[MEMBER_ROTATION_I + end]) / yield;
             to->plastic = fmax(to->plastic, larger_of(&e[MEMBER_PLASTIC_I + end]));
-            to->ductility =
-                isfinite(yield) ? fmax(to->ductility, ductility) : (double)NAN;
+            to->ductility = isfinite(yield) ? fmax(to->ductility, ductility) : (double)NAN;
         }
     }
 }

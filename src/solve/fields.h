@@ -18,10 +18,10 @@ enum { FORCES_BATCH = 32 };
 
 // How many elements a field has. The list allocates arrays from FIELDS_ALLOCATED on.
 enum field_count {
-    FIELD_ONE,              // it is in the struct itself
-    FIELD_AT,               // one, behind a pointer
-    FIELD_BUILDINGS,        // structs behind a pointer
-    FIELD_BUILDING_FLOORS,  // (n_floor) of one of them
+    FIELD_ONE,                // it is in the struct itself
+    FIELD_AT,                 // one, behind a pointer
+    FIELD_BUILDINGS,          // structs behind a pointer
+    FIELD_BUILDING_FLOORS,    // (n_floor) of one of them
     FIELD_BUILDING_TANGENTS,  // of its storeys (n_floor), and of its parts by drifts and by rates,
                               // each (n_floor, n_floor)
     FIELDS_ALLOCATED,

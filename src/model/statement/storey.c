@@ -74,8 +74,7 @@ static void assign(struct builder *b, const struct statement *s, const struct se
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }
-        good = good &&
-               storey_choice_prepare(b, &s->word[1], c, k, d->stiffness[i], &d->storey[i]);
+        good = good && storey_choice_prepare(b, &s->word[1], c, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
         warn_yields(b, d, floors, c);

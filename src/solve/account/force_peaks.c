@@ -26,8 +26,8 @@ bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct resu
     }
     p->n_action = fields_actions(m);
     p->bow = lanes_array(a, p->n_action);
-    p->turned = arena_alloc(a, m->n_force > 0 ? (size_t)p->n_action * FORCES_BATCH : 0,
-                            sizeof *p->turned);
+    p->turned =
+        arena_alloc(a, m->n_force > 0 ? (size_t)p->n_action * FORCES_BATCH : 0, sizeof *p->turned);
     return fields_alloc(&force_peaks_fields, m, p, a);
 }
 

@@ -2,10 +2,10 @@
 // The largest and smallest of the forces that follow from drifts and rotations of hinges
 // (model/forces.h), over all computed steps.
 //
-// Such actions of FORCES_BATCH states are collected. An action stays near the straight line from the
-// first to the last of them: by its bow at most. So a force with the row p stays between its values
-// at the first and the last state, widened by sum(|p| bow). Only forces that may so exceed their
-// extremes so far are computed, state by state. They are few.
+// Such actions of FORCES_BATCH states are collected. An action stays near the straight line from
+// the first to the last of them: by its bow at most. So a force with the row p stays between its
+// values at the first and the last state, widened by sum(|p| bow). Only forces that may so exceed
+// their extremes so far are computed, state by state. They are few.
 #ifndef JOSTLE_FORCE_PEAKS_H
 #define JOSTLE_FORCE_PEAKS_H
 
