@@ -39,12 +39,12 @@ static const double ROUNDING = 4.0 * DBL_EPSILON;
 // Unbalanced moments this small against the largest of all hinges are rounding: laws compute their
 // moments from k r.
 static const double BALANCED = 256.0 * DBL_EPSILON;
-// Where rounding lets no step improve them further, they may be so large.
+// Where rounding lets a further step not improve them, they may be so large.
 static const double BALANCED_LEAST = 1e-10;
 
-// A step is short enough if the slope of the potential at its end is this share of that at its
-// start at most.
-static const double FLAT = 0.9;
+// A share of a step is large enough if the slope of the potential at its end is this share of that
+// at its start at most.
+static const double FLAT = 0.25;
 
 // Vectors (stride) of the scratch.
 enum { VECTORS = 12 };
@@ -119,12 +119,14 @@ void hinge_search_laws(const struct hinge_search *x, struct hinge_point *p) {
     }
 }
 
-static double hinge_search_unbalance(const struct hinges *h, const struct hinge_point *p) {
+// Are the unbalanced moments at a point this small against `size`?
+static bool hinge_search_is_balanced(const struct hinge_search *x, const struct hinge_point *p,
+                                     double share) {
     double most = 0.0;
-    for (int i = 0; i < h->n; i++) {
+    for (int i = 0; i < x->h->n; i++) {
         most = number_max(most, fabs(p->unbalance[i]));
     }
-    return isfinite(p->size) ? most : INFINITY;
+    return most <= share * p->size;
 }
 
 // Lists set A: hinges that are stiffer than at first, then softer ones.
@@ -224,17 +226,23 @@ static double hinge_search_try(struct hinge_search *x, double share) {
     return slope;
 }
 
-// Takes the step, or a share of it at whose end the potential is flat enough.
+// Takes the step, or a share of it up to which the potential falls all the way, nearly to its least
+// value on the step.
 static void hinge_search_advance(struct hinge_search *x) {
     const struct hinge_point start = x->at;
-    double slope_0 = 0.0, share = 1.0;
+    double low = 0.0, high = 1.0, share = 1.0, slope_0 = 0.0;
     for (int i = 0; i < x->h->n; i++) {
         slope_0 += x->at.unbalance[i] * x->step[i];
     }
-    double slope = hinge_search_try(x, share);
-    for (int i = 0; i < TRIALS_MAX && slope > FLAT * fabs(slope_0); i++) {
-        share /= 2.0;
+    double slope = hinge_search_try(x, share), slope_low = slope_0, slope_high = slope;
+    bool good = slope <= 0.0 || hinge_search_is_balanced(x, &x->trial, BALANCED_LEAST);
+    for (int i = 0; !good && i < TRIALS_MAX; i++) {
+        const double secant = low + (high - low) * slope_low / (slope_low - slope_high);
+        share = i % 2 == 0 ? secant : (low + high) / 2.0;
         slope = hinge_search_try(x, share);
+        *(slope > 0.0 ? &high : &low) = share;
+        *(slope > 0.0 ? &slope_high : &slope_low) = slope;
+        good = slope <= 0.0 && slope >= FLAT * slope_0;
     }
     x->at = x->trial;
     x->trial = start;
@@ -248,20 +256,19 @@ bool hinge_search_find(struct hinge_search *x, const double *drift) {
     for (int i = 0; i < h->n; i++) {
         x->at.unbalance[i] = x->at.departure[i] - departure[i];
     }
-    double most = hinge_search_unbalance(h, &x->at), before = INFINITY;
-    for (int i = 0; i < ITERATIONS_MAX && most > BALANCED * x->at.size &&
-                    (most < before || most > BALANCED_LEAST * x->at.size);
-         i++) {
-        before = most;
+    for (int i = 0; i < ITERATIONS_MAX && !hinge_search_is_balanced(x, &x->at, BALANCED); i++) {
         hinge_search_list_active(x);
         if (!hinge_search_factorise(x, -INFINITY) && !hinge_search_factorise(x, SOFTEST)) {
             return false;
         }
+        const bool nearly = hinge_search_is_balanced(x, &x->at, BALANCED_LEAST);
         hinge_search_find_step(x);
         hinge_search_advance(x);
-        most = hinge_search_unbalance(h, &x->at);
+        if (nearly) {  // rounding may not let it become better
+            break;
+        }
     }
-    return most <= BALANCED_LEAST * x->at.size;
+    return hinge_search_is_balanced(x, &x->at, BALANCED_LEAST);
 }
 
 void hinge_search_add_shear(const struct hinge_search *x, const double *drift, double *shear) {
