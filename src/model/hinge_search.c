@@ -13,10 +13,12 @@
 // consistent tangent is S_dd - F' P - P_A' (1/e - B_AA)^-1 P_A.
 //
 // K - diag(e) is positive definite if and only if the factorisation L D L' of 1/e - B_AA has a
-// positive pivot for each e > 0 and a negative one for each e < 0; those come first. Otherwise the
-// frame has no stable equilibrium (laws that soften), or a joint can turn without resistance (all
-// its hinges yield at constant moments). Then the tangents of the laws are raised to SOFTEST times
-// k.
+// positive pivot for each e > 0 and a negative one for each e < 0; those come first. It is not where
+// laws soften, or where a joint can turn without resistance as all its hinges yield at constant
+// moments. Then the tangents of the laws are raised to SOFTEST times k for a step, which so goes
+// downhill, and ends at another equilibrium if the hinges soften faster than the members unload.
+// Equal hinges that soften together keep together, although one of them alone would do: the tangent
+// there is that of this path.
 #include "model/hinge_search.h"
 
 #include <float.h>
@@ -147,8 +149,10 @@ static double hinge_search_entry(const struct hinge_search *x, int i, int j) {
 }
 
 // Factorises 1/e - B_AA with tangents of at least `least` times the initial ones. False: a pivot
-// has the wrong sign.
-LANES static bool hinge_search_factorise(struct hinge_search *x, double least) {
+// has the wrong sign, or with ANY_SIGN is rounding.
+enum pivots { RIGHT_SIGN, ANY_SIGN };
+LANES static bool hinge_search_factorise(struct hinge_search *x, double least,
+                                         enum pivots pivots) {
     const int n = x->n_active;
     for (int i = 0; i < n; i++) {
         const int hinge = x->order[i];
@@ -162,7 +166,8 @@ LANES static bool hinge_search_factorise(struct hinge_search *x, double least) {
     for (int j = 0; j < n; j++) {
         const double *restrict row = x->factor + (ptrdiff_t)j * n;
         const double e = x->at.softening[x->order[j]];
-        if (!(row[j] * copysign(1.0, e) > HELD / fabs(e))) {
+        const double pivot = pivots == ANY_SIGN ? fabs(row[j]) : row[j] * copysign(1.0, e);
+        if (!(pivot > HELD / fabs(e))) {
             return false;
         }
         x->inverse[j] = 1.0 / row[j];
@@ -258,7 +263,8 @@ bool hinge_search_find(struct hinge_search *x, const double *drift) {
     }
     for (int i = 0; i < ITERATIONS_MAX && !hinge_search_is_balanced(x, &x->at, BALANCED); i++) {
         hinge_search_list_active(x);
-        if (!hinge_search_factorise(x, -INFINITY) && !hinge_search_factorise(x, SOFTEST)) {
+        if (!hinge_search_factorise(x, -INFINITY, RIGHT_SIGN) &&
+            !hinge_search_factorise(x, SOFTEST, RIGHT_SIGN)) {
             return false;
         }
         const bool nearly = hinge_search_is_balanced(x, &x->at, BALANCED_LEAST);
@@ -286,20 +292,12 @@ void hinge_search_add_shear(const struct hinge_search *x, const double *drift, d
     }
 }
 
-// Does some law soften?
-static bool hinge_search_soften(const struct hinge_search *x) {
-    bool soften = false;
-    for (int i = 0; i < x->h->n; i++) {
-        soften |= x->at.softening[i] > x->h->hinge[i].stiffness;
-    }
-    return soften;
-}
-
-// P_A with the factor L^-1 before it, in `right`. False: the equilibrium is not stable.
+// P_A with the factor L^-1 before it, in `right`. False: there is none.
 static bool hinge_search_reduce(struct hinge_search *x) {
     const int n = x->n_active, n_floor = x->h->n_floor;
-    if (!hinge_search_factorise(x, -INFINITY) &&
-        (hinge_search_soften(x) || !hinge_search_factorise(x, SOFTEST))) {
+    if (!hinge_search_factorise(x, -INFINITY, RIGHT_SIGN) &&
+        !hinge_search_factorise(x, -INFINITY, ANY_SIGN) &&
+        !hinge_search_factorise(x, SOFTEST, RIGHT_SIGN)) {
         return false;
     }
     for (int i = 0; i < n; i++) {
