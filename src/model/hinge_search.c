@@ -13,12 +13,12 @@
 // consistent tangent is S_dd - F' P - P_A' (1/e - B_AA)^-1 P_A.
 //
 // K - diag(e) is positive definite if and only if the factorisation L D L' of 1/e - B_AA has a
-// positive pivot for each e > 0 and a negative one for each e < 0; those come first. It is not where
-// laws soften, or where a joint can turn without resistance as all its hinges yield at constant
-// moments. Then the tangents of the laws are raised to SOFTEST times k for a step, which so goes
-// downhill, and ends at another equilibrium if the hinges soften faster than the members unload.
-// Equal hinges that soften together keep together, although one of them alone would do: the tangent
-// there is that of this path.
+// positive pivot for each e > 0 and a negative one for each e < 0; those come first. It is not
+// where laws soften, or where a joint can turn without resistance as all its hinges yield at
+// constant moments. Then the tangents of the laws are raised to SOFTEST times k for a step, which
+// so goes downhill, and ends at another equilibrium if the hinges soften faster than the members
+// unload. Equal hinges that soften together keep together, although one of them alone would do: the
+// tangent there is that of this path.
 #include "model/hinge_search.h"
 
 #include <float.h>
@@ -151,8 +151,7 @@ static double hinge_search_entry(const struct hinge_search *x, int i, int j) {
 // Factorises 1/e - B_AA with tangents of at least `least` times the initial ones. False: a pivot
 // has the wrong sign, or with ANY_SIGN is rounding.
 enum pivots { RIGHT_SIGN, ANY_SIGN };
-LANES static bool hinge_search_factorise(struct hinge_search *x, double least,
-                                         enum pivots pivots) {
+LANES static bool hinge_search_factorise(struct hinge_search *x, double least, enum pivots pivots) {
     const int n = x->n_active;
     for (int i = 0; i < n; i++) {
         const int hinge = x->order[i];

@@ -218,8 +218,9 @@ void random_deck_cluster(uint64_t seed, char *text, size_t size) {
 
 // A frame of the building, of members of one section each, and hinges at some of their ends.
 static void add_hinges(struct maker *m, int i) {
-    static const char *const law[] = {"bilinear", "clough", "takeda", "bouc-wen", "flag -b 0.5",
-                                      "imk -post-capping -0.05 -capping"};
+    static const char *const law[] = {"bilinear",    "clough",
+                                      "takeda",      "bouc-wen",
+                                      "flag -b 0.5", "imk -post-capping -0.05 -capping"};
     static const char *const place[] = {":all columns", ":all beams", " bases"};
     const double yield = random_logarithmic(&m->random, 1e4, 1e6);
     for (int k = 0; k < 3; k++) {
@@ -244,7 +245,9 @@ static void add_hinges(struct maker *m, int i) {
 static void add_frame(struct maker *m, int i) {
     const bool stretch = random_below(&m->random, 2);
     m->floors[i] = 1 + random_below(&m->random, 5);
-    add(m, "building B%d -floors %d -mass %.6g -height %.4g\nframe B%d -bays %d*%.4g -modulus 2e11%s\n",
+    add(m,
+        "building B%d -floors %d -mass %.6g -height %.4g\nframe B%d -bays %d*%.4g -modulus "
+        "2e11%s\n",
         i, m->floors[i], random_logarithmic(&m->random, 1e4, 2e5),
         random_uniform(&m->random, 2.5, 5.0), i, 1 + random_below(&m->random, 3),
         random_uniform(&m->random, 3.0, 9.0), stretch ? "" : " -columns-inextensible");
@@ -279,8 +282,9 @@ void random_deck_framed(uint64_t seed, char *text, size_t size) {
         add(&m, "contact B0 B1 -gap %.5g -law kelvin-voigt -k %.4g -e 0.6\n", gap(&m),
             random_logarithmic(&m.random, 1e7, 1e10));
     }
-    add(&m, "ground record input/records/ELCENTRO_1940_NS.AT2 -pga %.4gg\nstep fixed %.6g\n"
-            "duration 6\n",
+    add(&m,
+        "ground record input/records/ELCENTRO_1940_NS.AT2 -pga %.4gg\nstep fixed %.6g\n"
+        "duration 6\n",
         random_logarithmic(&m.random, 0.1, 3.0), random_logarithmic(&m.random, 1e-3, 0.02));
 }
 

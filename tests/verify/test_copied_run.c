@@ -155,7 +155,7 @@ static void copy_often(const struct model *m, int n, struct met *met) {
     "ground record input/records/ELCENTRO_1940_NS.AT2 -pga 0.6g\n"
 #define HINGED                                                                                     \
     "building A -floors 3 -mass 60t -height 3.5m\nframe A -bays 2*6m -modulus 200GPa "             \
-    "-columns-inextensible\ncolumns A:1:3 -I 3e-4\nbeams A:1:3 -I 2.5e-4\n"                       \
+    "-columns-inextensible\ncolumns A:1:3 -I 3e-4\nbeams A:1:3 -I 2.5e-4\n"                        \
     "damping A rayleigh 3%\nbuilding B -floors 3 -mass 80t -stiffness 60MN/m\n"                    \
     "ground record input/records/ELCENTRO_1940_NS.AT2 -pga 0.6g\n"
 #define YIELDING                                                                                   \

@@ -153,9 +153,10 @@ static const char *const laws[] = {
            "hinges A:1:3 beams bilinear -yield 220e3 -hardening 0 -stiffness 5e8\n" STILL,
     UNEVEN "hinges A:1:2 columns clough -yield 2*260e3 -hardening 0.05 -stiffness 7e8\n"
            "hinges A:1:3 beams bouc-wen -yield 220e3 -hardening 0.02 -n 2 -stiffness 5e8\n" STILL,
-    UNEVEN "hinges A bases takeda -yield 260e3 -hardening 0.05 "
-           "-stiffness 7e8 -lines 1 2\n"
-           "hinges A:2:3 beams flag -yield 220e3 -hardening 0.02 -b 0.6 -stiffness 5e8 -bays 1\n" STILL,
+    UNEVEN
+    "hinges A bases takeda -yield 260e3 -hardening 0.05 "
+    "-stiffness 7e8 -lines 1 2\n"
+    "hinges A:2:3 beams flag -yield 220e3 -hardening 0.02 -b 0.6 -stiffness 5e8 -bays 1\n" STILL,
 };
 enum { N_LAWS = sizeof laws / sizeof laws[0], STOREYS = 3 };
 
@@ -295,7 +296,8 @@ static void closed_cycles_make_no_energy(void **state) {
     hinged_free(&h);
 }
 
-// The account closes to rounding, with P-delta, hinges that yield at constant moments and a contact.
+// The account closes to rounding, with P-delta, hinges that yield at constant moments and a
+// contact.
 static void the_account_of_energy_closes(void **state) {
     (void)state;
     struct analysis a = analysis_of(

@@ -118,8 +118,8 @@ static void random_decks_that_have_failed_end_well(void **state) {
     }
 }
 
-// Hinges yield, harden, soften and collapse: rows are finite and the account of energy closes, or an
-// error says what no step can solve.
+// Hinges yield, harden, soften and collapse: rows are finite and the account of energy closes, or
+// an error says what no step can solve.
 static void random_frames_with_hinges_end_well(void **state) {
     (void)state;
     const uint64_t n = getenv("JOSTLE_LONG") ? 5000 : 150;
