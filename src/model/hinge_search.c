@@ -65,8 +65,8 @@ struct hinge_search hinge_search_begin(const struct hinges *h, const double *his
     return (struct hinge_search){
         .h = h,
         .departure = history + h->n,
-        .history = history + 2 * h->n,
-        .after = after ? after + 2 * h->n : NULL,
+        .history = history + hinges_of_laws(h->n),
+        .after = after ? after + hinges_of_laws(h->n) : NULL,
         .at = {vector[0], vector[1], vector[2], vector[3], 0.0},
         .trial = {vector[4], vector[5], vector[6], vector[7], 0.0},
         .step = vector[8],
@@ -305,7 +305,7 @@ static bool hinge_search_reduce(struct hinge_search *x) {
         }
     }
     for (int i = 0; i < n; i++) {
-        const double *row = x->factor + (ptrdiff_t)i * n, *own = x->right + i * n_floor;
+        const double *row = x->factor + (ptrdiff_t)i * n, *own = x->right + (ptrdiff_t)i * n_floor;
         for (int k = i + 1; k < n; k++) {
             const double share = row[k] * x->inverse[i];
             for (int j = 0; j < n_floor; j++) {
@@ -326,7 +326,7 @@ bool hinge_search_add_tangent(struct hinge_search *x, double *by_drift) {
         for (int j = 0; j <= i; j++) {
             double sum = x->h->initial[i * n_floor + j];
             for (int k = 0; k < x->n_active; k++) {
-                const double *row = x->right + k * n_floor;
+                const double *row = x->right + (ptrdiff_t)k * n_floor;
                 sum -= row[i] * row[j] * x->inverse[k];
             }
             by_drift[i * n_floor + j] += sum;

@@ -167,7 +167,7 @@ static double force_at(const struct hinged *h, const double *force, int member, 
 // The turn of each joint, as each member there has it: from its end moments, drift and hinge.
 static void check_continuity(const struct hinged *h, const double *drift, const double *force) {
     const struct plane_frame *f = frame_of(h->part);
-    double turn[32], balance[32] = {0};
+    double turn[32] = {0}, balance[32] = {0};
     bool known[32] = {false};
     assert_true(f->n_joint <= 32);
     for (int i = 0; i < f->n_member; i++) {
@@ -210,7 +210,9 @@ static void check_moments(const struct hinged *h, const double *before, const do
         const double turn = force_at(h, force, hinge->member, FRAME_ROTATION_I + hinge->end);
         const struct storey *s = &hinge->storey;
         const double moment =
-            s->law->respond(s->constant, before + 2 * f->n_hinge + s->history, turn, NULL).shear;
+            s->law
+                ->respond(s->constant, before + hinges_of_laws(f->n_hinge) + s->history, turn, NULL)
+                .shear;
         assert_near(force_at(h, force, hinge->member, hinge->end), -moment, 1e-5);
     }
     for (int i = 0; i < f->n_member; i++) {
