@@ -67,7 +67,7 @@ static bool same_name(const char *name, const char *text, size_t n) {
 }
 
 static const struct edp_quantity *find_quantity(const char *text, size_t n, struct error *e) {
-    const char *known[64];
+    const char *known[sizeof edp_quantities / sizeof edp_quantities[0]];
     char name[64];
     for (int i = 0; i < n_edp_quantity; i++) {
         if (same_name(edp_quantities[i].name, text, n)) {
