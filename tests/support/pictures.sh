@@ -26,6 +26,7 @@ draw() {
     "$jostle" plot "$file" "$@" -o "$picture" --force
 }
 
+"$jostle" plot deck input/low_roof.deck -o "$pictures/deck.png" --force
 draw two_towers.svg two_towers histories
 draw multistorey.png multistorey profiles --compare "$folder/apart.h5"
 draw contact.png multistorey contact

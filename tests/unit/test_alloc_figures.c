@@ -66,7 +66,7 @@ static void every_allocation_of_a_figure_that_fails_ends_in_an_error(void **stat
     struct error e;
     assert_int_equal(runs_init(&alone, file, NULL, &e), STATUS_OK);
     assert_int_equal(runs_init(&twice, file, file, &e), STATUS_OK);
-    for (int i = 0; i < n_figure && !figures[i]->of_study; i++) {
+    for (int i = 0; i < n_figure && figures[i]->of == SUBJECT_RUNS; i++) {
         fail_alloc_each(draw, &(struct drawing){figures[i], &alone}, 0);
         fail_alloc_each(draw, &(struct drawing){figures[i], &twice}, 0);
     }

@@ -59,7 +59,7 @@ static void every_allocation_that_fails_ends_in_an_error(void **state) {
     (void)state;
     struct study_file *f = suite_ran(text);
     for (int i = 0; i < n_figure; i++) {
-        if (figures[i]->of_study) {
+        if (figures[i]->of == SUBJECT_STUDY) {
             fail_alloc_each(open_and_draw, &(struct drawing){study_file_view(f)->path, figures[i]},
                             10);
         }
