@@ -173,11 +173,13 @@ static void write_each(const struct deck_view *v, struct canvas *c, int gap) {
     double before = -INFINITY;
     for (int i = 0; i < v->m->n_contact; i++) {
         const struct link *l = &v->m->link[i];
+        if (!is_shown(v, l) || gap_of(v, l) != gap) {
+            continue;
+        }
         const double y = (level_of(v, l, 0) + level_of(v, l, 1)) / 2 + raised(v, i);
         char text[32];
         script_number(l->gap, text, sizeof text);
-        if (is_shown(v, l) && gap_of(v, l) == gap && fabs(y - before) > em &&
-            0.75 * script_width(text) < room) {
+        if (fabs(y - before) > em && 0.75 * script_width(text) < room) {
             elevation_text(&v->at, c, text, (place_of(v, l, 0) + place_of(v, l, 1)) / 2,
                            y + LABEL * em, room);
             before = y;

@@ -64,6 +64,9 @@ expect "gaps, heights and masses stand below" 'texts >list && grep -qx "0.02 to 
 expect "and the numbers of things above" 'grep -qx "5 buildings, 7 contacts, 2 links, 1 struck column; heights are to scale, widths and gaps are not" list'
 expect "a long name is shortened" 'grep -q "^a_ver.*…" list'
 expect "a title is shown as it is, and gnuplot executes nothing" 'grep -q "^set label .It.047s .140date.140 " drawn/deck.gp && ! grep -q "\`" drawn/deck.gp'
+sed 's/^contact W:2 body:1 .*/contact F:4 body:1 -gap 7mm -law linear -k 1e6/' all.deck >beyond.deck
+drawn beyond.deck
+expect "a contact beyond a neighbour has its gap beside it" '[ $status -eq 0 ] && texts | grep -qx 0.007 && [ "$(levels contacts | cut -d " " -f 11-12)" = "12 5" ]'
 drawn all.deck -D gap=70mm
 expect "-D replaces a parameter" '[ $status -eq 0 ] && texts | grep -qx "0.03 to 0.07"'
 

@@ -30,7 +30,7 @@ static int draw(struct study_file *f, const struct figure *figure, struct error 
     assert_non_null(to);
     int status = suite_create(f, &q, &s, e);
     if (status == STATUS_OK) {
-        const struct subject p = {NULL, s, &limit, response ? 0 : 1};
+        const struct subject p = {.suite = s, .limit = &limit, .n_limit = response ? 0 : 1};
         status = figure_write(figure, &p, &files, e);
         suite_free(s);
     }
