@@ -29,6 +29,10 @@ const struct edp_quantity edp_quantities[] = {
      "moment on an end of a column, a beam or a wall: member-moment:A, member-moment:A:beam_1_2"},
     {"member-shear", EDP_OF_MEMBER, NULL, "shear", NULL, EDP_LARGEST, "shear of such a member"},
     {"member-axial", EDP_OF_MEMBER, NULL, "axial", NULL, EDP_LARGEST, "normal force of a column"},
+    {"plastic-rotation", EDP_OF_MEMBER, NULL, "plastic_rotation", NULL, EDP_LARGEST,
+     "plastic rotation of the hinges of a member"},
+    {"hinge-ductility", EDP_OF_MEMBER, NULL, "ductility", NULL, EDP_LARGEST,
+     "rotation of a hinge over its rotation at yield"},
     {"force", EDP_OF_CONTACT, "contacts", "force", NULL, EDP_LARGEST, "contact force"},
     {"penetration", EDP_OF_CONTACT, "contacts", "penetration", NULL, EDP_HIGHEST,
      "penetration of a contact, negative if it stays open"},
@@ -63,7 +67,7 @@ static bool same_name(const char *name, const char *text, size_t n) {
 }
 
 static const struct edp_quantity *find_quantity(const char *text, size_t n, struct error *e) {
-    const char *known[32];
+    const char *known[sizeof edp_quantities / sizeof edp_quantities[0]];
     char name[64];
     for (int i = 0; i < n_edp_quantity; i++) {
         if (same_name(edp_quantities[i].name, text, n)) {
