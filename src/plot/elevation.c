@@ -11,6 +11,7 @@
 // [em], shares of a slot, and of the height.
 static const double MARGIN = 7.5, SLOT_MAX = 14, LINE = 1.15, SMALL = 0.75;
 static const double WIDTH = 0.56;            // of a building
+static const double ROOM = 0.96;             // for a text below it
 static const double WALLS[] = {0.38, 0.62};  // shares of a building
 static const double BELOW_GROUND = 0.05, ABOVE_ROOF = 0.08;
 
@@ -116,15 +117,18 @@ void elevation_line(const struct elevation *e, const struct canvas *c, const cha
     fprintf(c->to, " right font small_font textcolor rgb '#606060'\n");
 }
 
+bool elevation_fits(const struct elevation *e, const char *text) {
+    return SMALL * script_width(text) <= ROOM * e->slot;
+}
+
 void elevation_number(const struct elevation *e, const struct canvas *c, double value, double x,
                       int line) {
     char text[48];
-    const double room = 0.96 * e->slot;
     script_number(value, text, sizeof text);
-    for (int digits = 3; digits > 0 && SMALL * script_width(text) > room; digits--) {
+    for (int digits = 3; digits > 0 && !elevation_fits(e, text); digits--) {
         snprintf(text, sizeof text, "%.*g", digits, value);
     }
-    elevation_below(e, c, text, x, line, room);
+    elevation_below(e, c, text, x, line, ROOM * e->slot);
 }
 
 void elevation_name(const struct elevation *e, const struct canvas *c, int k, int line) {
@@ -133,7 +137,7 @@ void elevation_name(const struct elevation *e, const struct canvas *c, int k, in
     const double middle = elevation_x(e, k, 0.5);
     const bool level = e->heights && e->slot > 2.5, narrow = e->slot < 6;
     char text[48];
-    elevation_below(e, c, e->building[k].name, middle, line, 0.96 * e->slot);
+    elevation_below(e, c, e->building[k].name, middle, line, ROOM * e->slot);
     for (int i = 1; n > 1 && i <= n - (level && narrow) && roof > n * em && e->slot > 2.5; i++) {
         snprintf(text, sizeof text, "%d", i);
         elevation_text(e, c, text, elevation_x(e, k, 0) + 0.5 + 0.2 * (i > 9),

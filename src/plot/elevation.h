@@ -55,14 +55,15 @@ struct elevation_ends elevation_member(const struct elevation *e, int k, enum fr
 double elevation_per_em(const struct elevation *e);
 
 // A small text in the middle of a place of the panel, or in a line below it (from 0), on at most
-// `width` em; a number there, with as many of four digits as a slot has room for; and the name of
-// such a line, left of the panel.
+// `width` em; a number there, with as many of four digits as a slot has room for; whether a text
+// fits there; and the name of such a line, left of the panel.
 void elevation_text(const struct elevation *e, const struct canvas *c, const char *text, double x,
                     double y, double width);
 void elevation_below(const struct elevation *e, const struct canvas *c, const char *text, double x,
                      int line, double width);
 void elevation_number(const struct elevation *e, const struct canvas *c, double value, double x,
                       int line);
+bool elevation_fits(const struct elevation *e, const char *text);
 void elevation_line(const struct elevation *e, const struct canvas *c, const char *text, int line);
 
 // The name of a building, in a line below the panel; the numbers of its floors and the level of its
