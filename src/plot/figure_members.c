@@ -56,8 +56,8 @@ static bool find_place(const struct report_building *b, const struct report_memb
                        struct member_place *out) {
     for (enum frame_kind kind = 0; kind < N_KIND; kind++) {
         const size_t n = strlen(kind_name[kind]);
-        const char *at = m->name + n;
         if (strncmp(m->name, kind_name[kind], n) == 0) {
+            const char *at = m->name + n;
             out->kind = kind;
             return take_number(&at, b->n_floor, &out->level) &&
                    take_number(&at, NUMBER_MAX, &out->number) && !*at;
