@@ -56,7 +56,7 @@ struct plane_frame {
     int n_unknown;
     double *stiffness;  // [F/L] [F] [F L] (n_action, n_action) storey shears and moments on ends
                         // with hinges, by unit actions; symmetric to the bit
-    double *force;  // (n_member, FRAME_FORCES, n_action) forces of members by unit actions
+    double *force;      // (n_member, FRAME_FORCES, n_action) forces of members by unit actions
 };
 
 // The forces of a member.
