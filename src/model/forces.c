@@ -152,7 +152,7 @@ static void forces_found(const struct building *g, const double *by_own, double 
                 to[storeys + i] -= g->pdelta[i] * foundation_lean(g, i);
             }
         }
-        for (enum foundation_quantity q = 0; q < FOUNDATION_QUANTITIES; q++) {
+        for (int q = 0; q < FOUNDATION_QUANTITIES; q++) {
             to[foundation + q] = foundation_by_drift(g, q, j);
         }
     }

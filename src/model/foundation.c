@@ -380,7 +380,7 @@ double foundation_lean(const struct building *g, int i) {
     return ((const struct founded *)g->part->data)->share[i];
 }
 
-double foundation_by_drift(const struct building *g, enum foundation_quantity q, int j) {
+double foundation_by_drift(const struct building *g, int q, int j) {
     const double height = level_of_floor(g->height, g->n_level);
     const double sway = j <= g->n_level ? 1.0 : 0.0, rocking = 1.0 / height;
     const double value[] = {sway, rocking, g->foundation->sway * sway,

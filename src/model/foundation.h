@@ -29,8 +29,9 @@ void foundation_storeys(const struct building *g, const double *drift, const dou
 double foundation_deformation(const struct building *g, int i, int j);
 double foundation_lean(const struct building *g, int i);
 
-// A quantity of the foundation by a unit drift of degree of freedom `j` (from 0).
-double foundation_by_drift(const struct building *g, enum foundation_quantity q, int j);
+// A quantity (enum foundation_quantity) of the foundation by a unit drift of degree of freedom `j`
+// (from 0).
+double foundation_by_drift(const struct building *g, int q, int j);
 
 // The deformation of storey `i` (from 0) of a building with a foundation, as a sum of
 // displacements: of the floor above, the floor below or the slab, and the rocking.
