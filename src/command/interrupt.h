@@ -7,8 +7,8 @@
 
 #include "jostle/error.h"
 
-// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU (ulimit -St) are noted. A signal that comes a
-// second or two after the first ends the program at once. A signal that is ignored stays ignored,
+// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU (ulimit -St) and SIGUSR1 (sbatch --signal, before a
+// job is killed) are noted. A signal that comes a second or two after the first ends the program at once. A signal that is ignored stays ignored,
 // as nohup and the background jobs of a shell want. Calls of the system that such a signal
 // interrupts go on.
 void interrupt_catch(void);

@@ -247,6 +247,10 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     }
     crash_reading(NULL, q->result);
     const bool study = study_file_is_study(q->result);
+    const char *wrong = suite_options_collapse(&q->study);
+    if (status == EXIT_DONE && wrong) {
+        return command_usage(&command_plot, "%s", wrong);
+    }
     status = status == EXIT_DONE ? choose(q, study) : status;
     if (status != EXIT_DONE) {
         return status;

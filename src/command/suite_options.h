@@ -10,11 +10,15 @@ struct suite_options {
     struct suite_request request;
     struct words at;
     const char *limits;              // "VALUE,VALUE"; NULL: none
+    int collapse;                    // not 0: --collapse
     const struct option_row *first;  // the first of these options that was given; NULL: none
 };
 
 // The options that both have, of a struct suite_options.
 extern const struct option_row suite_options_rows[];
+
+// Gives --collapse its demand and its limit. Returns what is wrong with the options, NULL if nothing.
+const char *suite_options_collapse(struct suite_options *o);
 
 // The request, complete once the command line is read.
 const struct suite_request *suite_options_request(struct suite_options *o);
