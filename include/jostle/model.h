@@ -26,6 +26,16 @@ struct foundation {
     double sway_dashpot, rocking_dashpot;  // [F T/L] [F L T]
 };
 
+// What a foundation does: it sways [L], it rocks (clockwise), and its springs hold it by a force
+// [F] and a moment [F L], without its dashpots.
+enum foundation_quantity {
+    FOUNDATION_SWAY,
+    FOUNDATION_ROCKING,
+    FOUNDATION_FORCE,
+    FOUNDATION_MOMENT,
+    FOUNDATION_QUANTITIES
+};
+
 // A building: shear storeys, and parts that couple them. Floors are numbered from 1; array index 0
 // is floor 1, storey i is below floor i.
 struct building {
