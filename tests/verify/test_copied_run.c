@@ -186,6 +186,15 @@ static const char *const kind[] = {
     TALL "storey A clough -yield 500kN -hardening 5%\n",
     TALL "storey C:all takeda -yield 500kN -hardening 2%\n",
     FRAME "storey B takeda -yield 300kN -hardening 2%\ncontact A B -gap 9mm -law linear -k 1e8\n",
+    TWO "storey A:1:2 ramberg-osgood -yield 300kN -eta 0.2 -r 7\n"
+        "storey A:3:4 multilinear -yield 200kN -drift-2 9mm -shear-2 300kN -cycle peak\n"
+        "storey B bouc-wen -yield 300kN -hardening 2% -n 1 -delta-eta 0.05 -zeta-s 0.8\n"
+        "contact A B -gap 5mm -law hertz -k 1e9\n",
+    TWO
+    "storey A bilinear -yield 300kN -yield-negative 200kN -hardening -1%\n"
+    "storey B:1:2 imk -yield 300kN -hardening 2% -capping 20mm -post-capping -0.05 -gamma-s 50\n"
+    "storey B:3:4 trilinear -crack 100kN -yield 300kN -cracked 0.3 -hardening 2% -takeda\n"
+    "contact A B -gap 5mm -law linear -k 1e8\n",
 };
 
 // A building of a full matrix beside a chain that yields, with a contact between two floors.
