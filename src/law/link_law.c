@@ -106,6 +106,10 @@ struct link_storey link_law_storey(const double *constant, const double *history
                                 .deformation = history[DEFORMATION]};
 }
 
+bool link_law_is_slack(const double *c) {
+    return c[SLACK] + c[SLACK_SHORT] > 0.0;
+}
+
 static struct storey_response link_law_respond(const double *c, const double *h, double q) {
     return link_law_of(c)->respond(c + OWN, h + HISTORY, q, NULL);
 }
@@ -117,7 +121,7 @@ static struct storey_response link_law_extend(const double *c, const double *h, 
     *q = x - c[SLACK];
     if (isfinite(*q)) {
         r = link_law_respond(c, h, *q);
-        if (r.shear >= 0.0 || c[SLACK] + c[SLACK_SHORT] == 0.0) {
+        if (r.shear >= 0.0 || !link_law_is_slack(c)) {
             return r;
         }
     }
