@@ -77,6 +77,7 @@ struct settling {
     double *tangent;            // (n, n)
     double *shear, *change;     // (n) change: of x
     double *x, *trial, *still;  // (n) drifts; still: drift rates of 0
+    double *scratch;            // (model.n_part_scratch) of parts
     size_t *order;              // (n) of the rows in the factorisation
 };
 
@@ -85,7 +86,8 @@ static double residual_drift_shears(struct settling *r, const double *x) {
     const struct building *b = r->building;
     memset(r->shear, 0, r->n * sizeof *r->shear);
     memset(r->tangent, 0, r->n * r->n * sizeof *r->tangent);
-    const struct part_sums sums = {.shear = r->shear, .by_drift = r->tangent};
+    const struct part_sums sums = {
+        .shear = r->shear, .by_drift = r->tangent, .scratch = r->scratch};
     parts_respond(b, r->history, x, r->still, &sums, NULL);
     for (size_t i = 0; i < r->n; i++) {
         const struct storey *storey = &r->model->storey[(size_t)b->first + i];
@@ -135,6 +137,7 @@ static void residual_drift_settle(const struct model *m, const struct state *s,
         *array[i] = arena_alloc(a, i == 0 ? n * n : n, sizeof(double));
     }
     r.order = a ? arena_alloc(a, n, sizeof *r.order) : NULL;
+    r.scratch = a ? arena_alloc(a, (size_t)m->n_part_scratch, sizeof *r.scratch) : NULL;
     for (size_t i = 0; i < n; i++) {
         out[i] = (double)NAN;
     }

@@ -58,6 +58,7 @@ struct dp_system {
     double *damping;         // [F] (n_dof) scratch
     double *part_drift, *part_rate, *part_shear;  // (n_dof) scratch: see dp_rates_parts
     double *part_history;                         // (model.n_storey_history) scratch
+    double *part_scratch;                         // (model.n_part_scratch)
     enum phase *phase;                            // (n_link)
     int n_inelastic;                              // storeys with a history
     int *inelastic;                               // (n_dof) their indices

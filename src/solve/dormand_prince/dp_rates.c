@@ -35,7 +35,7 @@ const double *dp_rates_parts(const struct dp *p, const struct building *g, const
     }
     memset(shear, 0, (size_t)g->n_floor * sizeof *shear);
     parts_respond(g, history, s->part_drift + g->first, s->part_rate + g->first,
-                  &(struct part_sums){.shear = shear}, after);
+                  &(struct part_sums){.shear = shear, .scratch = s->part_scratch}, after);
     return shear;
 }
 

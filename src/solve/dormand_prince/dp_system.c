@@ -45,6 +45,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct dp_system, part_rate, FIELD_FLOORS),
     FIELD_ARRAY(struct dp_system, part_shear, FIELD_FLOORS),
     FIELD_ARRAY(struct dp_system, part_history, FIELD_STOREY_HISTORIES),
+    FIELD_ARRAY(struct dp_system, part_scratch, FIELD_PART_SCRATCH),
 };
 const struct fields dp_system_fields = FIELDS(list);
 
