@@ -89,6 +89,26 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
     }
 }
 
+int suite_options_edp_limit(const struct command *c, const struct plan *p, const char *text,
+                            struct edp *edp, double *limit) {
+    const char *equal = strrchr(text, '=');
+    if (!equal) {
+        return command_usage(c, "--limit takes EDP=VALUE, not '%s'", text);
+    }
+    struct arena *a = p->table->arena;
+    const char *name = arena_text(a, text, (size_t)(equal - text));
+    const struct study_view view = plan_view(p);
+    struct error e;
+    int status = name ? edp_parse(&view, name, a, edp, &e) : error_no_memory(&e);
+    if (status == STATUS_OK) {
+        status = edp_limit(edp, &view.units, equal + 1, limit, &e);
+    }
+    if (status == STATUS_OK) {
+        suite_options_warn_limit(edp, equal + 1, *limit);
+    }
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
+
 void suite_options_warn(const struct suite *s) {
     if (s->n_missing > 0) {
         safe_line(stderr, "jostle: warning: %ld of %ld runs are not in %s; they are left out",

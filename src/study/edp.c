@@ -52,6 +52,10 @@ const struct edp_quantity edp_quantities[] = {
     {"link-deformation", EDP_OF_LINK, "links", "deformation", NULL, EDP_LARGEST,
      "change of length of a bilateral link"},
     {"link-work", EDP_OF_LINK, "links", "work", NULL, EDP_SUM, "work done on bilateral links"},
+    {"link-dissipated", EDP_OF_LINK, "links", "dissipated", NULL, EDP_SUM,
+     "energy dissipated by bilateral links"},
+    {"link-residual", EDP_OF_LINK, "links", "residual_deformation", NULL, EDP_LARGEST,
+     "deformation of a bilateral link that remains without force"},
     {"column-shear", EDP_OF_COLUMN, "columns", "shear", NULL, EDP_LARGEST,
      "shear in a struck column"},
     {"column-moment", EDP_OF_COLUMN, "columns", "moment", NULL, EDP_LARGEST,
@@ -236,21 +240,17 @@ static int add_all(struct reading *r, const char *owner, struct error *e) {
         }
         any = true;
         r->out->units = item->units;
-        if (members) {
-            const int status = add_members(r, b, item, e);
-            if (status != STATUS_OK) {
-                return status;
-            }
-        } else if (!r->place || strcmp(r->place, b->name) == 0) {
+        if (members && add_members(r, b, item, e) != STATUS_OK) {
+            return STATUS_SYSTEM;
+        }
+        if (!members && (!r->place || strcmp(r->place, b->name) == 0)) {
             add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL}, b->name);
         }
     }
-    return r->out->n_term > 0 ? STATUS_OK
-           : any && members
-               ? error_set(e, STATUS_INPUT, "%s: no building has such a member", r->text)
-               : error_set(e, STATUS_INPUT, "%s: %s has a %s", r->text,
-                           any ? "no such building" : "no building",
-                           members ? "frame or a wall" : "foundation");
+    const char *none = !members ? "such building has a foundation"
+                       : any    ? "building has such a member"
+                                : "building has a frame or a wall";
+    return r->out->n_term > 0 ? STATUS_OK : error_set(e, STATUS_INPUT, "%s: no %s", r->text, none);
 }
 
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
