@@ -58,7 +58,12 @@ static bool shared(const struct row *row) {
 static const struct row yield_rows[] = {YIELD_ROW, HARDENING_ROW};
 
 static bool yields(const struct row *row) {
-    return strcmp(row->key, yield_rows[0].key) == 0 || strcmp(row->key, yield_rows[1].key) == 0;
+    for (size_t i = 0; i < sizeof yield_rows / sizeof yield_rows[0]; i++) {
+        if (strcmp(row->key, yield_rows[i].key) == 0 && row->range == yield_rows[i].range) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // What users need to know about the force besides its formula.

@@ -97,13 +97,12 @@ static void forces_set(const struct building *g, double *by_action, int force, i
 static void forces_fill_hinge(const struct building *g, double *by_action, int part, int hinge) {
     const struct plane_frame *f = g->part[part].data;
     const struct hinge *h = hinges_at(f, hinge);
-    const size_t stride = (size_t)lanes_whole(g->n_force), n = (size_t)f->n_action;
-    const double *moment = f->stiffness + (size_t)(f->n_floor + hinge) * n;
-    const size_t turn = (size_t)(forces_of_members(g, part, FRAME_ROTATION_I + h->end) + h->member);
-    const size_t plastic =
-        (size_t)(forces_of_members(g, part, FRAME_PLASTIC_I + h->end) + h->member);
-    for (size_t j = 0; j < n; j++) {
-        const double own = j == (size_t)(f->n_floor + hinge) ? 1.0 : 0.0;
+    const ptrdiff_t stride = lanes_whole(g->n_force), n = f->n_action;
+    const double *moment = f->stiffness + (f->n_floor + hinge) * n;
+    const int turn = forces_of_members(g, part, FRAME_ROTATION_I + h->end) + h->member;
+    const int plastic = forces_of_members(g, part, FRAME_PLASTIC_I + h->end) + h->member;
+    for (ptrdiff_t j = 0; j < n; j++) {
+        const double own = j == f->n_floor + hinge ? 1.0 : 0.0;
         by_action[j * stride + turn] = own;
         by_action[j * stride + plastic] = own + moment[j] / h->stiffness;
     }

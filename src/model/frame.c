@@ -250,6 +250,7 @@ static bool frame_is_pinned(const struct plane_frame *f, const struct frame_memb
 // which those of columns add up to, and moments at hinges.
 static void frame_recover(struct plane_frame *f, int action, const double *x) {
     double *column = f->stiffness + action;
+    const ptrdiff_t stride = f->n_action;
     for (int i = 0; i < f->n_member; i++) {
         const struct frame_member *m = &f->member[i];
         struct deformation d[FRAME_DEFORMATIONS];
@@ -261,11 +262,11 @@ static void frame_recover(struct plane_frame *f, int action, const double *x) {
         frame_entry(f, i, FRAME_MOMENT_J)[action] = moment[1];
         frame_entry(f, i, FRAME_SHEAR)[action] = shear;
         if (m->kind != FRAME_BEAM) {
-            column[(m->level - 1) * f->n_action] += shear;
+            column[(m->level - 1) * stride] += shear;
         }
         for (int end = 0; end < 2; end++) {
             if (m->hinge[end] >= 0) {
-                column[(f->n_floor + m->hinge[end]) * f->n_action] = moment[end];
+                column[(f->n_floor + m->hinge[end]) * stride] = moment[end];
             }
         }
     }

@@ -143,7 +143,7 @@ static void take_hinges(struct plane_frame *f, struct hinge *hinge,
 // gave.
 static void drop_pinned(struct builder *b, const struct building_draft *d,
                         const struct plane_frame *f, int line) {
-    struct hinge_draft *hinge = &d->frame->column_hinge[2 * line];
+    struct hinge_draft *hinge = &d->frame->column_hinge[(ptrdiff_t)2 * line];
     if (!hinge->word.text || !f->joint[line].turns || f->joint[line].spring > 0.0) {
         return;
     }
@@ -206,7 +206,7 @@ static void add_frame(struct builder *b, struct building_draft *d) {
     const struct frame_draft *f = d->frame;
     const int n = f->n_line, n_bay = n - 1;
     struct plane_frame *to = begin(b, d, n, d->n_floor * (n + n_bay));
-    struct hinge *hinge = arena_alloc(b->arena, (size_t)(4 * d->n_floor * n), sizeof *hinge);
+    struct hinge *hinge = arena_alloc(b->arena, 4 * (size_t)d->n_floor * (size_t)n, sizeof *hinge);
     bool stands = to && hinge && may_have_hinges(b, d);
     for (int i = 1; stands && i <= d->n_floor; i++) {
         stands = has_columns(b, d, i);
@@ -232,7 +232,7 @@ static void add_frame(struct builder *b, struct building_draft *d) {
                 to->member[to->n_member++] =
                     frame_member(FRAME_COLUMN, level, k + 1, d->height[level - 1],
                                  f->modulus * m->inertia, INFINITY, f->modulus * m->area);
-                take_hinges(to, hinge, &f->column_hinge[2 * ((level - 1) * n + k)]);
+                take_hinges(to, hinge, &f->column_hinge[(ptrdiff_t)2 * ((level - 1) * n + k)]);
                 n_column++;
             }
         }
@@ -241,7 +241,7 @@ static void add_frame(struct builder *b, struct building_draft *d) {
             if (m->word.text) {
                 to->member[to->n_member++] = frame_member(FRAME_BEAM, level, k + 1, f->bay[k],
                                                           f->modulus * m->inertia, INFINITY, 0.0);
-                take_hinges(to, hinge, &f->beam_hinge[2 * ((level - 1) * n_bay + k)]);
+                take_hinges(to, hinge, &f->beam_hinge[(ptrdiff_t)2 * ((level - 1) * n_bay + k)]);
             }
         }
     }

@@ -13,10 +13,12 @@
 // consistent tangent is S_dd - F' P - P_A' (1/e - B_AA)^-1 P_A.
 //
 // K - diag(e) is positive definite if and only if the factorisation L D L' of 1/e - B_AA has a
-// positive pivot for each e > 0 and a negative one for each e < 0; those come first. Otherwise the
-// frame has no stable equilibrium (laws that soften), or a joint can turn without resistance (all
-// its hinges yield at constant moments). Then the tangents of the laws are raised to SOFTEST times
-// k.
+// positive pivot for each e > 0 and a negative one for each e < 0; those come first. It is not
+// where laws soften, or where a joint can turn without resistance as all its hinges yield at
+// constant moments. Then the tangents of the laws are raised to SOFTEST times k for a step, which
+// so goes downhill, and ends at another equilibrium if the hinges soften faster than the members
+// unload. Equal hinges that soften together keep together, although one of them alone would do: the
+// tangent there is that of this path.
 #include "model/hinge_search.h"
 
 #include <float.h>
@@ -39,12 +41,12 @@ static const double ROUNDING = 4.0 * DBL_EPSILON;
 // Unbalanced moments this small against the largest of all hinges are rounding: laws compute their
 // moments from k r.
 static const double BALANCED = 256.0 * DBL_EPSILON;
-// Where rounding lets no step improve them further, they may be so large.
+// Where rounding lets a further step not improve them, they may be so large.
 static const double BALANCED_LEAST = 1e-10;
 
-// A step is short enough if the slope of the potential at its end is this share of that at its
-// start at most.
-static const double FLAT = 0.9;
+// A share of a step is large enough if the slope of the potential at its end is this share of that
+// at its start at most.
+static const double FLAT = 0.25;
 
 // Vectors (stride) of the scratch.
 enum { VECTORS = 12 };
@@ -63,8 +65,8 @@ struct hinge_search hinge_search_begin(const struct hinges *h, const double *his
     return (struct hinge_search){
         .h = h,
         .departure = history + h->n,
-        .history = history + 2 * h->n,
-        .after = after ? after + 2 * h->n : NULL,
+        .history = history + hinges_of_laws(h->n),
+        .after = after ? after + hinges_of_laws(h->n) : NULL,
         .at = {vector[0], vector[1], vector[2], vector[3], 0.0},
         .trial = {vector[4], vector[5], vector[6], vector[7], 0.0},
         .step = vector[8],
@@ -119,12 +121,14 @@ void hinge_search_laws(const struct hinge_search *x, struct hinge_point *p) {
     }
 }
 
-static double hinge_search_unbalance(const struct hinges *h, const struct hinge_point *p) {
+// Are the unbalanced moments at a point this small against `size`?
+static bool hinge_search_is_balanced(const struct hinge_search *x, const struct hinge_point *p,
+                                     double share) {
     double most = 0.0;
-    for (int i = 0; i < h->n; i++) {
+    for (int i = 0; i < x->h->n; i++) {
         most = number_max(most, fabs(p->unbalance[i]));
     }
-    return isfinite(p->size) ? most : INFINITY;
+    return most <= share * p->size;
 }
 
 // Lists set A: hinges that are stiffer than at first, then softer ones.
@@ -145,8 +149,9 @@ static double hinge_search_entry(const struct hinge_search *x, int i, int j) {
 }
 
 // Factorises 1/e - B_AA with tangents of at least `least` times the initial ones. False: a pivot
-// has the wrong sign.
-LANES static bool hinge_search_factorise(struct hinge_search *x, double least) {
+// has the wrong sign, or with ANY_SIGN is rounding.
+enum pivots { RIGHT_SIGN, ANY_SIGN };
+LANES static bool hinge_search_factorise(struct hinge_search *x, double least, enum pivots pivots) {
     const int n = x->n_active;
     for (int i = 0; i < n; i++) {
         const int hinge = x->order[i];
@@ -160,7 +165,8 @@ LANES static bool hinge_search_factorise(struct hinge_search *x, double least) {
     for (int j = 0; j < n; j++) {
         const double *restrict row = x->factor + (ptrdiff_t)j * n;
         const double e = x->at.softening[x->order[j]];
-        if (!(row[j] * copysign(1.0, e) > HELD / fabs(e))) {
+        const double pivot = pivots == ANY_SIGN ? fabs(row[j]) : row[j] * copysign(1.0, e);
+        if (!(pivot > HELD / fabs(e))) {
             return false;
         }
         x->inverse[j] = 1.0 / row[j];
@@ -224,17 +230,23 @@ static double hinge_search_try(struct hinge_search *x, double share) {
     return slope;
 }
 
-// Takes the step, or a share of it at whose end the potential is flat enough.
+// Takes the step, or a share of it up to which the potential falls all the way, nearly to its least
+// value on the step.
 static void hinge_search_advance(struct hinge_search *x) {
     const struct hinge_point start = x->at;
-    double slope_0 = 0.0, share = 1.0;
+    double low = 0.0, high = 1.0, share = 1.0, slope_0 = 0.0;
     for (int i = 0; i < x->h->n; i++) {
         slope_0 += x->at.unbalance[i] * x->step[i];
     }
-    double slope = hinge_search_try(x, share);
-    for (int i = 0; i < TRIALS_MAX && slope > FLAT * fabs(slope_0); i++) {
-        share /= 2.0;
+    double slope = hinge_search_try(x, share), slope_low = slope_0, slope_high = slope;
+    bool good = slope <= 0.0 || hinge_search_is_balanced(x, &x->trial, BALANCED_LEAST);
+    for (int i = 0; !good && i < TRIALS_MAX; i++) {
+        const double secant = low + (high - low) * slope_low / (slope_low - slope_high);
+        share = i % 2 == 0 ? secant : (low + high) / 2.0;
         slope = hinge_search_try(x, share);
+        *(slope > 0.0 ? &high : &low) = share;
+        *(slope > 0.0 ? &slope_high : &slope_low) = slope;
+        good = slope <= 0.0 && slope >= FLAT * slope_0;
     }
     x->at = x->trial;
     x->trial = start;
@@ -248,20 +260,20 @@ bool hinge_search_find(struct hinge_search *x, const double *drift) {
     for (int i = 0; i < h->n; i++) {
         x->at.unbalance[i] = x->at.departure[i] - departure[i];
     }
-    double most = hinge_search_unbalance(h, &x->at), before = INFINITY;
-    for (int i = 0; i < ITERATIONS_MAX && most > BALANCED * x->at.size &&
-                    (most < before || most > BALANCED_LEAST * x->at.size);
-         i++) {
-        before = most;
+    for (int i = 0; i < ITERATIONS_MAX && !hinge_search_is_balanced(x, &x->at, BALANCED); i++) {
         hinge_search_list_active(x);
-        if (!hinge_search_factorise(x, -INFINITY) && !hinge_search_factorise(x, SOFTEST)) {
+        if (!hinge_search_factorise(x, -INFINITY, RIGHT_SIGN) &&
+            !hinge_search_factorise(x, SOFTEST, RIGHT_SIGN)) {
             return false;
         }
+        const bool nearly = hinge_search_is_balanced(x, &x->at, BALANCED_LEAST);
         hinge_search_find_step(x);
         hinge_search_advance(x);
-        most = hinge_search_unbalance(h, &x->at);
+        if (nearly) {  // rounding may not let it become better
+            break;
+        }
     }
-    return most <= BALANCED_LEAST * x->at.size;
+    return hinge_search_is_balanced(x, &x->at, BALANCED_LEAST);
 }
 
 void hinge_search_add_shear(const struct hinge_search *x, const double *drift, double *shear) {
@@ -279,20 +291,12 @@ void hinge_search_add_shear(const struct hinge_search *x, const double *drift, d
     }
 }
 
-// Does some law soften?
-static bool hinge_search_soften(const struct hinge_search *x) {
-    bool soften = false;
-    for (int i = 0; i < x->h->n; i++) {
-        soften |= x->at.softening[i] > x->h->hinge[i].stiffness;
-    }
-    return soften;
-}
-
-// P_A with the factor L^-1 before it, in `right`. False: the equilibrium is not stable.
+// P_A with the factor L^-1 before it, in `right`. False: there is none.
 static bool hinge_search_reduce(struct hinge_search *x) {
     const int n = x->n_active, n_floor = x->h->n_floor;
-    if (!hinge_search_factorise(x, -INFINITY) &&
-        (hinge_search_soften(x) || !hinge_search_factorise(x, SOFTEST))) {
+    if (!hinge_search_factorise(x, -INFINITY, RIGHT_SIGN) &&
+        !hinge_search_factorise(x, -INFINITY, ANY_SIGN) &&
+        !hinge_search_factorise(x, SOFTEST, RIGHT_SIGN)) {
         return false;
     }
     for (int i = 0; i < n; i++) {
@@ -301,7 +305,7 @@ static bool hinge_search_reduce(struct hinge_search *x) {
         }
     }
     for (int i = 0; i < n; i++) {
-        const double *row = x->factor + (ptrdiff_t)i * n, *own = x->right + i * n_floor;
+        const double *row = x->factor + (ptrdiff_t)i * n, *own = x->right + (ptrdiff_t)i * n_floor;
         for (int k = i + 1; k < n; k++) {
             const double share = row[k] * x->inverse[i];
             for (int j = 0; j < n_floor; j++) {
@@ -322,7 +326,7 @@ bool hinge_search_add_tangent(struct hinge_search *x, double *by_drift) {
         for (int j = 0; j <= i; j++) {
             double sum = x->h->initial[i * n_floor + j];
             for (int k = 0; k < x->n_active; k++) {
-                const double *row = x->right + k * n_floor;
+                const double *row = x->right + (ptrdiff_t)k * n_floor;
                 sum -= row[i] * row[j] * x->inverse[k];
             }
             by_drift[i * n_floor + j] += sum;

@@ -54,7 +54,7 @@ bool hinge_search_find(struct hinge_search *x, const double *drift);
 void hinge_search_laws(const struct hinge_search *x, struct hinge_point *p);
 
 // Adds the storey shears at these drifts with the rotations found, and the consistent tangent.
-// False: the equilibrium is not stable.
+// False: there is none.
 void hinge_search_add_shear(const struct hinge_search *x, const double *drift, double *shear);
 bool hinge_search_add_tangent(struct hinge_search *x, double *by_drift);
 

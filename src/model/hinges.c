@@ -26,7 +26,6 @@ static const struct hinges *hinges_of(const struct part *p) {
     return ((const struct plane_frame *)p->data)->hinges;
 }
 
-// The history has the rotations and departures of all hinges, then what their laws have.
 static void hinges_respond(const struct part *p, const double *history, const double *drift,
                            const double *rate, const struct part_sums *to, double *after) {
     const struct hinges *h = hinges_of(p);
@@ -43,7 +42,7 @@ static void hinges_respond(const struct part *p, const double *history, const do
         *(to->shear ? to->shear : to->by_drift) = (double)NAN;
     }
     if (after == history) {
-        x.after = after + 2 * n;
+        x.after = after + hinges_of_laws(n);
         hinge_search_laws(&x, &x.at);
     }
     if (after) {
@@ -65,7 +64,8 @@ static double hinges_stored(const struct part *p, const double *history, const d
     }
     for (int i = 0; i < f->n_hinge; i++) {
         const struct storey *s = &hinges_at(f, i)->storey;
-        sum += s->law->stored(s->constant, history + 2 * f->n_hinge + s->history, history[i]);
+        sum += s->law->stored(s->constant, history + hinges_of_laws(f->n_hinge) + s->history,
+                              history[i]);
     }
     return sum;
 }
@@ -102,7 +102,7 @@ static struct hinge *hinges_take(struct hinges *h, const struct hinge *hinge, st
         n_history += s->law->n_history;
         own[i].stiffness = s->law->respond(s->constant, unyielded, 0.0, NULL).tangent;
     }
-    h->n_history = 2 * h->n + n_history;
+    h->n_history = (int)hinges_of_laws(h->n) + n_history;
     return own;
 }
 

@@ -11,6 +11,8 @@
 #ifndef JOSTLE_HINGES_H
 #define JOSTLE_HINGES_H
 
+#include <stddef.h>
+
 #include "core/arena.h"
 #include "jostle/error.h"
 #include "jostle/model.h"
@@ -28,9 +30,14 @@ struct hinge {
 int hinges_create(struct plane_frame *f, const struct hinge *hinge, struct arena *a,
                   struct error *e);
 
-// The values that the history and the scratch of the part have.
+// The values that the history and the scratch of the part have. The history begins with the
+// rotations of all n hinges and the departures of their moments from their initial lines; the
+// histories of the laws are behind these.
 int hinges_n_history(const struct hinges *h);
 int hinges_n_scratch(const struct hinges *h);
+static inline ptrdiff_t hinges_of_laws(int n) {
+    return 2 * (ptrdiff_t)n;
+}
 
 // What kind of part a frame with these hinges is.
 const struct part_kind *hinges_kind(const struct hinges *h);

@@ -64,6 +64,7 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
         .memory = memory,
         .ahead.from = -FORCING_AHEAD,
         .held = -1,
+        .lost = -1,
     };
     size_t n = (size_t)m->n_body;
     w->home = arena_alloc(a, n, sizeof *w->home);

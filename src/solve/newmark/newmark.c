@@ -101,6 +101,7 @@ static int newmark_linearise_parts(struct work *w, const struct state *now, cons
         .by_drift = by_drift, .by_rate = by_drift + n * n, .scratch = at->scratch};
     parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first, &sums, NULL);
     const bool found = !isnan(by_drift[0]);
+    w->lost = found ? w->lost : k;
     if (g->predictable) {
         memcpy(found ? memory : by_drift, found ? by_drift : memory, size);
     }
@@ -291,6 +292,7 @@ static void newmark_finish(struct work *w, struct state *next) {
 
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
                  struct error *e) {
+    w->lost = -1;
     if (work_factor(w, h) != STATUS_OK) {
         w->totals->indefinite++;
         return STATUS_RETRY;
