@@ -92,10 +92,8 @@ static bool set_law(struct builder *b, struct struck_draft *d, const struct stor
         value[r] = r == LINK_ROW_STIFFNESS ? d->column.stiffness : (double)NAN;
     }
     for (int r = 0; r < law->n_row; r++) {
-        const bool flag = law->row[r].kind == ROW_FLAG && c->given[r].given;
-        const double one = c->value[r] ? c->value[r][0] : flag ? 1.0 : (double)NAN;
         row[LINK_ROWS + r] = law->row[r];
-        value[LINK_ROWS + r] = one * pow(d->column.n, law->row[r].dimension.force);
+        value[LINK_ROWS + r] = c->value[r] * pow(d->column.n, law->row[r].dimension.force);
     }
     made->row = row;
     made->n_row = (int)n_row;

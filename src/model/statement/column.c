@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/struck_column.h"
 
-#include <string.h>
-
 #include "deck/reader.h"
 #include "model/pairs.h"
 #include "model/storey_choice.h"
@@ -78,29 +76,27 @@ static bool read_place(struct builder *b, const struct statement *s, struct sele
 // Reads the options, and those of the law, if there is one. False after a report.
 static bool read_options(struct builder *b, const struct statement *s, struct argument *a,
                          struct storey_choice *c) {
-    struct row_set set[] = {{rows, N_ROW, a}, {NULL, 0, c->given}};
-    const bool yields = s->n_plain > 2;
-    c->law = yields ? storey_choice_find(b, &s->word[2]) : NULL;
-    for (int i = 0; c->law && i < c->law->n_row * N_ROW; i++) {
-        if (strcmp(c->law->row[i / N_ROW].key, rows[i % N_ROW].key) == 0) {
+    struct row_set own = {rows, N_ROW, a};
+    if (s->n_plain <= 2) {
+        return deck_options(b->deck, s, &own, 1);
+    }
+    const struct storey_law *law = storey_choice_find(b->deck, &s->word[2]);
+    for (int i = 0; law && i < N_ROW; i++) {
+        if (storey_choice_row(law, rows[i].key) >= 0) {
             deck_error(b->deck, &s->word[2],
                        "law %s has the option -%s, which column has, too; give another law",
-                       c->law->name, rows[i % N_ROW].key);
+                       law->name, rows[i].key);
             return false;
         }
     }
-    if (c->law) {
-        set[1].row = c->law->row;
-        set[1].n_row = c->law->n_row;
-    }
-    if ((yields && !c->law) || !deck_options(b->deck, s, set, 2)) {
+    if (!law || !storey_choice_read(b->deck, s, law, &own, NULL, c)) {
         return false;
     }
-    if (c->law && a[DAMPING].given) {
+    if (a[DAMPING].given) {
         deck_error(b->deck, &a[DAMPING].key, "-damping is for elastic columns; this one has a law");
         return false;
     }
-    return !c->law || storey_choice_spread(b, c, 1, "columns");
+    return true;
 }
 
 static void build(struct builder *b, const struct statement *s) {
