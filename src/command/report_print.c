@@ -333,7 +333,9 @@ static void print_columns(struct summary *s) {
     for (int i = 0; i < s->r->n_column; i++) {
         fails |= s->r->column[i].demand > 1.0;
     }
-    fputs(fails ? "a column with a demand above 1 would fail; here it stays elastic\n" : "", s->to);
+    fputs(fails ? "a column with a demand above 1 would fail; without a law it stays elastic\n"
+                : "",
+          s->to);
 }
 
 // The energies of the end, as the tables have numbers.

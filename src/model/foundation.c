@@ -383,9 +383,8 @@ double foundation_lean(const struct building *g, int i) {
 double foundation_by_drift(const struct building *g, int q, int j) {
     const double height = level_of_floor(g->height, g->n_level);
     const double sway = j <= g->n_level ? 1.0 : 0.0, rocking = 1.0 / height;
-    const double value[] = {sway, rocking, g->foundation->sway * sway,
-                            g->foundation->rocking * rocking};
-    return value[q];
+    const struct foundation *f = g->foundation;
+    return (double[]){sway, rocking, f->sway * sway, f->rocking * rocking}[q];
 }
 
 double foundation_across(const struct model *m, int dof, const double *x) {

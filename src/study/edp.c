@@ -240,21 +240,17 @@ static int add_all(struct reading *r, const char *owner, struct error *e) {
         }
         any = true;
         r->out->units = item->units;
-        if (members) {
-            const int status = add_members(r, b, item, e);
-            if (status != STATUS_OK) {
-                return status;
-            }
-        } else if (!r->place || strcmp(r->place, b->name) == 0) {
+        if (members && add_members(r, b, item, e) != STATUS_OK) {
+            return STATUS_SYSTEM;
+        }
+        if (!members && (!r->place || strcmp(r->place, b->name) == 0)) {
             add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL}, b->name);
         }
     }
-    return r->out->n_term > 0 ? STATUS_OK
-           : any && members
-               ? error_set(e, STATUS_INPUT, "%s: no building has such a member", r->text)
-               : error_set(e, STATUS_INPUT, "%s: %s has a %s", r->text,
-                           any ? "no such building" : "no building",
-                           members ? "frame or a wall" : "foundation");
+    const char *none = !members ? "such building has a foundation"
+                       : any    ? "building has such a member"
+                                : "building has a frame or a wall";
+    return r->out->n_term > 0 ? STATUS_OK : error_set(e, STATUS_INPUT, "%s: no %s", r->text, none);
 }
 
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {

@@ -162,10 +162,10 @@ static void members_on_a_foundation_have_forces(void **state) {
         "ground record %s -format series -dt 0.02 -unit g\nduration 6\nstep fixed 1ms\n%s";
     (void)state;
     struct analysis a[3] = {
-        analysis_of(deck, el_centro(), ""),
-        analysis_of(deck, el_centro(),
+        analysis_of(deck, analysis_el_centro(), ""),
+        analysis_of(deck, analysis_el_centro(),
                     "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
-        analysis_of(deck, el_centro(),
+        analysis_of(deck, analysis_el_centro(),
                     "foundation A -mass 100t -inertia 1000t*m^2 -sway 3e8 -rocking 9e9"),
     };
     const struct building *g = &a[0].model->building[0];
