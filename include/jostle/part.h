@@ -17,7 +17,8 @@
 JOSTLE_C_BEGIN
 
 enum part_trait {
-    PART_LINEAR = 1,  // the shears are one matrix times the drifts: no rates, no history
+    PART_LINEAR = 1,     // the shears are one matrix times the drifts: no rates, no history
+    PART_SHARELESS = 2,  // it is of the shear storeys: results show no share of its own
 };
 
 // What a part adds to. Matrices are symmetric to the bit. NULL: not needed.

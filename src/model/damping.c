@@ -202,7 +202,7 @@ void damping_matrix(struct builder *b, const struct building_draft *d, const dou
     if (arena_failed(b->arena) || !sum_up(b, d, omega, &s)) {
         return;
     }
-    add_tridiagonal(d, s.a0, s.a1, d->stiffness, diagonal, off);
+    add_tridiagonal(d, s.a0, s.a1, building->spring, diagonal, off);
     add_tridiagonal(d, 0.0, 1.0, s.dashpot, diagonal, off);
     if (modal) {
         add_modal(d, s.ratio, omega, shape, full);

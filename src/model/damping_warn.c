@@ -19,6 +19,7 @@
 #include <stdio.h>
 
 #include "core/arena.h"
+#include "model/rate_storeys.h"
 
 static const double SHARE_MAX = 0.1;
 
@@ -28,12 +29,18 @@ struct share {
     double mass, all;
 };
 
+// The yield shear of storey i; infinite: it stays elastic.
+static double yield_of(const struct model *m, const struct building *g, int i) {
+    const struct storey *s = rate_storeys_of(g, i);
+    return s ? s->yield : m->storey[g->first + i].yield;
+}
+
 // True if storey i is an isolator: less than half as stiff as the storey above, and all storeys
 // above stay elastic.
 static bool isolates(const struct model *m, const struct building *g, int i) {
     bool elastic = i + 1 < g->n_floor && g->stiffness[i] < 0.5 * g->stiffness[i + 1];
     for (int j = i + 1; elastic && j < g->n_floor; j++) {
-        elastic = isinf(m->storey[g->first + j].yield);
+        elastic = isinf(yield_of(m, g, j));
     }
     return elastic;
 }
@@ -47,7 +54,7 @@ double damping_warning(const struct model *m, const struct building *g, const do
     double above = 0.0;
     for (int i = g->n_floor - 1; i >= 0; i--) {
         above += g->mass[i];
-        const double by_rate = rate[i] / m->storey[g->first + i].yield;
+        const double by_rate = rate[i] / yield_of(m, g, i);
         const double mass = isolates(m, g, i) ? g->damping_alpha * above * by_rate : 0.0;
         const double all = mass + g->damping_beta * g->stiffness[i] * by_rate;
         if (all > share.all) {

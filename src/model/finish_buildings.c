@@ -12,6 +12,7 @@
 #include "model/modes.h"
 #include "model/parts.h"
 #include "model/pdelta.h"
+#include "model/rate_storeys.h"
 #include "model/struck_column.h"
 
 // An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
@@ -86,7 +87,8 @@ static void sum_parts(struct builder *b, struct building *g, const struct part *
 }
 
 static void finish_parts(struct builder *b, struct model *m, struct building *g,
-                         const struct building_draft *d) {
+                         struct building_draft *d) {
+    rate_storeys_put(b, d, g);
     struct part *part = d->parts.item;
     for (int i = 0; i < d->parts.n; i++) {
         part[i].history = m->n_storey_history;
@@ -104,7 +106,8 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     g->elastic = true;
     for (int i = 0; i < g->n_floor; i++) {
         struct storey *s = &storey[g->first + i];
-        *s = g->fixed ? (struct storey){0} : d->storey[i];  // else they are in its part
+        const bool in_part = g->fixed || rate_storeys_of(g, i);
+        *s = in_part ? (struct storey){0} : d->storey[i];
         s->pdelta = g->pdelta && !g->fixed ? g->pdelta[i] : 0.0;
         if (!s->law || (s->law == &storey_elastic && s->pdelta != 0.0)) {
             double *constant =
@@ -160,7 +163,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         return error_no_memory(e);
     }
     for (int i = 0, first = 0; i < m->n_body; i++) {
-        const struct building_draft *d = builder_draft(b, i);
+        struct building_draft *d = builder_draft(b, i);
         building[i] = (struct building){.name = d->name,
                                         .n_floor = d->n_floor,
                                         .n_level = d->n_floor,

@@ -25,6 +25,8 @@
 #include "model/pairs.h"
 #include "model/parts.h"
 #include "model/pdelta.h"
+#include "model/rate_storeys.h"
+#include "model/storey_force.h"
 
 // The part of a building with a foundation. The storeys that yield are kept one by one. All that is
 // linear is the stiffness of the part.
@@ -57,7 +59,7 @@ static double founded_deformation(const struct founded *f, int i, const double *
     return drift[i] - f->share[i] * slab.turn - (i == 0 ? slab.sway : 0.0);
 }
 
-static void founded_add_storey(const struct founded *f, int i, struct storey_response r,
+static void founded_add_storey(const struct founded *f, int i, struct storey_rate_response r,
                                const struct part_sums *to) {
     const int n = f->n + 2;
     for (int j = 0; j < n; j++) {
@@ -68,6 +70,9 @@ static void founded_add_storey(const struct founded *f, int i, struct storey_res
         for (int k = 0; to->by_drift && k < n; k++) {
             to->by_drift[j * n + k] += r.tangent * (entry * founded_entry(f, i, k));
         }
+        for (int k = 0; to->by_rate && k < n; k++) {
+            to->by_rate[j * n + k] += r.dashpot * (entry * founded_entry(f, i, k));
+        }
     }
 }
 
@@ -75,14 +80,17 @@ static void founded_respond(const struct part *p, const double *history, const d
                             const double *rate, const struct part_sums *to, double *after) {
     const struct founded *f = p->data;
     const struct founded_motion slab = founded_motion(f, drift);
+    const struct founded_motion speed = founded_motion(f, rate);
     parts_linear_respond(p, history, drift, rate, to, after);
     for (int i = 0; i < f->n; i++) {
         const struct storey *s = &f->storey[i];
         if (s->law->n_history > 0) {
-            const struct storey_response r = s->law->respond(s->constant, history + s->history,
-                                                             founded_deformation(f, i, drift, slab),
-                                                             after ? after + s->history : NULL);
-            founded_add_storey(f, i, r, to);
+            const double deformation = founded_deformation(f, i, drift, slab);
+            founded_add_storey(f, i,
+                               storey_respond_at_rate(s, history, deformation,
+                                                      founded_deformation(f, i, rate, speed),
+                                                      after),
+                               to);
         }
     }
 }
@@ -358,7 +366,9 @@ void foundation_storeys(const struct building *g, const double *drift, const dou
 
 const struct storey *foundation_storey(const struct model *m, const struct building *g, int i) {
     assert(i >= 0 && i < g->n_level);
+    const struct storey *rated = g->fixed ? NULL : rate_storeys_of(g, i);
     return g->fixed ? &((const struct founded *)g->part->data)->storey[i]
+           : rated  ? rated
                     : &m->storey[g->first + i];
 }
 
