@@ -162,6 +162,7 @@
 #define study_table_read jostle_study_table_read
 #define study_view_choice jostle_study_view_choice
 #define study_view_hit jostle_study_view_hit
+#define study_view_counts jostle_study_view_counts
 #define study_view_members jostle_study_view_members
 #define study_view_run jostle_study_view_run
 #define sweep_named jostle_sweep_named

@@ -52,6 +52,10 @@ struct part_kind {
 
     // Recoverable energy at these drifts with the committed history [F L].
     double (*stored)(const struct part *p, const double *history, const double *drift);
+
+    // Work of its viscous forces since the start [F L], which the account counts as damping. NULL:
+    // none; what it does not store is hysteretic.
+    double (*damped)(const struct part *p, const double *history);
 };
 
 JOSTLE_C_END

@@ -38,6 +38,7 @@ struct report_share {
 struct report_building {
     const char *name;
     int n_floor;
+    int isolated;                         // storey of the isolators, from 1; 0: none
     const double *mass;                   // [M]
     const double *stiffness;              // [F/L]
     const double *height;                 // [L] 0 where not given

@@ -145,6 +145,10 @@ struct study_view {
 int study_view_hit(const struct study_view *v, const struct study_item *item, size_t i,
                    const double *value);
 
+// Does value `i` of `item` enter the largest value of all? All do but those of floors and storeys
+// of isolators (floor_is_summarised). Storey shears do.
+bool study_view_counts(const struct study_view *v, const struct study_item *item, size_t i);
+
 // The building whose members have the values of `item`; NULL: it is no item of members.
 const struct report_building *study_view_members(const struct study_view *v,
                                                  const struct study_item *item);

@@ -71,11 +71,13 @@ static int widest(int width, const char *text, int limit) {
     return n <= width ? width : n < limit ? n : limit;
 }
 
-// Index of the largest value; 0 if all are NaN.
-static int largest(const double *value, int n) {
-    int at = 0;
-    for (int i = 1; i < n; i++) {
-        at = value[i] > value[at] || isnan(value[at]) ? i : at;
+// Index of the largest value of the floors or storeys in summaries; of the first if all are NaN.
+static int largest(const struct report_building *b, const double *value) {
+    int at = -1;
+    for (int i = 0; i < b->n_floor; i++) {
+        if (floor_is_summarised(b->isolated, b->n_floor, i)) {
+            at = at < 0 || value[i] > value[at] || isnan(value[at]) ? i : at;
+        }
     }
     return at;
 }
@@ -85,7 +87,7 @@ static struct shown choose_buildings(const struct report *r) {
     for (int i = 0; i < r->n_building; i++) {
         const struct report_building *b = &r->building[i];
         const double *drift = b->peak[PEAK_DRIFT];
-        const double rank = drift ? drift[largest(drift, b->n_floor)] : 0;
+        const double rank = drift ? drift[largest(b, drift)] : 0;
         s.n = choice_add(s.choice, s.n, SHOWN_MAX, (struct choice){rank, i});
     }
     choice_sort(s.choice, s.n);
@@ -115,7 +117,7 @@ static bool building_row(struct printer *t, const struct report *r, int i) {
 
 // The largest of the drifts, over the height of its storey, and its number; returns its index.
 static int drift_cells(struct printer *t, const struct report_building *b, const double *drift) {
-    const int i = largest(drift, b->n_floor);
+    const int i = largest(b, drift);
     printer_number(t, drift[i]);
     printer_number(t, b->height[i] > 0 ? 100 * drift[i] / b->height[i] : (double)NAN);
     printer_whole(t, i + 1);
@@ -155,7 +157,7 @@ static const struct printer_column forces[] = {READ("total accel.", 13, accelera
                                                READ("time", 8, time)};
 static bool force_row(struct printer *t, const struct report *r, int i) {
     const struct report_building *b = &r->building[i];
-    const int floor = largest(b->peak[PEAK_ACCELERATION], b->n_floor);
+    const int floor = largest(b, b->peak[PEAK_ACCELERATION]);
     const bool hit = report_floor_was_hit(r, b->name, floor + 1);
     const double peak = b->peak[PEAK_ACCELERATION][floor];
     const double rest[] = {floor + 1, b->peak_time[PEAK_ACCELERATION][floor],

@@ -14,6 +14,7 @@
 #include "model/pdelta.h"
 #include "model/rate_storeys.h"
 #include "model/struck_column.h"
+#include "model/tangent_damping.h"
 
 // An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
 static const struct building *twin(const struct building *first, int n, const struct building *of) {
@@ -167,6 +168,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         building[i] = (struct building){.name = d->name,
                                         .n_floor = d->n_floor,
                                         .n_level = d->n_floor,
+                                        .isolated = d->isolated,
                                         .first = first,
                                         .mass = d->mass,
                                         .stiffness = d->stiffness,
@@ -176,11 +178,15 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         int status = arena_failed(b->arena) ? error_no_memory(e) : finish_modes(b, building, i, e);
         if (status == STATUS_OK && d->foundation) {
             const struct building fixed = building[i];
-            m->founded = true;
+            m->storeys_differ = true;
             status = foundation_put(b, d, &fixed, &m->n_storey_history, &building[i], e);
         }
         if (status != STATUS_OK) {
             return status;
+        }
+        if (building[i].tangent && !d->foundation) {
+            m->storeys_differ = true;
+            tangent_damping_put(b, d, &building[i], storey + first, &m->n_storey_history);
         }
         finish_storeys(b, m, &building[i], d, storey);
         const struct building *g = &building[i];

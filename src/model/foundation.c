@@ -27,6 +27,7 @@
 #include "model/pdelta.h"
 #include "model/rate_storeys.h"
 #include "model/storey_force.h"
+#include "model/tangent_damping.h"
 
 // The part of a building with a foundation. The storeys that yield are kept one by one. All that is
 // linear is the stiffness of the part.
@@ -353,9 +354,19 @@ int foundation_loads(struct builder *b, const struct model *m, struct load *out)
     return n;
 }
 
-void foundation_storeys(const struct building *g, const double *drift, const double *shear,
-                        double *own_drift, double *own_shear) {
-    assert(g->fixed && g->n_part == 1);
+bool foundation_differs(const struct building *g) {
+    return g->fixed || g->tangent;
+}
+
+void foundation_storeys(const struct building *g, const double *history, const double *drift,
+                        const double *shear, double *own_drift, double *own_shear) {
+    for (int i = 0; !g->fixed && i < g->n_level; i++) {
+        own_drift[i] = drift[i];
+        own_shear[i] = shear[i] - (g->tangent ? tangent_damping_shear(g, history, i) : 0.0);
+    }
+    if (!g->fixed) {
+        return;
+    }
     const struct founded *f = g->part->data;
     const struct founded_motion slab = founded_motion(f, drift);
     for (int i = 0; i < f->n; i++) {
@@ -381,7 +392,7 @@ struct foundation_row foundation_row(const struct building *g, int i) {
 }
 
 double foundation_across(const struct model *m, int dof, const double *x) {
-    for (int k = 0; m->founded && k < m->n_building; k++) {
+    for (int k = 0; m->storeys_differ && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         const int i = dof - g->first;
         if (g->fixed && i >= 0 && i < g->n_level) {

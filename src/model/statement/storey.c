@@ -4,6 +4,7 @@
 
 #include "deck/reader.h"
 #include "model/builder.h"
+#include "model/storey_draft.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -12,39 +13,13 @@ static const struct row rows[N_ROW] = {
                    "initial stiffnesses, instead of those of the building"},
 };
 
-// Computes the constants of the k-th selected storey.
-static bool prepare(struct builder *b, const struct statement *s, const struct storey_law *law,
-                    double *const *value, const struct argument *given, int k, double stiffness,
-                    struct storey *out) {
-    double own[STOREY_ROWS_MAX];
+// The values of the law's rows of the k-th selected storey.
+static void values_of(const struct storey_law *law, double *const *value,
+                      const struct argument *given, int k, double own[STOREY_ROWS_MAX]) {
     for (int r = 0; r < law->n_row; r++) {
         const bool flag = law->row[r].kind == ROW_FLAG && given[r].given;
         own[r] = value[r] ? value[r][k] : flag ? 1.0 : NAN;
     }
-    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
-    if (!constant) {
-        return false;
-    }
-    struct error e;
-    if (law->prepare(own, stiffness, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, &s->word[1], "%s", e.message);
-        return false;
-    }
-    out->law = law;
-    out->constant = constant;
-    return true;
-}
-
-// Marks that storey i has a law; false after a report if it had one.
-static bool take(struct builder *b, struct building_draft *d, int i, const struct statement *s) {
-    struct word *mark = &d->storey_word[i];
-    if (mark->text) {
-        deck_error(b->deck, &s->word[1], "storey %d of building %s has a law already, in %s", i + 1,
-                   d->name, source_mention(b->deck, &mark->place, &s->word[0].place));
-        return false;
-    }
-    *mark = s->word[0];
-    return true;
 }
 
 // Smallest plausible yield drift. Storeys of buildings yield at drifts of millimetres to
@@ -90,11 +65,13 @@ static void assign(struct builder *b, const struct statement *s, const struct st
     }
     for (int k = 0; good && k < floors->n_floor; k++) {
         int i = floors->floor[k] - 1;
-        good = take(b, d, i, s);
+        double own_value[STOREY_ROWS_MAX];
+        good = storey_draft_take(b, d, i, s);
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }
-        good = good && prepare(b, s, law, value, given, k, d->stiffness[i], &d->storey[i]);
+        values_of(law, value, given, k, own_value);
+        good = good && storey_draft_set(b, d, i, &s->word[1], law, own_value);
     }
     if (good) {
         // Sets the yield shears of the storeys, for laws with a row `yield`. At most one warning
