@@ -308,8 +308,14 @@ void damping_matrix(struct builder *b, const struct building_draft *d, const dou
     assert(d->n_floor == building->n_floor && (shape || !damping_is_modal(d)));
     struct sums s;
     struct matrix c;
-    if (!alloc(b->arena, d, building, &s, &c) || !sum_up(b, d, omega, &s) ||
-        refuse_tangent(b, d, &s)) {
+    if (!alloc(b->arena, d, building, &s, &c)) {
+        return;
+    }
+    building->damping_diagonal = c.diagonal;  // 0 if a statement is wrong
+    building->damping_off = c.off;
+    building->damping_full = c.full;
+    building->damping_storey = c.storey;
+    if (!sum_up(b, d, omega, &s) || refuse_tangent(b, d, &s)) {
         return;
     }
     mark_storeys(d, NULL, c.mark);
@@ -325,10 +331,6 @@ void damping_matrix(struct builder *b, const struct building_draft *d, const dou
         move_bands(d->n_floor, c.diagonal, c.off, c.full);
         mirror(d->n_floor, c.full);
     }
-    building->damping_diagonal = c.diagonal;
-    building->damping_off = c.off;
-    building->damping_full = c.full;
     building->damping_alpha = s.a0;
-    building->damping_storey = c.storey;
     building->damping = s.rayleigh ? &s.rayleigh->word : NULL;
 }
