@@ -153,6 +153,9 @@ static int print_building(const struct model *m, const struct building *g,
         safe_line(stdout, "  %s: %d x %d from %s", own->part[i].name, g->n_level, g->n_level,
                   own->part[i].source);
     }
+    if (g->isolated > 0) {
+        printf("  isolators: storey %d\n", g->isolated);
+    }
     if (g->foundation) {
         print_foundation(m, g->foundation);
     }

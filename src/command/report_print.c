@@ -148,6 +148,24 @@ static bool residual_row(struct printer *t, const struct report *r, int i) {
     return false;
 }
 
+// Of isolators, which the other tables leave out.
+static const struct printer_column isolators[] = {
+    COUNT("storey", 7),           READ("drift", 12, length), READ("time", 8, time),
+    READ("residual", 12, length), READ("shear", 12, force),  READ("time", 8, time)};
+static bool isolator_row(struct printer *t, const struct report *r, int k) {
+    const struct report_building *b = &r->building[k];
+    const int i = b->isolated - 1;
+    const double value[] = {b->isolated,
+                            b->peak[PEAK_DRIFT][i],
+                            b->peak_time[PEAK_DRIFT][i],
+                            b->residual_drift ? b->residual_drift[i] : (double)NAN,
+                            b->peak[PEAK_SHEAR][i],
+                            b->peak_time[PEAK_SHEAR][i]};
+    printer_text(t, b->name);
+    printer_numbers(t, value, 6);
+    return false;
+}
+
 // The second column ends in the mark.
 static const struct printer_column forces[] = {READ("total accel.", 13, acceleration),
                                                {.head = "", .unit = "g", .width = 10},
@@ -172,10 +190,14 @@ static bool force_row(struct printer *t, const struct report *r, int i) {
 }
 
 static void print_peaks(struct summary *s, const struct shown *shown) {
-    struct shown yielding = {.width = shown->width};
+    struct shown yielding = {.width = shown->width}, isolated = yielding;
     for (int i = 0; i < shown->n; i++) {
-        if (s->r->building[shown->choice[i].index].residual_drift) {
+        const struct report_building *b = &s->r->building[shown->choice[i].index];
+        if (b->residual_drift) {
             yielding.choice[yielding.n++] = shown->choice[i];
+        }
+        if (b->isolated > 0) {
+            isolated.choice[isolated.n++] = shown->choice[i];
         }
     }
     PRINT_TABLE(s, shown, "peak of", displacements, displacement_row);
@@ -183,6 +205,9 @@ static void print_peaks(struct summary *s, const struct shown *shown) {
         PRINT_TABLE(s, &yielding, "residual", residuals, residual_row);
     }
     PRINT_TABLE(s, shown, "peak of", forces, force_row);
+    if (isolated.n > 0) {
+        PRINT_TABLE(s, &isolated, "isolator", isolators, isolator_row);
+    }
 }
 
 static void print_members(const struct summary *s, const struct shown *shown) {

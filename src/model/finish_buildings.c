@@ -140,12 +140,31 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     m->elastic &= g->elastic;
 }
 
+static void finish_damping(struct builder *b, struct model *m, struct building *g,
+                           struct building_draft *d, const struct storey *storey) {
+    if (g->tangent && !d->foundation) {
+        m->storeys_differ = true;
+        tangent_damping_put(b, d, g, storey + g->first, &m->n_storey_history);
+    }
+}
+
 static int count_floors(struct builder *b) {
     int n = 0;
     for (int i = 0; i < b->buildings.n; i++) {
         n += builder_draft(b, i)->n_floor + (builder_draft(b, i)->foundation ? 2 : 0);
     }
     return n;
+}
+
+static void finish_columns(struct builder *b, struct model *m, struct building *building) {
+    struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
+    for (int i = 0; column && i < m->n_column; i++) {
+        column[i] = struck_column_draft(b, i)->column;
+        building[m->n_building + i].ground = building[column[i].building].ground;
+        struck_column_place(&column[i], building[m->n_building + i].first,
+                            building[column[i].building].first);
+    }
+    m->column = column;
 }
 
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
@@ -184,10 +203,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         if (status != STATUS_OK) {
             return status;
         }
-        if (building[i].tangent && !d->foundation) {
-            m->storeys_differ = true;
-            tangent_damping_put(b, d, &building[i], storey + first, &m->n_storey_history);
-        }
+        finish_damping(b, m, &building[i], d, storey);
         finish_storeys(b, m, &building[i], d, storey);
         const struct building *g = &building[i];
         size_t bytes = (size_t)d->n_floor * sizeof *mass;
@@ -198,14 +214,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     }
     assert(building[m->n_body - 1].first + building[m->n_body - 1].n_floor == m->n_dof);
     finish_grounds(b, m, building);
-    struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
-    for (int i = 0; column && i < m->n_column; i++) {
-        column[i] = struck_column_draft(b, i)->column;
-        building[m->n_building + i].ground = building[column[i].building].ground;
-        struck_column_place(&column[i], building[m->n_building + i].first,
-                            building[column[i].building].first);
-    }
-    m->column = column;
+    finish_columns(b, m, building);
     m->building = building;
     m->storey = storey;
     m->mass = mass;

@@ -360,18 +360,12 @@ bool foundation_differs(const struct building *g) {
 
 void foundation_storeys(const struct building *g, const double *history, const double *drift,
                         const double *shear, double *own_drift, double *own_shear) {
-    for (int i = 0; !g->fixed && i < g->n_level; i++) {
-        own_drift[i] = drift[i];
-        own_shear[i] = shear[i] - (g->tangent ? tangent_damping_shear(g, history, i) : 0.0);
-    }
-    if (!g->fixed) {
-        return;
-    }
-    const struct founded *f = g->part->data;
-    const struct founded_motion slab = founded_motion(f, drift);
-    for (int i = 0; i < f->n; i++) {
-        own_drift[i] = founded_deformation(f, i, drift, slab);
-        own_shear[i] = shear[i] - shear[f->n];
+    assert(foundation_differs(g));
+    const struct founded *f = g->fixed ? g->part->data : NULL;
+    const struct founded_motion slab = f ? founded_motion(f, drift) : (struct founded_motion){0};
+    for (int i = 0; i < g->n_level; i++) {
+        own_drift[i] = f ? founded_deformation(f, i, drift, slab) : drift[i];
+        own_shear[i] = shear[i] - (f ? shear[f->n] : tangent_damping_shear(g, history, i));
     }
 }
 

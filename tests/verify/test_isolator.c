@@ -79,7 +79,7 @@ static void bearings_of_constant_strength_are_bilinear_storeys(void **state) {
         struct analysis a = analysis_of(deck, "isolator", same[i].bearing, 1.0);
         struct analysis b = analysis_of(deck, "storey", same[i].storey, 1.0);
         assert_close(a.model->building->stiffness[0], b.model->building->stiffness[0], 1e-14);
-        for (int q = 0; q < PEAK_COUNT; q++) {
+        for (enum peak q = 0; q < PEAK_COUNT; q++) {
             for (int dof = 0; dof < 3; dof++) {
                 assert_close(peak_of(&a, q, dof), peak_of(&b, q, dof), 1e-12);
             }
