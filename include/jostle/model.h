@@ -61,7 +61,11 @@ struct building {
     const double *part_dashpot;      // [F T/L] (n_floor, n_floor) initial d shear / d drift rate
     int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
                                      // index of the first among those of all buildings
-    const double *force_by_drift;    // (n_floor, n_force in whole lanes) transposed
+    const double *force_by_action;   // (n_floor + n_hinge, n_force in whole lanes) transposed: by
+                                     // unit drifts, and unit rotations of hinges
+    int n_hinge;                     // of its frame
+    int turn, first_hinge;           // offset of their rotations in the state's storey history, and
+                                     // the index of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
     const double *damping_storey;    // [F T/L] (n_floor) and beta times the initial stiffness of
@@ -72,6 +76,8 @@ struct building {
     bool smooth;                      // the tangent of some storey or part changes all the time
     bool predictable;                 // it is of straight lines: its shears may be foretold by its
                                       // tangents
+    int part_tangent;                 // of a predictable one with parts: offset of their tangents
+                                      // among those that a run remembers
     int ground;                       // index into model.ground
 };
 
@@ -243,7 +249,10 @@ struct model {
     const double *displacement;            // [L] (n_dof) initial, relative to the ground
     const double *velocity;                // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
+    int n_part_scratch;                    // the most that a part needs
+    int n_part_tangent;                    // struct building.part_tangent of all buildings
     int n_force;  // that follow from the drifts of all buildings, each in whole lanes
+    int n_hinge;  // of all buildings
 
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative
@@ -273,6 +282,11 @@ long model_rows(const struct model *m);
 
 // The damping forces C v of building `g`; v and force are (n_floor) [L/T] [F].
 void building_damping_force(const struct building *g, const double *v, double *force);
+
+// The tangents of its storeys (n_floor), and with parts theirs by drifts and by rates.
+static inline int building_n_tangent(const struct building *g) {
+    return g->n_floor + (g->n_part > 0 ? 2 * g->n_floor * g->n_floor : 0);
+}
 
 // Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN
 // for a rigid-body mode.

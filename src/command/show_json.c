@@ -79,9 +79,9 @@ static void put_forces(struct json *j, const struct report_building *b) {
         for (int i = 0; i < b->n_member; i++) {
             open_list(j, NULL, '{');
             put_members(j, &layout_member, &b->member[i], 1);
-            put_members(j, &layout_member_peak, &b->member[i], 1);
+            put_members(j, &layout_member_peak[b->hinged], &b->member[i], 1);
             if (b->extremes) {
-                put_members(j, &layout_member_extreme, &b->member[i], 1);
+                put_members(j, &layout_member_extreme[b->hinged], &b->member[i], 1);
             }
             close_list(j, '}');
         }

@@ -75,13 +75,15 @@ static void building(const struct table *t, const struct report_building *b,
 }
 
 // The forces of a member of a frame, extremes with their times.
-static void member(const struct table *t, const char *name, const struct report_member *m,
-                   bool extremes) {
-    const struct column_table *of = &layout_member_extreme;
-    for (int c = 0; c < layout_member_peak.n_column; c++) {
-        row(t, &layout_member_peak, c, m, 0, name, 0, NAN, -1);
+static void member(const struct table *t, const char *name, const struct report_building *b,
+                   int number) {
+    const struct column_table *peak = &layout_member_peak[b->hinged];
+    const struct column_table *of = &layout_member_extreme[b->hinged];
+    const struct report_member *m = &b->member[number];
+    for (int c = 0; c < peak->n_column; c++) {
+        row(t, peak, c, m, 0, name, 0, NAN, -1);
     }
-    for (int c = 0; extremes && c < of->n_column; c += 2) {
+    for (int c = 0; b->extremes && c < of->n_column; c += 2) {
         row(t, of, c, m, 0, name, 0, *(const double *)layout_at(of, c + 1, m, 0), -1);
     }
 }
@@ -92,7 +94,7 @@ static void forces(const struct table *t, const struct table *parts,
     char name[160];
     for (int i = 0; i < b->n_member; i++) {
         snprintf(name, sizeof name, "%s/%s", b->name, b->member[i].name);
-        member(t, name, &b->member[i], b->extremes);
+        member(t, name, b, i);
     }
     for (int i = 0; i < b->n_share; i++) {
         snprintf(name, sizeof name, "%s/%s", b->name, b->share[i].name);

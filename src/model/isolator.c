@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "law/lists.h"
-#include "model/storey_draft.h"
+#include "model/storey_choices.h"
 
 // Initial stiffness of a bearing of lead and rubber over that after yield, if it is not given: a
 // usual value (Naeim & Kelly 1999, Design of Seismic Isolated Structures, chapter 4).
@@ -32,7 +32,8 @@ static bool isolator_set_bilinear(struct builder *b, struct building_draft *d,
     const double value[] = {[YIELD] = q / (1.0 - ratio), [HARDENING] = ratio};
     d->stiffness[draft->storey] = ki;
     d->storey[draft->storey].yield = value[YIELD];
-    return storey_draft_set(b, d, draft->storey, &draft->word, &storey_bilinear, value);
+    return storey_choices_law(b, &draft->word, &storey_bilinear, value, ki,
+                              &d->storey[draft->storey]);
 }
 
 static bool isolator_set_sliding(struct builder *b, struct building_draft *d,
@@ -51,7 +52,7 @@ static bool isolator_set_sliding(struct builder *b, struct building_draft *d,
                             [RATE] = q->rate};
     d->stiffness[q->storey] = ki;
     d->storey[q->storey].yield = ki * q->yield_drift;
-    return storey_draft_set(b, d, q->storey, &q->word, &storey_fps, value);
+    return storey_choices_law(b, &q->word, &storey_fps, value, ki, &d->storey[q->storey]);
 }
 
 void isolator_finish(struct builder *b) {

@@ -15,22 +15,6 @@ bool storey_draft_take(struct builder *b, struct building_draft *d, int i,
     return true;
 }
 
-bool storey_draft_set(struct builder *b, struct building_draft *d, int i, const struct word *w,
-                      const struct storey_law *law, const double *value) {
-    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
-    if (!constant) {
-        return false;
-    }
-    struct error e;
-    if (law->prepare(value, d->stiffness[i], constant, &e) != STATUS_OK) {
-        deck_error(b->deck, w, "%s", e.message);
-        return false;
-    }
-    d->storey[i].law = law;
-    d->storey[i].constant = constant;
-    return true;
-}
-
 bool storey_draft_isolate(struct builder *b, struct building_draft *d, int i,
                           const struct word *w) {
     if (d->isolated > 0 && d->isolated != i + 1) {

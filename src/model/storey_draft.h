@@ -9,11 +9,6 @@
 bool storey_draft_take(struct builder *b, struct building_draft *d, int i,
                        const struct statement *s);
 
-// Gives storey i (from 0) the law, from the values of the law's rows (NAN: not given), with the
-// initial stiffness that it has in the draft. False after a report at `w`.
-bool storey_draft_set(struct builder *b, struct building_draft *d, int i, const struct word *w,
-                      const struct storey_law *law, const double *value);
-
 // Marks storey i (from 0) as an isolator; false after a report at `w` if another one of the
 // building is.
 bool storey_draft_isolate(struct builder *b, struct building_draft *d, int i, const struct word *w);

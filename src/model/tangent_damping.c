@@ -49,13 +49,14 @@ static double tangent_damping_storey(const struct tangent_damping *t, int i, con
 
 // Commits the change of K, from the histories `all` of the storeys and parts.
 static void tangent_damping_stiffness(const struct tangent_damping *t, const double *all,
-                                      const double *drift, const double *rate, double *change) {
+                                      const double *drift, const double *rate, double *change,
+                                      double *scratch) {
     const size_t n = (size_t)t->n;
     memset(change, 0, n * (size_t)tangent_damping_width(t) * sizeof *change);
     for (int k = 0; k < t->n_part; k++) {
         const struct part *p = &t->part[k];
-        p->kind->respond(p, all + p->history, drift, rate, &(struct part_sums){.by_drift = change},
-                         NULL);
+        p->kind->respond(p, all + p->history, drift, rate,
+                         &(struct part_sums){.by_drift = change, .scratch = scratch}, NULL);
     }
     for (size_t i = 0; i < n; i++) {
         const double own = tangent_damping_storey(t, (int)i, all, drift[i]);
@@ -98,7 +99,7 @@ static void tangent_damping_respond(const struct part *p, const double *history,
     if (after) {
         after[BEGUN] = 1.0;
         tangent_damping_stiffness(t, history - p->history, drift, rate,
-                                  after + tangent_damping_change(t));
+                                  after + tangent_damping_change(t), to->scratch);
     }
 }
 

@@ -19,7 +19,8 @@ static void visit_links(const struct link_group *g, const struct report_link *li
 static void visit_forces(const struct report_building *b, layout_visit *visit, void *context) {
     if (b->n_member > 0) {
         visit(context, &(struct layout_place){b->path, "members", "envelope", "member",
-                                              &layout_member_peak, b->member, (size_t)b->n_member});
+                                              &layout_member_peak[b->hinged], b->member,
+                                              (size_t)b->n_member});
     }
     for (int i = 0; i < b->n_share; i++) {
         visit(context,

@@ -99,11 +99,13 @@ static void get_members(struct result_file *f, const struct spot *building,
     get_column(f, &members, &layout_member, 0, b->member, n);
     if (f->reading == READ_VALUES && !f->h.failed) {
         const struct spot envelope = open_spot(f, &members, "envelope");
-        get_columns(f, &envelope, &layout_member_peak, b->member, n);
-        b->extremes =
-            envelope.own >= 0 && h5_has(&f->h, envelope.own, layout_member_extreme.column[0].name);
+        b->hinged = h5_has(&f->h, envelope.own >= 0 ? envelope.own : envelope.study,
+                           layout_member_peak[1].column[layout_member_peak[0].n_column].name);
+        get_columns(f, &envelope, &layout_member_peak[b->hinged], b->member, n);
+        b->extremes = envelope.own >= 0 &&
+                      h5_has(&f->h, envelope.own, layout_member_extreme[0].column[0].name);
         if (b->extremes) {
-            get_columns(f, &envelope, &layout_member_extreme, b->member, n);
+            get_columns(f, &envelope, &layout_member_extreme[b->hinged], b->member, n);
         }
         close_spot(f, &envelope);
     }

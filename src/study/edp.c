@@ -40,6 +40,10 @@ const struct edp_quantity edp_quantities[] = {
     {"link-deformation", EDP_OF_LINK, "links", "deformation", NULL, EDP_LARGEST,
      "change of length of a bilateral link"},
     {"link-work", EDP_OF_LINK, "links", "work", NULL, EDP_SUM, "work done on bilateral links"},
+    {"link-dissipated", EDP_OF_LINK, "links", "dissipated", NULL, EDP_SUM,
+     "energy dissipated by bilateral links"},
+    {"link-residual", EDP_OF_LINK, "links", "residual_deformation", NULL, EDP_LARGEST,
+     "deformation of a bilateral link that remains without force"},
     {"column-shear", EDP_OF_COLUMN, "columns", "shear", NULL, EDP_LARGEST,
      "shear in a struck column"},
     {"column-moment", EDP_OF_COLUMN, "columns", "moment", NULL, EDP_LARGEST,
@@ -63,7 +67,7 @@ static bool same_name(const char *name, const char *text, size_t n) {
 }
 
 static const struct edp_quantity *find_quantity(const char *text, size_t n, struct error *e) {
-    const char *known[32];
+    const char *known[sizeof edp_quantities / sizeof edp_quantities[0]];
     char name[64];
     for (int i = 0; i < n_edp_quantity; i++) {
         if (same_name(edp_quantities[i].name, text, n)) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extremes in a step of the forces that follow from drifts, of the forces in struck columns, and
 // of the storeys of buildings with a foundation. A force is linear in the
-// displacements, so it goes on a polynomial as they do, and turns where that does.
+// displacements, so it goes on a polynomial as they do, and turns where that does. With hinges, it
+// is known at the ends of steps only.
 #include <math.h>
 
 #include "model/forces.h"
@@ -14,16 +15,27 @@
 static void dp_forces_of(const struct dp *p, const struct building *g, const double *x,
                          double *out) {
     double *drift = p->system.part_drift;
+    const double *history = p->system.part_history;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         drift[i] = x[i] - x[p->system.below[i]];
     }
-    forces_at(g, drift + g->first, out);
+    forces_at(g, drift + g->first, history, out);
 }
 
 static void dp_forces_note_turns(struct dp *p, int i, const struct motion *m) {
     const struct motion_pieces s = dp_motion_cut(m);
     for (int j = 1; j < s.n; j++) {
         force_peaks_take(p->results, i, s.d[j], p->now.time + s.x[j] * p->h);
+    }
+}
+
+// The forces of a building with hinges at the end of the step.
+static void dp_forces_hinged(const struct dp *p, const struct building *g) {
+    const struct state *next = &p->next;
+    dp_rates_parts(p, g, p->now.storey_history, next->u, next->v, p->system.part_history);
+    dp_forces_of(p, g, next->u, p->force[0]);
+    for (int i = 0; i < g->n_force; i++) {
+        force_peaks_take(p->results, g->force + i, p->force[0][i], next->time);
     }
 }
 
@@ -127,7 +139,9 @@ static void dp_forces_founded(const struct dp *p, const struct building *g) {
 void dp_forces_step(struct dp *p, bool within) {
     for (int k = 0; k < p->model->n_building; k++) {
         const struct building *g = &p->model->building[k];
-        if (g->n_force > 0) {
+        if (g->n_hinge > 0) {
+            dp_forces_hinged(p, g);
+        } else if (g->n_force > 0) {
             dp_forces_building(p, g, within);
         }
         if (g->fixed) {
