@@ -38,11 +38,13 @@ enum foundation_quantity {
 
 // A building: shear storeys, and parts that couple them. Floors are numbered from 1; array index 0
 // is floor 1, storey i is below floor i.
+struct tangent_damping;
 struct building {
     const char *name;
-    int n_floor;  // degrees of freedom: the floors, then sway and rocking of a foundation
-    int n_level;  // floors
-    int first;    // index of floor 1 among all degrees of freedom
+    int n_floor;   // degrees of freedom: the floors, then sway and rocking of a foundation
+    int n_level;   // floors
+    int first;     // index of floor 1 among all degrees of freedom
+    int isolated;  // storey of the isolators, from 1; 0: none
     const struct building *fixed;         // the same without its foundation; NULL: it has none
     const struct foundation *foundation;  // NULL: none
     const double *mass;                   // [M] (n_floor)
@@ -76,16 +78,24 @@ struct building {
                                      // the index of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
-    double damping_beta;             // [T] and beta, of the initial stiffness; 0: none
-    const struct word *damping;      // the last statement of Rayleigh damping; NULL: none
-    bool elastic;                    // every storey is, and every part is linear
-    bool smooth;                     // the tangent of some storey or part changes all the time
-    bool predictable;                // it is of straight lines: its shears may be foretold by its
-                                     // tangents
-    int part_tangent;                // of a predictable one with parts: offset of their tangents
-                                     // among those that a run remembers
-    int ground;                      // index into model.ground
+    const double *damping_storey;    // [F T/L] (n_floor) and beta times the initial stiffness of
+                                     // each storey, unless it is left out
+    struct tangent_damping *tangent;  // damping on the tangent stiffness; NULL: none
+    const struct word *damping;       // the last statement of Rayleigh damping; NULL: none
+    bool elastic;                     // every storey is, and every part is linear
+    bool smooth;                      // the tangent of some storey or part changes all the time
+    bool predictable;                 // it is of straight lines: its shears may be foretold by its
+                                      // tangents
+    int part_tangent;                 // of a predictable one with parts: offset of their tangents
+                                      // among those that a run remembers
+    int ground;                       // index into model.ground
 };
+
+// Do floor `i` (from 0) of n and the storey below it enter summaries? All do but those of
+// isolators, unless there are no others.
+static inline bool floor_is_summarised(int isolated, int n, int i) {
+    return i + 1 != isolated || n == 1;
+}
 
 // All floors of all buildings as one chain, for loops over flat arrays whatever the number of
 // buildings. The joint between the roof of one building and the first floor of the next is 0.
@@ -241,14 +251,15 @@ struct model {
     struct chain chain;                  // the same floors
     const struct storey *storey;         // (n_dof) the storey below each floor
     bool elastic;                        // every building is
-    bool founded;                        // some building has a foundation
-    const double *collapse;       // [L] (n_dof) drift of the storey below each floor at which a run
-                                  // ends, collapsed; infinite: none. NULL: no storey has one
-    const struct link *link;      // (n_link) contacts first (n_contact), then bilateral links
-    const struct ground *ground;  // (n_ground)
-    const struct load *load;      // (n_load)
-    const double *displacement;   // [L] (n_dof) initial, relative to the ground
-    const double *velocity;       // [L/T] (n_dof)
+    bool storeys_differ;      // drifts or shears of some storeys are not those of the degrees of
+                              // freedom (model/foundation.h)
+    const double *collapse;   // [L] (n_dof) drift of the storey below each floor at which a run
+                              // ends, collapsed; infinite: none. NULL: no storey has one
+    const struct link *link;  // (n_link) contacts first (n_contact), then bilateral links
+    const struct ground *ground;           // (n_ground)
+    const struct load *load;               // (n_load)
+    const double *displacement;            // [L] (n_dof) initial, relative to the ground
+    const double *velocity;                // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
     int n_part_scratch;                    // the most that a part needs
     int n_part_tangent;                    // struct building.part_tangent of all buildings

@@ -164,6 +164,7 @@
 #define study_view_building jostle_study_view_building
 #define study_view_choice jostle_study_view_choice
 #define study_view_hit jostle_study_view_hit
+#define study_view_counts jostle_study_view_counts
 #define study_view_run jostle_study_view_run
 #define sweep_named jostle_sweep_named
 #define unit_convert jostle_unit_convert

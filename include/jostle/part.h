@@ -17,8 +17,9 @@
 JOSTLE_C_BEGIN
 
 enum part_trait {
-    PART_LINEAR = 1,    // the shears are one matrix times the drifts: no rates, no history
-    PART_STRAIGHT = 2,  // they are so between corners: the tangent changes at these only
+    PART_LINEAR = 1,     // the shears are one matrix times the drifts: no rates, no history
+    PART_STRAIGHT = 2,   // they are so between corners: the tangent changes at these only
+    PART_SHARELESS = 4,  // it is of the shear storeys: results show no share of its own
 };
 
 // What a part adds to. Matrices are symmetric to the bit. NULL: not needed.
@@ -55,6 +56,10 @@ struct part_kind {
 
     // Recoverable energy at these drifts with the committed history [F L].
     double (*stored)(const struct part *p, const double *history, const double *drift);
+
+    // Work of its viscous forces since the start [F L], which the account counts as damping. NULL:
+    // none; what it does not store is hysteretic.
+    double (*damped)(const struct part *p, const double *history);
 };
 
 JOSTLE_C_END

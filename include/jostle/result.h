@@ -57,6 +57,7 @@ extern const char *const report_foundation_names[];  // (FOUNDATION_QUANTITIES)
 struct report_building {
     const char *name;
     int n_floor;
+    int isolated;                          // storey of the isolators, from 1; 0: none
     const double *mass;                    // [M]
     const double *stiffness;               // [F/L]
     const double *height;                  // [L] 0 where not given

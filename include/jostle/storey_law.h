@@ -24,6 +24,13 @@ struct storey_response {
     double tangent;  // d shear / d drift [F/L]
 };
 
+// The same of a law whose shear depends on the drift rate, too.
+struct storey_rate_response {
+    double shear;    // [F]
+    double tangent;  // d shear / d drift [F/L]
+    double dashpot;  // d shear / d drift rate [F T/L]; it may be negative
+};
+
 // A straight line of a law: V = back drift + spring (drift - rest), valid while the force of the
 // second spring does not exceed the limit.
 struct storey_branch {
@@ -53,6 +60,12 @@ struct storey_law {
     // history at `drift`. It may be NULL or `history` itself.
     struct storey_response (*respond)(const double *constant, const double *history, double drift,
                                       double *after);
+
+    // The same at a drift rate [L/T], of a law whose shear depends on it; `respond` is this at rate
+    // 0. NULL: the shear does not depend on the rate. The storeys of such a law respond in a part
+    // of their building (model/rate_storeys.h).
+    struct storey_rate_response (*respond_at_rate)(const double *constant, const double *history,
+                                                   double drift, double rate, double *after);
 
     // The line of the storey as long as the history does not change; the shear on it has the bits
     // of `respond`. NULL: the law has no such lines.

@@ -145,6 +145,10 @@ struct study_view {
 int study_view_hit(const struct study_view *v, const struct study_item *item, size_t i,
                    const double *value);
 
+// Does value `i` of `item` enter the largest value of all? All do but those of floors and storeys
+// of isolators (floor_is_summarised). Storey shears do.
+bool study_view_counts(const struct study_view *v, const struct study_item *item, size_t i);
+
 // The building whose "members" or "foundation" have the values of `item`; NULL: others have.
 const struct report_building *study_view_building(const struct study_view *v,
                                                   const struct study_item *item, const char *owner);

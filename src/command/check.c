@@ -147,8 +147,14 @@ static int print_building(const struct model *m, const struct building *g,
     print_collapse(m, g);
     const struct building *own = g->fixed ? g->fixed : g;
     for (int i = 0; i < own->n_part; i++) {
+        if (own->part[i].kind->traits & PART_SHARELESS) {
+            continue;
+        }
         safe_line(stdout, "  %s: %d x %d from %s", own->part[i].name, g->n_level, g->n_level,
                   own->part[i].source);
+    }
+    if (g->isolated > 0) {
+        printf("  isolators: storey %d\n", g->isolated);
     }
     if (g->foundation) {
         print_foundation(m, g->foundation);

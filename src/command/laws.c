@@ -141,11 +141,13 @@ static void print_link_law(enum page page, const struct link_law *law) {
 
 static void print_link_laws(enum page page) {
     rows_heading(page, 2, page == PAGE_TEXT ? "Laws of links\n" : "Laws of links");
-    printf("For link -law NAME. Each storey law is a law of links: its shear is the tension of the "
-           "link, its drift\nthe lengthening. A link with a storey law, friction, hook, cable or "
-           "gap has "
-           "these options, with one value\nor one for each link:\n%s",
-           page == PAGE_TEXT ? "\n" : "");
+    printf(
+        "For link -law NAME. Each storey law but fps is a law of links: its shear is the tension "
+        "of the link, its drift\nthe lengthening. A link with a storey law, friction, hook, cable "
+        "or "
+        "gap has "
+        "these options, with one value\nor one for each link:\n%s",
+        page == PAGE_TEXT ? "\n" : "");
     rows_print(page, link_law_rows, LINK_ROWS, NULL);
     printf("\n");
     for (int i = 0; i < n_link_law; i++) {

@@ -71,11 +71,13 @@ static int widest(int width, const char *text, int limit) {
     return n <= width ? width : n < limit ? n : limit;
 }
 
-// Index of the largest value; 0 if all are NaN.
-static int largest(const double *value, int n) {
-    int at = 0;
-    for (int i = 1; i < n; i++) {
-        at = value[i] > value[at] || isnan(value[at]) ? i : at;
+// Index of the largest value of the floors or storeys in summaries; of the first if all are NaN.
+static int largest(const struct report_building *b, const double *value) {
+    int at = -1;
+    for (int i = 0; i < b->n_floor; i++) {
+        if (floor_is_summarised(b->isolated, b->n_floor, i)) {
+            at = at < 0 || value[i] > value[at] || isnan(value[at]) ? i : at;
+        }
     }
     return at;
 }
@@ -85,7 +87,7 @@ static struct shown choose_buildings(const struct report *r) {
     for (int i = 0; i < r->n_building; i++) {
         const struct report_building *b = &r->building[i];
         const double *drift = b->peak[PEAK_DRIFT];
-        const double rank = drift ? drift[largest(drift, b->n_floor)] : 0;
+        const double rank = drift ? drift[largest(b, drift)] : 0;
         s.n = choice_add(s.choice, s.n, SHOWN_MAX, (struct choice){rank, i});
     }
     choice_sort(s.choice, s.n);
@@ -115,7 +117,7 @@ static bool building_row(struct printer *t, const struct report *r, int i) {
 
 // The largest of the drifts, over the height of its storey, and its number; returns its index.
 static int drift_cells(struct printer *t, const struct report_building *b, const double *drift) {
-    const int i = largest(drift, b->n_floor);
+    const int i = largest(b, drift);
     printer_number(t, drift[i]);
     printer_number(t, b->height[i] > 0 ? 100 * drift[i] / b->height[i] : (double)NAN);
     printer_whole(t, i + 1);
@@ -146,6 +148,24 @@ static bool residual_row(struct printer *t, const struct report *r, int i) {
     return false;
 }
 
+// Of isolators, which the other tables leave out.
+static const struct printer_column isolators[] = {
+    COUNT("storey", 7),           READ("drift", 12, length), READ("time", 8, time),
+    READ("residual", 12, length), READ("shear", 12, force),  READ("time", 8, time)};
+static bool isolator_row(struct printer *t, const struct report *r, int k) {
+    const struct report_building *b = &r->building[k];
+    const int i = b->isolated - 1;
+    const double value[] = {b->isolated,
+                            b->peak[PEAK_DRIFT][i],
+                            b->peak_time[PEAK_DRIFT][i],
+                            b->residual_drift ? b->residual_drift[i] : (double)NAN,
+                            b->peak[PEAK_SHEAR][i],
+                            b->peak_time[PEAK_SHEAR][i]};
+    printer_text(t, b->name);
+    printer_numbers(t, value, 6);
+    return false;
+}
+
 // The second column ends in the mark.
 static const struct printer_column forces[] = {READ("total accel.", 13, acceleration),
                                                {.head = "", .unit = "g", .width = 10},
@@ -155,7 +175,7 @@ static const struct printer_column forces[] = {READ("total accel.", 13, accelera
                                                READ("time", 8, time)};
 static bool force_row(struct printer *t, const struct report *r, int i) {
     const struct report_building *b = &r->building[i];
-    const int floor = largest(b->peak[PEAK_ACCELERATION], b->n_floor);
+    const int floor = largest(b, b->peak[PEAK_ACCELERATION]);
     const bool hit = report_floor_was_hit(r, b->name, floor + 1);
     const double peak = b->peak[PEAK_ACCELERATION][floor];
     const double rest[] = {floor + 1, b->peak_time[PEAK_ACCELERATION][floor],
@@ -187,13 +207,17 @@ static bool foundation_row(struct printer *t, const struct report *r, int i) {
 }
 
 static void print_peaks(struct summary *s, const struct shown *shown) {
-    struct shown yielding = {.width = shown->width}, founded = {.width = shown->width};
+    struct shown yielding = {.width = shown->width}, founded = yielding, isolated = yielding;
     for (int i = 0; i < shown->n; i++) {
-        if (s->r->building[shown->choice[i].index].residual_drift) {
+        const struct report_building *b = &s->r->building[shown->choice[i].index];
+        if (b->residual_drift) {
             yielding.choice[yielding.n++] = shown->choice[i];
         }
-        if (s->r->building[shown->choice[i].index].foundation) {
+        if (b->foundation) {
             founded.choice[founded.n++] = shown->choice[i];
+        }
+        if (b->isolated > 0) {
+            isolated.choice[isolated.n++] = shown->choice[i];
         }
     }
     PRINT_TABLE(s, shown, "peak of", displacements, displacement_row);
@@ -203,6 +227,9 @@ static void print_peaks(struct summary *s, const struct shown *shown) {
     PRINT_TABLE(s, shown, "peak of", forces, force_row);
     if (founded.n > 0) {
         PRINT_TABLE(s, &founded, "peak of", foundations, foundation_row);
+    }
+    if (isolated.n > 0) {
+        PRINT_TABLE(s, &isolated, "isolator", isolators, isolator_row);
     }
 }
 

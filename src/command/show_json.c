@@ -112,6 +112,10 @@ static void put_building(struct json *j, const struct report_building *b) {
     put_text(j, "name", b->name);
     key(j, "floors");
     fprintf(j->to, "%d", b->n_floor);
+    if (b->isolated > 0) {
+        key(j, layout_isolated_name);
+        fprintf(j->to, "%d", b->isolated);
+    }
     put_members(j, &layout_building, b, b->n_floor);
     put_members(j, &layout_pdelta, b, b->n_floor);
     open_list(j, "envelope", '{');

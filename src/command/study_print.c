@@ -63,7 +63,7 @@ static void add_values(struct study_peaks *p, const struct study_view *v,
         const bool shown = item->leaf && !detail;
         for (size_t i = 0; shown && i < item->n; i++) {
             const double x = r->value[item->first + i];
-            if (!isnan(x) && (!peak->found || x > peak->value)) {
+            if (!isnan(x) && study_view_counts(v, item, i) && (!peak->found || x > peak->value)) {
                 *peak = (struct study_peak){.found = true, .value = x, .run = r->number, .at = i};
                 peak->hit = study_view_hit(v, item, i, r->value) > 0;
             }

@@ -238,6 +238,10 @@ int link_law_prepare(const struct link_law *from, const double *value, double *c
     const double *own = value + LINK_ROWS;
     double bilinear[STOREY_ROWS_MAX];
     int law = 0;
+    if (from->storey->respond_at_rate) {
+        return error_set(e, STATUS_INPUT, "law %s depends on the velocity; it is for storeys only",
+                         from->storey->name);
+    }
     while (storey_laws[law] != from->storey) {
         law++;
         assert(law < n_storey_law);

@@ -96,6 +96,10 @@ struct building_draft *builder_add_building(struct builder *b, const char *name)
     return added ? d : NULL;
 }
 
+double builder_gravity(struct builder *b) {
+    return deck_gravity(b->deck) / unit_size(&b->deck->units, dimension_acceleration);
+}
+
 bool builder_has_heights(struct builder *b, const struct building_draft *d, const struct word *w,
                          const char *what) {
     if (!d->height && !d->any_height) {
@@ -219,6 +223,26 @@ static bool parse_floors(struct builder *b, const struct word *w, const char *te
     }
 }
 
+// Reads the floors that `text` names, NULL: all, of the building that `out` has.
+static bool select_floors(struct builder *b, const struct word *w, const char *text,
+                          struct selection *out) {
+    const int n = builder_draft(b, out->building)->n_floor;
+    int *floor = n > 0 ? arena_alloc(b->arena, (size_t)n + 1, sizeof *floor) : NULL;
+    if (!floor) {
+        return false;
+    }
+    out->all = text == NULL;
+    out->named = text && strcmp(text, "all") != 0;
+    out->floor = floor;
+    return out->named ? parse_floors(b, w, text, floor, out) : take_floors(b, w, 1, n, floor, out);
+}
+
+bool builder_floors(struct builder *b, const struct word *w, int i, struct selection *out) {
+    const char *text = deck_text(b->deck, w);
+    *out = (struct selection){.building = i, .lowest = 1};
+    return text && select_floors(b, w, text, out);
+}
+
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out) {
     *out = (struct selection){.building = WALL, .lowest = walls == GROUND_ALLOWED ? 0 : 1};
@@ -242,15 +266,5 @@ bool builder_select(struct builder *b, const struct word *w, enum wall_use walls
     if (out->building < 0) {
         return false;
     }
-    const char *floors = colon ? colon + 1 : NULL;
-    int n = builder_draft(b, out->building)->n_floor;
-    int *floor = n > 0 ? arena_alloc(b->arena, (size_t)n + 1, sizeof *floor) : NULL;
-    if (!floor) {
-        return false;
-    }
-    out->all = floors == NULL;
-    out->named = floors && strcmp(floors, "all") != 0;
-    out->floor = floor;
-    return out->named ? parse_floors(b, w, floors, floor, out)
-                      : take_floors(b, w, 1, n, floor, out);
+    return select_floors(b, w, colon ? colon + 1 : NULL, out);
 }

@@ -32,6 +32,9 @@ struct damping_draft {
     int n;
     const double *value;  // (n) see damping_kind
     int mode[2];          // of DAMPING_RATIOS
+    // Rayleigh damping is on the initial stiffness of these storeys. NULL: of all but isolators.
+    const struct selection *storeys;
+    struct word tangent;  // that asks for the tangent stiffness instead; text NULL: none
 };
 
 struct building_draft {
@@ -50,6 +53,7 @@ struct building_draft {
     struct list walls;                  // of struct wall_draft
     struct base_draft *base;            // of all lines and walls; NULL: fixed
     struct list damping;                // of struct damping_draft
+    int isolated;                       // storey of the isolators, from 1; 0: none
     struct storey *storey;              // (n_floor)
     struct word *storey_word;           // (n_floor) the word that gives the law; text NULL: elastic
     double *displacement, *velocity;    // (n_floor)
@@ -113,6 +117,7 @@ struct builder {
     struct record_cache *records;
     struct list buildings, grounds, links, loads, columns;
     struct list collapses;  // of struct collapse_draft
+    struct list isolators;  // of struct isolator_draft (model/isolator.h)
     struct name_index building_index;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given
@@ -157,6 +162,9 @@ struct building_draft *builder_draft(struct builder *b, int i);
 // Adds a building with this new name; NULL: no memory.
 struct building_draft *builder_add_building(struct builder *b, const char *name);
 
+// The acceleration of gravity [L/T^2], for weights of masses.
+double builder_gravity(struct builder *b);
+
 // True if the building has storey heights. Otherwise reports at `w` that `what` ("a level") needs
 // them, unless its statement gives some that are wrong.
 bool builder_has_heights(struct builder *b, const struct building_draft *d, const struct word *w,
@@ -179,6 +187,9 @@ struct selection {
 enum wall_use { WALL_REFUSED, WALL_ALLOWED, GROUND_ALLOWED };
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out);
+
+// Parses the floors of building `i` in `w`, such as 2:7.
+bool builder_floors(struct builder *b, const struct word *w, int i, struct selection *out);
 
 // Marks a statement that may be given once; reports and returns false if `mark` is taken.
 bool builder_once(struct builder *b, struct word *mark, const struct statement *s);

@@ -4,7 +4,10 @@
 // Rayleigh damping: C = a0 M + a1 K, where K is the initial stiffness. The damping ratios of two
 // modes give a0 and a1: zeta_i = a0 / (2 w_i) + a1 w_i / 2. A building of one storey has
 // stiffness-proportional damping, a1 = 2 zeta / w.
-// Modal damping: C = M Phi diag(2 zeta w) Phi^T M, a full matrix.
+// -storeys leaves storeys out of a1 K: with K on drifts, the rows and columns of other storeys are
+// 0. So are those of isolators by default. a0, a1 and the modes stay those of the whole building.
+// With -tangent, a1 K is on the tangent stiffness (tangent_damping.c). Modal damping: C = M Phi
+// diag(2 zeta w) Phi^T M, a full matrix.
 //
 // Statements add up. The coefficients, the dashpots of each storey and the ratios of each mode are
 // summed first, in the order of the deck. Then C is computed once from the sums. So C is the same
@@ -14,13 +17,31 @@
 #include <assert.h>
 
 #include "model/parts.h"
+#include "model/tangent_damping.h"
+
+// The stiffness-proportional part of one statement.
+struct proportional {
+    double a1;
+    const struct damping_draft *of;
+    bool tangent;
+};
 
 // The sums of all statements of a building.
 struct sums {
-    double a0, a1;                         // Rayleigh
+    double a0, a1;                         // Rayleigh; a1 of statements without -storeys
     double *dashpot;                       // (n) [F T/L] of each storey
     double *ratio;                         // (n) of each mode; NULL: no statement gives any
     const struct damping_draft *rayleigh;  // the last statement of it; NULL: there is none
+    int n_apart;                           // parts of statements with -storeys or -tangent
+    struct proportional *apart;            // (n_apart)
+    bool tangent;                          // the tangent stiffness can change
+};
+
+// C, in bands or full, and its dashpots of each storey on the initial stiffness.
+struct matrix {
+    double *diagonal, *off, *full;  // full NULL: there are no parts and no modes
+    double *storey;                 // (n)
+    double *mark, *marked;          // scratch: (n), (n, n)
 };
 
 bool damping_is_modal(const struct building_draft *d) {
@@ -91,6 +112,18 @@ static void add_values(const struct damping_draft *q, double *sum) {
     }
 }
 
+// 1 for the storeys (n) that have a stiffness-proportional part, else 0. `storeys` NULL: all but
+// isolators.
+static void mark_storeys(const struct building_draft *d, const struct selection *storeys,
+                         double *mark) {
+    for (int i = 0; i < d->n_floor; i++) {
+        mark[i] = !storeys && i + 1 != d->isolated;
+    }
+    for (int i = 0; storeys && i < storeys->n_floor; i++) {
+        mark[storeys->floor[i] - 1] = 1.0;
+    }
+}
+
 // Adds a statement of Rayleigh damping; false after a report.
 static bool add_rayleigh(struct builder *b, const struct building_draft *d,
                          const struct damping_draft *q, const double *omega, struct sums *s) {
@@ -99,8 +132,20 @@ static bool add_rayleigh(struct builder *b, const struct building_draft *d,
         return false;
     }
     s->a0 += a0;
-    s->a1 += a1;
     s->rayleigh = q;
+    if (a1 != 0.0 && !q->storeys && d->isolated > 0 && d->n_floor == 1) {
+        deck_error(b->deck, &q->word,
+                   "the only storey of building %s is an isolator, which Rayleigh damping leaves "
+                   "out; name it with -storeys 1",
+                   d->name);
+        return false;
+    }
+    const struct proportional of = {a1, q, q->tangent.text && s->tangent};
+    if (q->storeys || of.tangent) {
+        s->apart[s->n_apart++] = of;
+    } else {
+        s->a1 += a1;
+    }
     return true;
 }
 
@@ -132,7 +177,11 @@ static bool sum_up(struct builder *b, const struct building_draft *d, const doub
             return false;
         }
     }
-    if (s->a0 < 0.0 || s->a1 < 0.0) {
+    bool negative = s->a1 < 0.0;
+    for (int k = 0; k < s->n_apart; k++) {
+        negative |= s->apart[k].a1 < 0.0;
+    }
+    if (s->a0 < 0.0 || negative) {
         deck_warning(b->deck, &s->rayleigh->word,
                      "Rayleigh coefficient %s is negative: some modes of building %s gain energy",
                      s->a0 < 0.0 ? "alpha" : "beta", d->name);
@@ -154,14 +203,42 @@ static void add_modal(const struct building_draft *d, const double *ratio, const
     }
 }
 
-// Adds a1 K, where K is the stiffness of the parts of the building.
-static void add_parts(const struct building *g, double a1, double *full) {
+// Adds a1 K of the marked storeys, and a0 M.
+static void add_proportional(const struct building_draft *d, const struct building *g, double a0,
+                             double a1, const struct matrix *c) {
     const int n = g->n_floor;
     for (int i = 0; i < n; i++) {
+        c->marked[i] = c->mark[i] * g->spring[i];
+        c->storey[i] += a1 * (c->mark[i] * g->stiffness[i]);
+    }
+    add_tridiagonal(d, a0, a1, c->marked, c->diagonal, c->off);
+    for (int i = 0; g->n_part > 0 && i < n * n; i++) {
+        c->marked[i] = c->mark[i / n] * c->mark[i % n] * g->part_stiffness[i];
+    }
+    for (int i = 0; g->n_part > 0 && i < n; i++) {
         for (int j = 0; j < n; j++) {
-            full[i * n + j] += a1 * parts_on_floors(g->part_stiffness, n, i, j);
+            c->full[i * n + j] += a1 * parts_on_floors(c->marked, n, i, j);
         }
     }
+}
+
+// Adds the parts of statements with -storeys or -tangent. False: no memory.
+static bool add_apart(struct arena *a, const struct building_draft *d, struct building *g,
+                      const struct sums *s, const struct matrix *c) {
+    const int n = g->n_floor;
+    for (int k = 0; k < s->n_apart; k++) {
+        const struct proportional *p = &s->apart[k];
+        mark_storeys(d, p->of->storeys, c->mark);
+        if (!p->tangent) {
+            add_proportional(d, g, 0.0, p->a1, c);
+            continue;
+        }
+        g->tangent = g->tangent ? g->tangent : tangent_damping_create(a, g);
+        for (int i = 0; g->tangent && i < n * n; i++) {
+            g->tangent->beta[i] += p->a1 * c->mark[i / n] * c->mark[i % n];
+        }
+    }
+    return !arena_failed(a);
 }
 
 // Moves the bands into the full matrix.
@@ -187,37 +264,73 @@ static void mirror(int n_floor, double *full) {
     }
 }
 
+// Reports -tangent of a building on a foundation; true if there is one.
+static bool refuse_tangent(struct builder *b, const struct building_draft *d,
+                           const struct sums *s) {
+    for (int k = 0; d->foundation && k < s->n_apart; k++) {
+        if (s->apart[k].tangent) {
+            deck_error(b->deck, &s->apart[k].of->tangent,
+                       "a building on a foundation has no damping on its tangent stiffness; leave "
+                       "storeys that yield out with -storeys");
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool alloc(struct arena *a, const struct building_draft *d, const struct building *g,
+                  struct sums *s, struct matrix *c) {
+    const size_t n = (size_t)g->n_floor, most = (size_t)d->damping.n;
+    const bool modal = damping_is_modal(d);
+    *s = (struct sums){
+        .dashpot = arena_alloc(a, n, sizeof *s->dashpot),
+        .ratio = modal ? arena_alloc(a, n, sizeof *s->ratio) : NULL,
+        .apart = arena_alloc(a, most, sizeof *s->apart),
+        .tangent = tangent_damping_matters(d, g),
+    };
+    bool fills = modal || g->n_part > 0;
+    for (size_t i = 0; i < most; i++) {
+        fills |= s->tangent && ((const struct damping_draft *)d->damping.item)[i].tangent.text;
+    }
+    *c = (struct matrix){
+        .diagonal = arena_alloc(a, n, sizeof *c->diagonal),
+        .off = arena_alloc(a, n, sizeof *c->off),
+        .full = fills ? arena_alloc(a, n * n, sizeof *c->full) : NULL,
+        .storey = arena_alloc(a, n, sizeof *c->storey),
+        .mark = arena_alloc(a, n, sizeof *c->mark),
+        .marked = arena_alloc(a, g->n_part > 0 ? n * n : n, sizeof *c->marked),
+    };
+    return !arena_failed(a);
+}
+
 void damping_matrix(struct builder *b, const struct building_draft *d, const double *omega,
                     const double *shape, struct building *building) {
     assert(d->n_floor == building->n_floor && (shape || !damping_is_modal(d)));
-    size_t n = (size_t)d->n_floor;
-    const bool modal = damping_is_modal(d), fills = modal || building->n_part > 0;
-    double *diagonal = arena_alloc(b->arena, n, sizeof *diagonal);
-    double *off = arena_alloc(b->arena, n, sizeof *off);
-    double *full = fills ? arena_alloc(b->arena, n * n, sizeof *full) : NULL;
-    struct sums s = {
-        .dashpot = arena_alloc(b->arena, n, sizeof *s.dashpot),
-        .ratio = modal ? arena_alloc(b->arena, n, sizeof *s.ratio) : NULL,
-    };
-    if (arena_failed(b->arena) || !sum_up(b, d, omega, &s)) {
+    struct sums s;
+    struct matrix c;
+    if (!alloc(b->arena, d, building, &s, &c)) {
         return;
     }
-    add_tridiagonal(d, s.a0, s.a1, d->stiffness, diagonal, off);
-    add_tridiagonal(d, 0.0, 1.0, s.dashpot, diagonal, off);
-    if (modal) {
-        add_modal(d, s.ratio, omega, shape, full);
+    building->damping_diagonal = c.diagonal;  // 0 if a statement is wrong
+    building->damping_off = c.off;
+    building->damping_full = c.full;
+    building->damping_storey = c.storey;
+    if (!sum_up(b, d, omega, &s) || refuse_tangent(b, d, &s)) {
+        return;
     }
-    if (building->n_part > 0) {
-        add_parts(building, s.a1, full);
+    mark_storeys(d, NULL, c.mark);
+    add_proportional(d, building, s.a0, s.a1, &c);
+    if (!add_apart(b->arena, d, building, &s, &c)) {
+        return;
     }
-    if (fills) {
-        move_bands(d->n_floor, diagonal, off, full);
-        mirror(d->n_floor, full);
+    add_tridiagonal(d, 0.0, 1.0, s.dashpot, c.diagonal, c.off);
+    if (s.ratio) {
+        add_modal(d, s.ratio, omega, shape, c.full);
     }
-    building->damping_diagonal = diagonal;
-    building->damping_off = off;
-    building->damping_full = full;
+    if (c.full) {
+        move_bands(d->n_floor, c.diagonal, c.off, c.full);
+        mirror(d->n_floor, c.full);
+    }
     building->damping_alpha = s.a0;
-    building->damping_beta = s.a1;
     building->damping = s.rayleigh ? &s.rayleigh->word : NULL;
 }

@@ -19,6 +19,7 @@
 #include <stdio.h>
 
 #include "core/arena.h"
+#include "model/rate_storeys.h"
 
 static const double SHARE_MAX = 0.1;
 
@@ -28,14 +29,29 @@ struct share {
     double mass, all;
 };
 
+// The yield shear of storey i; infinite: it stays elastic.
+static double yield_of(const struct model *m, const struct building *g, int i) {
+    const struct storey *s = rate_storeys_of(g, i);
+    return s ? s->yield : m->storey[g->first + i].yield;
+}
+
 // True if storey i is an isolator: less than half as stiff as the storey above, and all storeys
 // above stay elastic.
 static bool isolates(const struct model *m, const struct building *g, int i) {
-    bool elastic = i + 1 < g->n_floor && g->stiffness[i] < 0.5 * g->stiffness[i + 1];
-    for (int j = i + 1; elastic && j < g->n_floor; j++) {
-        elastic = isinf(m->storey[g->first + j].yield);
+    bool elastic = i + 1 < g->n_level && g->stiffness[i] < 0.5 * g->stiffness[i + 1];
+    for (int j = i + 1; elastic && j < g->n_level; j++) {
+        elastic = isinf(yield_of(m, g, j));
     }
     return elastic;
+}
+
+// Does Rayleigh damping give the building dashpots that do not follow the tangent stiffness?
+static bool has_dashpots(const struct building *g) {
+    bool has = g->damping_alpha > 0.0;
+    for (int i = 0; i < g->n_level; i++) {
+        has |= g->damping_storey[i] > 0.0;
+    }
+    return has;
 }
 
 double damping_warning(const struct model *m, const struct building *g, const double *rate,
@@ -45,11 +61,11 @@ double damping_warning(const struct model *m, const struct building *g, const do
     // The storey with the largest share.
     struct share share = {0};
     double above = 0.0;
-    for (int i = g->n_floor - 1; i >= 0; i--) {
+    for (int i = g->n_level - 1; i >= 0; i--) {
         above += g->mass[i];
-        const double by_rate = rate[i] / m->storey[g->first + i].yield;
+        const double by_rate = rate[i] / yield_of(m, g, i);
         const double mass = isolates(m, g, i) ? g->damping_alpha * above * by_rate : 0.0;
-        const double all = mass + g->damping_beta * g->stiffness[i] * by_rate;
+        const double all = mass + g->damping_storey[i] * by_rate;
         if (all > share.all) {
             share = (struct share){i + 1, mass, all};
         }
@@ -59,10 +75,11 @@ double damping_warning(const struct model *m, const struct building *g, const do
         snprintf(text, DAMPING_TEXT_SIZE,
                  "the Rayleigh damping of building %s has dashpots %s storeys that yield: in "
                  "storey %d their force is %.2g times the yield force at the %slargest drift rate "
-                 "of %.3g %s/%s, so drifts come out too small; use damping %s dashpot with 0 in "
-                 "such storeys",
+                 "of %.3g %s/%s, so drifts come out too small; %s",
                  g->name, by_mass ? "between the ground and floors above" : "in", share.storey,
-                 share.all, known, rate[share.storey - 1], u->length_name, u->time_name, g->name);
+                 share.all, known, rate[share.storey - 1], u->length_name, u->time_name,
+                 by_mass ? "give rayleigh -beta without -alpha"
+                         : "leave such storeys out with -storeys, or use -tangent");
     }
     return share.all > SHARE_MAX ? share.all : 0.0;
 }
@@ -77,7 +94,7 @@ int damping_find(const struct model *m, bool warns, struct damping_finding *most
     }
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        if (g->elastic || (g->damping_beta <= 0.0 && g->damping_alpha <= 0.0)) {
+        if (g->elastic || !has_dashpots(g)) {
             continue;
         }
         if (floor_velocity(m, k, velocity, rate, e) != STATUS_OK) {

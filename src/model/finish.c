@@ -2,6 +2,7 @@
 // From drafts to the const model: what the deck as a whole must have, and the order of the stages.
 #include "model/finish.h"
 #include "model/frame_draft.h"
+#include "model/isolator.h"
 
 #include "model/struck_column.h"
 
@@ -26,6 +27,7 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
         }
     }
     frame_draft_finish(b);
+    isolator_finish(b);
     struct deck *d = b->deck;
     if (!d->torn) {
         if (!b->any_building) {

@@ -12,7 +12,9 @@
 #include "model/modes.h"
 #include "model/parts.h"
 #include "model/pdelta.h"
+#include "model/rate_storeys.h"
 #include "model/struck_column.h"
+#include "model/tangent_damping.h"
 
 // An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
 static const struct building *twin(const struct building *first, int n, const struct building *of) {
@@ -88,7 +90,8 @@ static void sum_parts(struct builder *b, struct building *g, const struct part *
 }
 
 static void finish_parts(struct builder *b, struct model *m, struct building *g,
-                         const struct building_draft *d) {
+                         struct building_draft *d) {
+    rate_storeys_put(b, d, g);
     struct part *part = d->parts.item;
     for (int i = 0; i < d->parts.n; i++) {
         part[i].history = m->n_storey_history;
@@ -108,7 +111,8 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     g->elastic = true;
     for (int i = 0; i < g->n_floor; i++) {
         struct storey *s = &storey[g->first + i];
-        *s = g->fixed ? (struct storey){0} : d->storey[i];  // else they are in its part
+        const bool in_part = g->fixed || rate_storeys_of(g, i);
+        *s = in_part ? (struct storey){0} : d->storey[i];
         s->pdelta = g->pdelta && !g->fixed ? g->pdelta[i] : 0.0;
         if (!s->law || (s->law == &storey_elastic && s->pdelta != 0.0)) {
             double *constant =
@@ -146,12 +150,31 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     }
 }
 
+static void finish_damping(struct builder *b, struct model *m, struct building *g,
+                           struct building_draft *d, const struct storey *storey) {
+    if (g->tangent && !d->foundation) {
+        m->storeys_differ = true;
+        tangent_damping_put(b, d, g, storey + g->first, &m->n_storey_history);
+    }
+}
+
 static int count_floors(struct builder *b) {
     int n = 0;
     for (int i = 0; i < b->buildings.n; i++) {
         n += builder_draft(b, i)->n_floor + (builder_draft(b, i)->foundation ? 2 : 0);
     }
     return n;
+}
+
+static void finish_columns(struct builder *b, struct model *m, struct building *building) {
+    struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
+    for (int i = 0; column && i < m->n_column; i++) {
+        column[i] = struck_column_draft(b, i)->column;
+        building[m->n_building + i].ground = building[column[i].building].ground;
+        struck_column_place(&column[i], building[m->n_building + i].first,
+                            building[column[i].building].first);
+    }
+    m->column = column;
 }
 
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
@@ -170,10 +193,11 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         return error_no_memory(e);
     }
     for (int i = 0, first = 0; i < m->n_body; i++) {
-        const struct building_draft *d = builder_draft(b, i);
+        struct building_draft *d = builder_draft(b, i);
         building[i] = (struct building){.name = d->name,
                                         .n_floor = d->n_floor,
                                         .n_level = d->n_floor,
+                                        .isolated = d->isolated,
                                         .first = first,
                                         .mass = d->mass,
                                         .stiffness = d->stiffness,
@@ -183,12 +207,13 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         int status = arena_failed(b->arena) ? error_no_memory(e) : finish_modes(b, building, i, e);
         if (status == STATUS_OK && d->foundation) {
             const struct building fixed = building[i];
-            m->founded = true;
+            m->storeys_differ = true;
             status = foundation_put(b, d, &fixed, &m->n_storey_history, &building[i], e);
         }
         if (status != STATUS_OK) {
             return status;
         }
+        finish_damping(b, m, &building[i], d, storey);
         finish_storeys(b, m, &building[i], d, storey);
         const struct building *g = &building[i];
         size_t bytes = (size_t)d->n_floor * sizeof *mass;
@@ -199,14 +224,7 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     }
     assert(building[m->n_body - 1].first + building[m->n_body - 1].n_floor == m->n_dof);
     finish_grounds(b, m, building);
-    struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
-    for (int i = 0; column && i < m->n_column; i++) {
-        column[i] = struck_column_draft(b, i)->column;
-        building[m->n_building + i].ground = building[column[i].building].ground;
-        struck_column_place(&column[i], building[m->n_building + i].first,
-                            building[column[i].building].first);
-    }
-    m->column = column;
+    finish_columns(b, m, building);
     m->building = building;
     m->storey = storey;
     m->mass = mass;

@@ -139,8 +139,22 @@ static void limit_explicit_steps(struct builder *b, struct model *m) {
 // between floors of 200 and 300 t: runs with a = 0.5 end, runs with a = 0.25 do not.
 static const double LEAST_EXPONENT = 0.5;
 
+// A building whose damping is on its tangent stiffness; NULL: none. Its damping jumps from step to
+// step, which the error control of a method of high order does not follow.
+static const struct building *tangent_damped(const struct model *m) {
+    for (int k = 0; k < m->n_building; k++) {
+        if (m->building[k].tangent) {
+            return &m->building[k];
+        }
+    }
+    return NULL;
+}
+
 // The method of adaptive steps if the deck has no integrator statement.
 static enum integrator choose_adaptive(struct builder *b, const struct model *m) {
+    if (tangent_damped(m)) {
+        return INTEGRATOR_NEWMARK;
+    }
     for (int k = m->n_contact; k < m->n_link; k++) {
         const double *c = m->link[k].constant;
         if (c[BILATERAL_DASHPOT] > 0.0 && c[BILATERAL_EXPONENT] < LEAST_EXPONENT) {
@@ -173,6 +187,13 @@ void finish_time(struct builder *b, struct model *m) {
     if (!b->adaptive && m->integrator == INTEGRATOR_DORMAND_PRINCE) {
         deck_error(b->deck, &b->step,
                    "dormand-prince has no fixed steps; use step adaptive or integrator newmark");
+    }
+    const struct building *tangent = tangent_damped(m);
+    if (m->integrator == INTEGRATOR_DORMAND_PRINCE && tangent) {
+        deck_error(b->deck, &b->integrator,
+                   "dormand-prince has no damping on the tangent stiffness, which building %s has; "
+                   "use integrator newmark",
+                   tangent->name);
     }
     if (m->integrator == INTEGRATOR_DORMAND_PRINCE && b->newton.text) {
         deck_warning(b->deck, &b->newton, "dormand-prince does not iterate; newton has no effect");

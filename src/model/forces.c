@@ -25,7 +25,11 @@ static bool forces_storeys_resist(const struct building *g) {
 // Does more than one resist?
 static bool forces_shared(const struct building *g) {
     g = forces_own(g);
-    return g->n_part > (forces_storeys_resist(g) ? 0 : 1);
+    int n = forces_storeys_resist(g);
+    for (int i = 0; i < g->n_part; i++) {
+        n += !(g->part[i].kind->traits & PART_SHARELESS);
+    }
+    return n > 1;
 }
 
 // The storey shears of a share.

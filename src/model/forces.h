@@ -29,7 +29,7 @@ int forces_of_foundation(const struct building *g);
 
 // Do rows of the histories have these forces?
 static inline bool forces_in_rows(const struct model *m) {
-    return m->n_force > 0 && (m->founded || m->output.fields & FIELD_MEMBERS);
+    return m->n_force > 0 && (m->storeys_differ || m->output.fields & FIELD_MEMBERS);
 }
 
 // What is known of each member: FRAME_FORCES, or FRAME_QUANTITIES where the building has hinges.

@@ -25,6 +25,9 @@
 #include "model/pairs.h"
 #include "model/parts.h"
 #include "model/pdelta.h"
+#include "model/rate_storeys.h"
+#include "model/storey_force.h"
+#include "model/tangent_damping.h"
 
 // The part of a building with a foundation. The storeys that yield are kept one by one. All that is
 // linear is the stiffness of the part.
@@ -57,7 +60,7 @@ static double founded_deformation(const struct founded *f, int i, const double *
     return drift[i] - f->share[i] * slab.turn - (i == 0 ? slab.sway : 0.0);
 }
 
-static void founded_add_storey(const struct founded *f, int i, struct storey_response r,
+static void founded_add_storey(const struct founded *f, int i, struct storey_rate_response r,
                                const struct part_sums *to) {
     const int n = f->n + 2;
     for (int j = 0; j < n; j++) {
@@ -68,6 +71,9 @@ static void founded_add_storey(const struct founded *f, int i, struct storey_res
         for (int k = 0; to->by_drift && k < n; k++) {
             to->by_drift[j * n + k] += r.tangent * (entry * founded_entry(f, i, k));
         }
+        for (int k = 0; to->by_rate && k < n; k++) {
+            to->by_rate[j * n + k] += r.dashpot * (entry * founded_entry(f, i, k));
+        }
     }
 }
 
@@ -75,14 +81,17 @@ static void founded_respond(const struct part *p, const double *history, const d
                             const double *rate, const struct part_sums *to, double *after) {
     const struct founded *f = p->data;
     const struct founded_motion slab = founded_motion(f, drift);
+    const struct founded_motion speed = founded_motion(f, rate);
     parts_linear_respond(p, history, drift, rate, to, after);
     for (int i = 0; i < f->n; i++) {
         const struct storey *s = &f->storey[i];
         if (s->law->n_history > 0) {
-            const struct storey_response r = s->law->respond(s->constant, history + s->history,
-                                                             founded_deformation(f, i, drift, slab),
-                                                             after ? after + s->history : NULL);
-            founded_add_storey(f, i, r, to);
+            const double deformation = founded_deformation(f, i, drift, slab);
+            founded_add_storey(f, i,
+                               storey_respond_at_rate(s, history, deformation,
+                                                      founded_deformation(f, i, rate, speed),
+                                                      after),
+                               to);
         }
     }
 }
@@ -345,20 +354,26 @@ int foundation_loads(struct builder *b, const struct model *m, struct load *out)
     return n;
 }
 
-void foundation_storeys(const struct building *g, const double *drift, const double *shear,
-                        double *own_drift, double *own_shear) {
-    assert(g->fixed && g->n_part == 1);
-    const struct founded *f = g->part->data;
-    const struct founded_motion slab = founded_motion(f, drift);
-    for (int i = 0; i < f->n; i++) {
-        own_drift[i] = founded_deformation(f, i, drift, slab);
-        own_shear[i] = shear[i] - shear[f->n];
+bool foundation_differs(const struct building *g) {
+    return g->fixed || g->tangent;
+}
+
+void foundation_storeys(const struct building *g, const double *history, const double *drift,
+                        const double *shear, double *own_drift, double *own_shear) {
+    assert(foundation_differs(g));
+    const struct founded *f = g->fixed ? g->part->data : NULL;
+    const struct founded_motion slab = f ? founded_motion(f, drift) : (struct founded_motion){0};
+    for (int i = 0; i < g->n_level; i++) {
+        own_drift[i] = f ? founded_deformation(f, i, drift, slab) : drift[i];
+        own_shear[i] = shear[i] - (f ? shear[f->n] : tangent_damping_shear(g, history, i));
     }
 }
 
 const struct storey *foundation_storey(const struct model *m, const struct building *g, int i) {
     assert(i >= 0 && i < g->n_level);
+    const struct storey *rated = g->fixed ? NULL : rate_storeys_of(g, i);
     return g->fixed ? &((const struct founded *)g->part->data)->storey[i]
+           : rated  ? rated
                     : &m->storey[g->first + i];
 }
 
@@ -388,7 +403,7 @@ double foundation_by_drift(const struct building *g, int q, int j) {
 }
 
 double foundation_across(const struct model *m, int dof, const double *x) {
-    for (int k = 0; m->founded && k < m->n_building; k++) {
+    for (int k = 0; m->storeys_differ && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         const int i = dof - g->first;
         if (g->fixed && i >= 0 && i < g->n_level) {

@@ -19,10 +19,14 @@ int foundation_loads(struct builder *b, const struct model *m, struct load *out)
 // The law of storey `i` (from 0) of a building of the model, with or without a foundation.
 const struct storey *foundation_storey(const struct model *m, const struct building *g, int i);
 
-// Storey deformations and shears (n_level) of a building with a foundation, from drifts and shears
-// (n_floor) of its degrees of freedom, which are other arrays.
-void foundation_storeys(const struct building *g, const double *drift, const double *shear,
-                        double *own_drift, double *own_shear);
+// Are the deformations and shears of storeys not the drifts and shears of the degrees of freedom?
+// So it is on a foundation, and with damping on the tangent stiffness, which adds to the shears.
+bool foundation_differs(const struct building *g);
+
+// Storey deformations and shears (n_level) of a building, from drifts and shears (n_floor) of its
+// degrees of freedom, which are other arrays, and the storey history of the state.
+void foundation_storeys(const struct building *g, const double *history, const double *drift,
+                        const double *shear, double *own_drift, double *own_shear);
 
 // What a unit drift of degree of freedom `j` adds to the deformation of storey `i`; and what a unit
 // displacement of the roof by rocking adds to how far the storey leans (both from 0).

@@ -69,14 +69,15 @@ static bool same_impact(const struct model *m, int a, int b, const struct guidan
 }
 
 static double count_storeys(const struct model *m, const struct link *l, double duration) {
-    // The stiffness of the stiffest storey directly below or above the ends of the link.
+    // The stiffness of the stiffest storey directly below or above the ends of the link,
+    // but for isolators, which slide.
     double storey = 0.0;
     for (int i = 0; i < 2; i++) {
         const struct building *g = l->building[i] == WALL ? NULL : &m->building[l->building[i]];
         for (int k = 0; g && k < link_entries(l, i); k++) {
             const int floor = link_entry(l, i, k).dof - g->first;
             for (int j = floor; j <= floor + 1 && j < g->n_floor; j++) {
-                storey = fmax(storey, g->stiffness[j]);
+                storey = fmax(storey, j + 1 == g->isolated ? 0.0 : g->stiffness[j]);
             }
         }
     }

@@ -57,3 +57,12 @@ double parts_stored(const struct building *g, const double *history, const doubl
     }
     return sum;
 }
+
+double parts_damped(const struct building *g, const double *history) {
+    double sum = 0.0;
+    for (int i = 0; i < g->n_part; i++) {
+        const struct part *p = &g->part[i];
+        sum += p->kind->damped ? p->kind->damped(p, history + p->history) : 0.0;
+    }
+    return sum;
+}

@@ -14,6 +14,9 @@ void parts_respond(const struct building *g, const double *history, const double
 // Recoverable energy of the parts of building `g` [F L].
 double parts_stored(const struct building *g, const double *history, const double *drift);
 
+// Work of the viscous forces of the parts of building `g` since the start [F L].
+double parts_damped(const struct building *g, const double *history);
+
 // The functions of a linear part, whose shears are its stiffness times the drifts; of other parts,
 // what is linear in them.
 void parts_linear_respond(const struct part *p, const double *history, const double *drift,

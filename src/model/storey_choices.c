@@ -21,6 +21,22 @@ bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, c
     return good;
 }
 
+bool storey_choices_law(struct builder *b, const struct word *w, const struct storey_law *law,
+                        const double *value, double stiffness, struct storey *out) {
+    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
+    if (!constant) {
+        return false;
+    }
+    struct error e;
+    if (law->prepare(value, stiffness, constant, &e) != STATUS_OK) {
+        deck_error(b->deck, w, "%s", e.message);
+        return false;
+    }
+    out->law = law;
+    out->constant = constant;
+    return true;
+}
+
 bool storey_choices_prepare(struct builder *b, const struct word *w, const struct storey_choices *c,
                             int k, double stiffness, struct storey *out) {
     double own[STOREY_ROWS_MAX];
@@ -29,17 +45,6 @@ bool storey_choices_prepare(struct builder *b, const struct word *w, const struc
         const bool flag = law->row[r].kind == ROW_FLAG && c->given[r].given;
         own[r] = c->value[r] ? c->value[r][k] : flag ? 1.0 : NAN;
     }
-    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
-    if (!constant) {
-        return false;
-    }
-    struct error e;
-    if (law->prepare(own, stiffness, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, w, "%s", e.message);
-        return false;
-    }
-    out->law = law;
-    out->constant = constant;
     out->yield = c->yield ? c->yield[k] : (double)INFINITY;
-    return true;
+    return storey_choices_law(b, w, law, own, stiffness, out);
 }

@@ -19,6 +19,11 @@ struct storey_choices {
 // builder_spread. False after a report.
 bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, const char *owner);
 
+// The law with these values of its rows (NAN: not given) and this initial stiffness. False after a
+// report at `w`.
+bool storey_choices_law(struct builder *b, const struct word *w, const struct storey_law *law,
+                        const double *value, double stiffness, struct storey *out);
+
 // Law k of them, of this initial stiffness. False after a report at `w`.
 bool storey_choices_prepare(struct builder *b, const struct word *w, const struct storey_choices *c,
                             int k, double stiffness, struct storey *out);

@@ -51,6 +51,9 @@ extern const struct column_table layout_impact;       // of struct impact: /impa
 // The last column of layout_peak. A run has it of buildings that can yield.
 extern const char layout_residual_drift_name[];
 
+// The attribute of a building with isolators: their storey.
+extern const char layout_isolated_name[];
+
 // Quantities with a history; the name is in field_names.
 struct quantity {
     const char *long_name;

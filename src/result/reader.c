@@ -164,6 +164,9 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
         if (b->n_floor < 1) {
             h5_fail(&f->h, "building '%s' has no floors", b->name);
         }
+        if (!f->h.failed && H5Aexists(building.own, layout_isolated_name) > 0) {
+            b->isolated = (int)h5_get_long(&f->h, building.own, layout_isolated_name);
+        }
         if (f->reading == READ_VALUES) {
             get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
             if (building.own >= 0 && h5_has(&f->h, building.own, layout_pdelta.column[0].name)) {

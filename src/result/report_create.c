@@ -127,6 +127,7 @@ static void building_fill(struct report_building *to, struct arena *a, const str
     double *period = arena_alloc(a, n, sizeof *period);
     to->name = arena_text(a, b->name, strlen(b->name));
     to->n_floor = b->n_level;
+    to->isolated = b->isolated;
     to->mass = copy(a, own->mass, n);
     to->stiffness = copy(a, own->stiffness, n);
     to->height = copy(a, b->height, n);

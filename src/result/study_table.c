@@ -99,6 +99,18 @@ void study_table_read(const struct report *r, double *value) {
     layout_each(r, add_place, &(struct walk){.value = value});
 }
 
+bool study_view_counts(const struct study_view *v, const struct study_item *item, size_t i) {
+    const bool of_floors = item->owner && item->leaf && strcmp(item->parent, "buildings") == 0 &&
+                           strcmp(item->name, peak_names[PEAK_SHEAR]) != 0;
+    for (int k = 0; of_floors && k < v->n_building; k++) {
+        const struct report_building *b = &v->building[k];
+        if (strcmp(item->owner, b->name) == 0) {
+            return floor_is_summarised(b->isolated, b->n_floor, (int)i);
+        }
+    }
+    return true;
+}
+
 const struct report_building *
 study_view_building(const struct study_view *v, const struct study_item *item, const char *owner) {
     for (int i = 0; item->owner && strcmp(item->owner, owner) == 0 && i < v->n_building; i++) {

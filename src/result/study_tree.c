@@ -161,8 +161,7 @@ void study_tree(struct study_writer *w) {
     hid_t buildings = h5_group(&w->h, w->h.file, "buildings");
     for (int i = 0; i < r->n_building && !w->h.failed; i++) {
         const struct report_building *b = &r->building[i];
-        const struct tree_group g = tree_group(t, buildings, b->name, "floor", (size_t)b->n_floor);
-        h5_put_long(&w->h, g.group, "position", i);
+        const struct tree_group g = tree_building(t, buildings, b, i);
         h5_close(&w->h, tree_envelope(t, &g));
         put_forces(w, g.group, b);
         tree_close(t, &g);

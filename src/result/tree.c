@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/tree.h"
 
+#include "result/layout.h"
 #include "result/study_sweep.h"
 
 struct tree_group tree_group(const struct tree *t, hid_t parent, const char *name,
@@ -13,6 +14,16 @@ struct tree_group tree_group(const struct tree *t, hid_t parent, const char *nam
         h5_hard_link(t->h, t->time, g.group, "time");
     }
     study_sweep_link(t->h, g.group, t->sweep, t->scale, t->n_sweep);
+    return g;
+}
+
+struct tree_group tree_building(const struct tree *t, hid_t parent, const struct report_building *b,
+                                int position) {
+    const struct tree_group g = tree_group(t, parent, b->name, "floor", (size_t)b->n_floor);
+    h5_put_long(t->h, g.group, "position", position);
+    if (b->isolated > 0) {
+        h5_put_long(t->h, g.group, layout_isolated_name, b->isolated);
+    }
     return g;
 }
 

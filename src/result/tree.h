@@ -4,6 +4,7 @@
 #define JOSTLE_TREE_H
 
 #include "jostle/deck.h"
+#include "jostle/result.h"
 #include "result/h5.h"
 
 // What the values of a tree are over: those of a run over time, those of a study over its sweeps.
@@ -26,6 +27,9 @@ struct tree_group {
 // shows its coordinates.
 struct tree_group tree_group(const struct tree *t, hid_t parent, const char *name,
                              const char *scale, size_t n);
+// The same for building number `position` (from 0), over its floors, with its attributes.
+struct tree_group tree_building(const struct tree *t, hid_t parent, const struct report_building *b,
+                                int position);
 // Creates the group "envelope" in it with the same scale and the sweeps; open.
 hid_t tree_envelope(const struct tree *t, const struct tree_group *g);
 void tree_close(const struct tree *t, const struct tree_group *g);

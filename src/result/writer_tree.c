@@ -128,8 +128,7 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
     const struct report_building *b = &w->report->building[position];
     const struct building *model = &w->model->building[position];
     const size_t n = (size_t)b->n_floor;
-    const struct tree_group g = tree_group(&w->tree, parent, b->name, "floor", n);
-    h5_put_long(w->h, g.group, "position", position);
+    const struct tree_group g = tree_building(&w->tree, parent, b, position);
     if (w->place) {
         h5_put_long(w->h, g.group, "yields", !model->elastic);
     }

@@ -44,9 +44,9 @@ static void analysis_row_founded(struct run *r, const struct state *s) {
     memcpy(r->row_shear, s->shear, size);
     for (int k = 0; k < r->model->n_building; k++) {
         const struct building *g = &r->model->building[k];
-        if (g->fixed) {
-            foundation_storeys(g, s->drift + g->first, s->shear + g->first, r->row_drift + g->first,
-                               r->row_shear + g->first);
+        if (foundation_differs(g)) {
+            foundation_storeys(g, s->storey_history, s->drift + g->first, s->shear + g->first,
+                               r->row_drift + g->first, r->row_shear + g->first);
         }
     }
 }
@@ -66,7 +66,7 @@ static int analysis_show_row(struct run *r) {
     if (status != STATUS_OK || !o || !o->row) {
         return status;
     }
-    if (r->model->founded) {
+    if (r->model->storeys_differ) {
         analysis_row_founded(r, s);
     }
     for (int k = 0; k < r->model->n_link; k++) {
@@ -85,8 +85,8 @@ static int analysis_show_row(struct run *r) {
         .displacement = s->u,
         .velocity = s->v,
         .acceleration = s->total,
-        .drift = r->model->founded ? r->row_drift : s->drift,
-        .storey_shear = r->model->founded ? r->row_shear : s->shear,
+        .drift = r->model->storeys_differ ? r->row_drift : s->drift,
+        .storey_shear = r->model->storeys_differ ? r->row_shear : s->shear,
         .force = r->row_force,
         .penetration = s->delta,
         .ground = s->ground_a,
@@ -180,8 +180,8 @@ static bool analysis_alloc(struct run *r, struct arena *a) {
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
     r->row_members = arena_alloc(a, (size_t)m->n_force, sizeof *r->row_members);
-    r->row_drift = arena_alloc(a, m->founded ? (size_t)m->n_dof : 0, sizeof *r->row_drift);
-    r->row_shear = arena_alloc(a, m->founded ? (size_t)m->n_dof : 0, sizeof *r->row_shear);
+    r->row_drift = arena_alloc(a, m->storeys_differ ? (size_t)m->n_dof : 0, sizeof *r->row_drift);
+    r->row_shear = arena_alloc(a, m->storeys_differ ? (size_t)m->n_dof : 0, sizeof *r->row_shear);
     return fields_alloc(&energy_fields, m, &r->energy, a) && state_alloc(r->now, m, a) &&
            impacts_alloc(&r->impacts, m, r->results, &r->energy, a) &&
            peaks_alloc(r->results, m, a) && force_peaks_alloc(&r->forces, m, r->results, a) &&

@@ -146,6 +146,7 @@ static int add_floors(struct reading *r, const struct study_item *item, long flo
         }
         const struct edp_term t = {.value = item->first + i,
                                    .item = item,
+                                   .apart = floor == 0 && !study_view_counts(v, item, i),
                                    .divisor =
                                        divisor < 0 ? SIZE_MAX : v->table.item[divisor].first + i};
         if (add_term(r, &t, arena_format(r->arena, "%s:%zu", item->owner, i + 1)) != STATUS_OK) {
@@ -219,7 +220,7 @@ static int add_members(struct reading *r, const struct report_building *b,
         if (!is_member(r->place, b->name, name) || (axial && strncmp(name, "column", 6) != 0)) {
             continue;
         }
-        const struct edp_term t = {item->first + i, SIZE_MAX, NULL, item};
+        const struct edp_term t = {.value = item->first + i, .divisor = SIZE_MAX, .item = item};
         if (add_term(r, &t, arena_format(r->arena, "%s:%s", b->name, name)) != STATUS_OK) {
             return error_no_memory(e);
         }
@@ -244,7 +245,7 @@ static int add_all(struct reading *r, const char *owner, struct error *e) {
             return STATUS_SYSTEM;
         }
         if (!members && (!r->place || strcmp(r->place, b->name) == 0)) {
-            add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL}, b->name);
+            add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL, false}, b->name);
         }
     }
     const char *none = !members ? "such building has a foundation"
@@ -261,7 +262,7 @@ static int add_links(struct reading *r, const struct study_item *item, struct er
     const struct report_link *link = contact ? v->contact : column ? v->column : v->link;
     for (int i = 0; i < n && (size_t)i < item->n; i++) {
         if (!r->place || strcmp(r->place, link[i].name) == 0) {
-            add_term(r, &(struct edp_term){item->first + (size_t)i, SIZE_MAX, NULL, NULL},
+            add_term(r, &(struct edp_term){.value = item->first + (size_t)i, .divisor = SIZE_MAX},
                      link[i].name);
         }
     }
@@ -306,7 +307,7 @@ static int add_terms(struct reading *r, struct error *e) {
                                  "is named",
                                  r->text, q->name);
             }
-            return add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL}, "");
+            return add_term(r, &(struct edp_term){.value = item->first, .divisor = SIZE_MAX}, "");
     }
 }
 
@@ -359,6 +360,9 @@ double edp_value(const struct edp *p, const double *value, int *at) {
     double largest = NAN, sum = 0.0;
     *at = 0;
     for (int i = 0; i < p->n_term; i++) {
+        if (p->term[i].apart) {
+            continue;
+        }
         const double x = edp_term_value(p, i, value);
         sum += x;
         if (!(x <= largest)) {

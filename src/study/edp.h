@@ -39,6 +39,7 @@ struct edp_term {
     size_t value, divisor;          // indices among a run's values; divisor SIZE_MAX: none
     const char *location;           // "A:3", "A:5-B:5"; "" for the whole
     const struct study_item *item;  // of a building; NULL: others
+    bool apart;                     // of an isolator: not in the largest value
 };
 
 struct edp {

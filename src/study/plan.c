@@ -186,6 +186,9 @@ static int check_buildings(const struct plan *p, long run, const struct model *m
                              "a study need the same",
                              plan_describe(p, run, &t), b->n_level, b->name, a->n_level);
         }
+        if (a->isolated != b->isolated) {
+            return differs(p, run, e, "isolators of buildings");
+        }
         if (!same_parts(a, b)) {
             return differs(p, run, e, "parts and members of buildings");
         }

@@ -68,10 +68,12 @@ bool refinement_is_within(const struct convergence *c, double value, double rtol
     return c->error <= rtol * fabs(value) && c->kind != CONVERGENCE_MISCOUNT;
 }
 
-static double largest(const double *value, int n) {
-    double most = value[0];
-    for (int i = 1; i < n; i++) {
-        most = fmax(most, value[i]);
+// The largest value of the floors or storeys of a building in summaries.
+static double largest(const struct building *g, const double *value) {
+    double most = 0.0;
+    for (int i = 0; i < g->n_level; i++) {
+        most = floor_is_summarised(g->isolated, g->n_level, i) ? fmax(most, value[g->first + i])
+                                                               : most;
     }
     return most;
 }
@@ -87,11 +89,11 @@ static double roof_displacement(const struct model *m, const struct results *r, 
 }
 
 static double drift(const struct model *m, const struct results *r, int i) {
-    return largest(r->peak[PEAK_DRIFT] + m->building[i].first, m->building[i].n_level);
+    return largest(&m->building[i], r->peak[PEAK_DRIFT]);
 }
 
 static double acceleration(const struct model *m, const struct results *r, int i) {
-    return largest(r->peak[PEAK_ACCELERATION] + m->building[i].first, m->building[i].n_level);
+    return largest(&m->building[i], r->peak[PEAK_ACCELERATION]);
 }
 
 static double base_shear(const struct model *m, const struct results *r, int i) {

@@ -89,11 +89,63 @@ static void ratios_of_modes_add_up(void **state) {
     model_free(m);
 }
 
+static void take_all(const char *building, const char *damping, double c[N * N]) {
+    struct model *m = analysis_model("%s%sinitial A:1 -velocity 1\nstep fixed 0.01s\nduration 1s\n",
+                                     building, damping);
+    for (int j = 0; j < N; j++) {
+        const double v[N] = {j == 0, j == 1, j == 2};
+        building_damping_force(m->building, v, &c[(size_t)N * (size_t)j]);
+    }
+    model_free(m);
+}
+
+// With K on drifts, rows and columns of storeys that are left out are 0. So a chain has dashpots in
+// the others, and its matrix, in place of its storeys, the same C. Isolators are left out by
+// default. alpha and beta of ratios are those of the whole building: 5 % of modes 1 and 2 here.
+static void storeys_are_left_out_of_the_stiffness_proportional_part(void **state) {
+    (void)state;
+    static const char chain[] = "building A -floors 3 -mass 2 -stiffness 800 600 400\n",
+                      isolated[] = "building A -floors 3 -mass 2 -stiffness 800 600 400 "
+                                   "-isolated 2\n";
+    static const struct {
+        const char *building, *damping, *same;
+    } of[] = {
+        {chain, "damping A rayleigh -alpha 0.25 -beta 0.125 -storeys 1,3\n",
+         "damping A rayleigh -alpha 0.25\ndamping A dashpot 100 0 50\n"},
+        {chain, "damping A rayleigh -beta 0.125 -storeys 3\ndamping A rayleigh -beta 0.5\n",
+         "damping A dashpot 400 300 250\n"},
+        {chain, "damping A rayleigh -beta 0.125 -storeys 3\ndamping A modal 2%\n",
+         "damping A dashpot 0 0 50\ndamping A modal 2%\n"},
+        {chain, "damping A rayleigh -beta 0.125 -storeys all\n",
+         "damping A rayleigh -beta 0.125\n"},
+        {isolated, "damping A rayleigh -alpha 0.25 -beta 0.125\n",
+         "damping A rayleigh -alpha 0.25\ndamping A dashpot 100 0 50\n"},
+        {isolated, "damping A rayleigh -beta 0.125 -storeys 2:3\n", "damping A dashpot 0 75 50\n"},
+        {isolated, "damping A rayleigh 5%\n", "damping A rayleigh 5% -storeys 1,3\n"},
+        {chain, "damping A rayleigh 5% -tangent\n", "damping A rayleigh 5%\n"},
+    };
+    const char *file = support_write("chain.txt", "1400 -600 0\n-600 1000 -400\n0 -400 400\n");
+    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+        double got[N * N], want[N * N], full[N * N];
+        char matrix[256];
+        snprintf(matrix, sizeof matrix, "building A -floors 3 -mass 2 %s\nmatrix A %s\n",
+                 of[k].building == isolated ? "-isolated 2" : "", file);
+        take_all(of[k].building, of[k].damping, got);
+        take_all(of[k].building, of[k].same, want);
+        take_all(matrix, of[k].damping, full);
+        for (int i = 0; i < N * N; i++) {
+            assert_near(got[i], want[i], 1e-13);
+            assert_near(full[i], want[i], 1e-12);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(statements_of_one_kind_are_one_statement_with_the_sums),
         cmocka_unit_test(the_matrices_of_all_kinds_add_up),
         cmocka_unit_test(ratios_of_modes_add_up),
+        cmocka_unit_test(storeys_are_left_out_of_the_stiffness_proportional_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

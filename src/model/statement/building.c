@@ -6,7 +6,7 @@
 #include "deck/reader.h"
 #include "model/builder.h"
 
-enum { FLOORS, MASS, STIFFNESS, HEIGHT, N_ROW };
+enum { FLOORS, MASS, STIFFNESS, HEIGHT, ISOLATED, N_ROW };
 
 static const struct range floors_range = {
     .min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
@@ -20,6 +20,9 @@ static const struct row rows[N_ROW] = {
                    "wall or a matrix resists"},
     [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
                 "storey heights, for drift ratios, frames, walls and P-delta"},
+    [ISOLATED] = {"isolated", ROW_INTEGER, 0, OF_NONE, &floors_range, NAN,
+                  "storey of the isolators: summaries, drifts of studies and stiffness-"
+                  "proportional damping leave it out"},
 };
 
 // A name has letters, digits, _ - and UTF-8, because it names a group of the result file.
@@ -58,6 +61,15 @@ static bool check_name(struct builder *b, const struct word *w, const char *name
 static int count_floors(const struct argument *a) {
     double n = a->n == 1 && a->number ? a->number[0] : 0.0;
     return n >= floors_range.min && n <= floors_range.max && n == floor(n) ? (int)n : 0;
+}
+
+static void isolate(struct builder *b, struct building_draft *d, const struct argument *a) {
+    if (a->given && a->number[0] > d->n_floor) {
+        deck_error(b->deck, a->word, "storey %g is not one of 1 to %d of building %s", a->number[0],
+                   d->n_floor, d->name);
+    } else if (a->given) {
+        d->isolated = (int)a->number[0];
+    }
 }
 
 // The name and the number of floors are kept even if the rest is wrong. If the name is wrong, the
@@ -103,12 +115,13 @@ static void build(struct builder *b, const struct statement *s) {
             d->velocity = arena_alloc(b->arena, n, sizeof *d->velocity);
             d->initial = arena_alloc(b->arena, n, sizeof *d->initial);
         }
+        isolate(b, d, &a[ISOLATED]);
     }
 }
 
 const struct statement_kind statement_building = {
     .name = "building",
-    .usage = "NAME -floors N -mass LIST [-stiffness LIST] [-height LIST]",
+    .usage = "NAME -floors N -mass LIST [-stiffness LIST] [-height LIST] [-isolated STOREY]",
     .summary = "a building of shear storeys; the deck lists the buildings from left to right",
     .example = "building A -floors 8 -mass 300t -stiffness 7*345MN/m 250MN/m -height 3.2m",
     .row = rows,

@@ -4,7 +4,7 @@
 #include "deck/reader.h"
 #include "model/builder.h"
 
-enum { MODES, ALPHA, BETA, N_ROW };
+enum { MODES, ALPHA, BETA, STOREYS, TANGENT, N_ROW };
 
 static const struct range mode_range = {.min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
 static const struct range ratio_range = {
@@ -15,6 +15,12 @@ static const struct row rows[N_ROW] = {
                "the two modes with these ratios; default: 1 2"},
     [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_FREQUENCY, NULL, NAN, "mass-proportional coefficient"},
     [BETA] = {"beta", ROW_NUMBER, 0, OF_TIME, NULL, NAN, "stiffness-proportional coefficient"},
+    [STOREYS] = {"storeys", ROW_TEXT, 0, OF_NONE, NULL, NAN,
+                 "storeys with the stiffness-proportional part, such as 2:7; default: all but the "
+                 "isolators"},
+    [TANGENT] = {"tangent", ROW_FLAG, 0, OF_NONE, NULL, NAN,
+                 "stiffness-proportional part on the tangent stiffness of the last step, not the "
+                 "initial one"},
 };
 
 static const struct row ratio_row = {"ratio",      ROW_LIST, ROW_REQUIRED,   OF_NONE,
@@ -123,6 +129,27 @@ static bool rayleigh(struct builder *b, const struct building_draft *d, const st
     return out->value != NULL;
 }
 
+// Reads what the stiffness-proportional part is of; false after a report.
+static bool read_part(struct builder *b, int building, const struct argument *a,
+                      struct damping_draft *out) {
+    const bool none = out->kind == DAMPING_COEFFICIENTS && out->value[1] == 0.0;
+    for (int i = STOREYS; none && i <= TANGENT; i++) {
+        if (a[i].given) {
+            deck_error(b->deck, &a[i].key, "option -%s has no effect without -beta", rows[i].key);
+            return false;
+        }
+    }
+    if (a[TANGENT].given) {
+        out->tangent = a[TANGENT].key;
+    }
+    if (!a[STOREYS].given) {
+        return true;
+    }
+    struct selection *s = arena_alloc(b->arena, 1, sizeof *s);
+    out->storeys = s;
+    return s && builder_floors(b, a[STOREYS].word, building, s);
+}
+
 static bool list(struct builder *b, const struct building_draft *d, const struct argument *a,
                  const struct statement *s, struct damping_draft *out) {
     if (s->n_plain < 4) {
@@ -145,8 +172,15 @@ static bool list(struct builder *b, const struct building_draft *d, const struct
     return out->value != NULL;
 }
 
+static bool same_storeys(const struct selection *a, const struct selection *b) {
+    return a && b ? a->n_floor == b->n_floor &&
+                        memcmp(a->floor, b->floor, (size_t)a->n_floor * sizeof *a->floor) == 0
+                  : a == b;
+}
+
 static bool is_the_same(const struct damping_draft *a, const struct damping_draft *b) {
-    return a->kind == b->kind && a->mode[0] == b->mode[0] && a->mode[1] == b->mode[1] &&
+    return same_storeys(a->storeys, b->storeys) && !a->tangent.text == !b->tangent.text &&
+           a->kind == b->kind && a->mode[0] == b->mode[0] && a->mode[1] == b->mode[1] &&
            memcmp(a->value, b->value, (size_t)a->n * sizeof *a->value) == 0;
 }
 
@@ -169,7 +203,8 @@ static void build(struct builder *b, const struct statement *s) {
     struct damping_draft new = {.word = s->word[2]};
     const int kind = deck_keyword(b->deck, &s->word[2], "damping", kinds, N_KIND);
     new.kind = kind == MODAL ? DAMPING_MODAL : DAMPING_DASHPOT;
-    if (kind == RAYLEIGH ? rayleigh(b, d, a, s, &new) : kind >= 0 && list(b, d, a, s, &new)) {
+    if (kind == RAYLEIGH ? rayleigh(b, d, a, s, &new) && read_part(b, i, a, &new)
+                         : kind >= 0 && list(b, d, a, s, &new)) {
         const struct damping_draft *old = d->damping.item;
         for (int k = 0; k < d->damping.n; k++) {
             if (is_the_same(&old[k], &new)) {
@@ -190,10 +225,11 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_damping = {
     .name = "damping",
     .usage =
-        "NAME rayleigh RATIO [RATIO2] [-modes I J] | rayleigh -alpha A0 -beta A1 | modal LIST | "
-        "dashpot LIST",
-    .summary = "damping of one building, on its initial stiffness; several statements add up; "
-               "default: no damping",
+        "NAME rayleigh RATIO [RATIO2] [-modes I J] [-storeys FLOORS] [-tangent] | rayleigh -alpha "
+        "A0 -beta A1 [-storeys FLOORS] [-tangent] | modal LIST | dashpot LIST",
+    .summary =
+        "damping of one building, on its initial stiffness unless -tangent is given; several "
+        "statements add up; default: no damping",
     .example = "damping A rayleigh 5% -modes 1 3",
     .row = rows,
     .n_row = N_ROW,

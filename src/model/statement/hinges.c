@@ -140,6 +140,11 @@ static void build(struct builder *b, const struct statement *s) {
     if (!selected || where < 0 || !c.law) {
         return;
     }
+    if (c.law->respond_at_rate) {
+        deck_error(b->deck, &s->word[3], "law %s depends on the velocity; it is for storeys only",
+                   c.law->name);
+        return;
+    }
     turn_rows(c.law, turned);
     struct row_set set[] = {{rows, N_ROW, a}, {turned, c.law->n_row, c.given}};
     struct building_draft *d = builder_draft(b, q.selection.building);

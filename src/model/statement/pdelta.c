@@ -19,8 +19,7 @@ static const struct row rows[N_ROW] = {
 static double *loads_of(struct builder *b, const struct building_draft *d,
                         const struct argument *a) {
     const size_t n = (size_t)d->n_floor;
-    const double gravity =
-        deck_gravity(b->deck) / unit_size(&b->deck->units, dimension_acceleration);
+    const double gravity = builder_gravity(b);
     const char *owner = arena_format(b->arena, "floors of building %s", d->name);
     double *load = arena_alloc(b->arena, n, sizeof *load);
     const double *part[N_ROW] = {NULL};

@@ -3,6 +3,7 @@
 
 #include "deck/reader.h"
 #include "model/storey_choices.h"
+#include "model/storey_draft.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -10,18 +11,6 @@ static const struct row rows[N_ROW] = {
     [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
                    "initial stiffnesses, instead of those of the building"},
 };
-
-// Marks that storey i has a law; false after a report if it had one.
-static bool take(struct builder *b, struct building_draft *d, int i, const struct statement *s) {
-    struct word *mark = &d->storey_word[i];
-    if (mark->text) {
-        deck_error(b->deck, &s->word[1], "storey %d of building %s has a law already, in %s", i + 1,
-                   d->name, source_mention(b->deck, &mark->place, &s->word[0].place));
-        return false;
-    }
-    *mark = s->word[0];
-    return true;
-}
 
 // Smallest plausible yield drift. Storeys of buildings yield at drifts of millimetres to
 // centimetres, isolators at 0.1 mm or more. A very large yield is allowed: the storey stays
@@ -70,7 +59,7 @@ static void assign(struct builder *b, const struct statement *s, const struct se
     }
     for (int k = 0; good && k < floors->n_floor; k++) {
         int i = floors->floor[k] - 1;
-        good = take(b, d, i, s);
+        good = storey_draft_take(b, d, i, s);
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }

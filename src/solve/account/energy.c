@@ -46,7 +46,7 @@ static double energy_sum_of(const double x[LANES_WIDTH]) {
 // Storeys with parts share shears, so that one that is not elastic makes others of all.
 struct energy_sums energy_sums_of(const struct energy_account *a, const struct model *m,
                                   const struct state *s) {
-    double kinetic_2x = 0.0, elastic = 0.0, other = 0.0, storey_2x = 0.0;
+    double kinetic_2x = 0.0, elastic = 0.0, other = 0.0, storey_2x = 0.0, damped = 0.0;
     for (int i = 0; i < m->n_dof; i++) {
         kinetic_2x += m->mass[i] * s->v[i] * s->v[i];
     }
@@ -61,13 +61,15 @@ struct energy_sums energy_sums_of(const struct energy_account *a, const struct m
         if (g->n_part > 0) {
             *(g->elastic ? &elastic : &other) +=
                 parts_stored(g, s->storey_history, s->drift + g->first);
+            damped += parts_damped(g, s->storey_history);
         }
     }
     return (struct energy_sums){
         .kinetic = kinetic_2x / 2.0,
         .elastic = elastic,
         .other = other,
-        .storey = a->storey + storey_2x / 2.0,
+        .storey = a->storey + storey_2x / 2.0 - damped,
+        .damped = damped,
         .input_2x = energy_sum_of(a->input_2x),
         .damping_2x = energy_sum_of(a->damping_2x),
     };
@@ -133,7 +135,7 @@ void energy_close(const struct energy_account *a, const struct energy_sums *sums
     energy[ENERGY_INPUT] = a->input + sums->input_2x / 2.0;
     energy[ENERGY_KINETIC] = sums->kinetic;
     energy[ENERGY_STRAIN] = sums->elastic + sums->other;
-    energy[ENERGY_DAMPING] = a->damping + sums->damping_2x / 2.0;
+    energy[ENERGY_DAMPING] = a->damping + sums->damping_2x / 2.0 + sums->damped;
     energy[ENERGY_HYSTERETIC] = sums->storey - (sums->other - a->stored_start);
     energy[ENERGY_CONTACT] = a->contact;
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -

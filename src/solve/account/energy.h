@@ -32,7 +32,8 @@ void energy_meet(struct energy_account *a, const struct model *m, const struct s
 struct energy_sums {
     double kinetic;               // [F L]
     double elastic, other;        // [F L] stored in elastic storeys, and in others
-    double storey;                // [F L] work so far on those
+    double storey;                // [F L] work so far on those, but for
+    double damped;                // [F L] that of viscous forces of parts
     double input_2x, damping_2x;  // [F L] twice the work of external and damping forces so far
 };
 

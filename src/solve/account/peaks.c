@@ -80,10 +80,11 @@ void peaks_founded(struct results *r, const struct model *m, const struct state 
     const double *const value[] = {drift, shear};
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        if (!g->fixed) {
+        if (!foundation_differs(g)) {
             continue;
         }
-        foundation_storeys(g, s->drift + g->first, s->shear + g->first, drift, shear);
+        foundation_storeys(g, s->storey_history, s->drift + g->first, s->shear + g->first, drift,
+                           shear);
         for (int q = 0; q < 2; q++) {
             for (int i = 0; i < g->n_level; i++) {
                 peak_larger(fabs(value[q][i]), s->time, &r->founded_peak[q][g->first + i],
@@ -94,9 +95,9 @@ void peaks_founded(struct results *r, const struct model *m, const struct state 
 }
 
 void peaks_finish(struct results *r, const struct model *m) {
-    for (int k = 0; m->founded && k < m->n_building; k++) {
+    for (int k = 0; m->storeys_differ && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        const size_t size = g->fixed ? (size_t)g->n_level * sizeof(double) : 0;
+        const size_t size = foundation_differs(g) ? (size_t)g->n_level * sizeof(double) : 0;
         for (int q = 0; q < 2; q++) {
             const enum peak p = founded_quantity[q];
             memcpy(r->peak[p] + g->first, r->founded_peak[q] + g->first, size);
@@ -143,7 +144,7 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
         }
     }
     peaks_speed(r, m->n_dof);
-    if (m->founded) {
+    if (m->storeys_differ) {
         peaks_founded(r, m, s);
     }
     peaks_columns(r, m, s);

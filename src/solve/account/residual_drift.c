@@ -180,7 +180,8 @@ void residual_drifts(const struct model *m, const struct state *s, double *out) 
             continue;
         }
         if (b->fixed) {
-            foundation_storeys(b, s->drift + b->first, s->shear + b->first, drift, shear);
+            foundation_storeys(b, s->storey_history, s->drift + b->first, s->shear + b->first,
+                               drift, shear);
         }
         residual_drift_storeys(m, s, b, b->fixed ? drift : s->drift + b->first, out + b->first);
     }

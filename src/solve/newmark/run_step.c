@@ -96,7 +96,7 @@ static int run_step_commit(struct run *r) {
     }
     run_step_take_meeting(r);
     floors_account(&r->work, r->now, r->next);
-    if (r->model->founded) {
+    if (r->model->storeys_differ) {
         peaks_founded(r->results, r->model, r->next);
     }
     peaks_columns(r->results, r->model, r->next);
