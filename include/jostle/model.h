@@ -26,6 +26,16 @@ struct foundation {
     double sway_dashpot, rocking_dashpot;  // [F T/L] [F L T]
 };
 
+// What a foundation does: it sways [L], it rocks (clockwise), and its springs hold it by a force
+// [F] and a moment [F L], without its dashpots.
+enum foundation_quantity {
+    FOUNDATION_SWAY,
+    FOUNDATION_ROCKING,
+    FOUNDATION_FORCE,
+    FOUNDATION_MOMENT,
+    FOUNDATION_QUANTITIES
+};
+
 // A building: shear storeys, and parts that couple them. Floors are numbered from 1; array index 0
 // is floor 1, storey i is below floor i.
 struct building {
@@ -59,7 +69,11 @@ struct building {
     const double *part_dashpot;      // [F T/L] (n_floor, n_floor) initial d shear / d drift rate
     int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
                                      // index of the first among those of all buildings
-    const double *force_by_drift;    // (n_floor, n_force in whole lanes) transposed
+    const double *force_by_action;   // (n_floor + n_hinge, n_force in whole lanes) transposed: by
+                                     // unit drifts, and unit rotations of hinges
+    int n_hinge;                     // of its frame
+    int turn, first_hinge;           // offset of their rotations in the state's storey history, and
+                                     // the index of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
     double damping_beta;             // [T] and beta, of the initial stiffness; 0: none
@@ -68,6 +82,8 @@ struct building {
     bool smooth;                     // the tangent of some storey or part changes all the time
     bool predictable;                // it is of straight lines: its shears may be foretold by its
                                      // tangents
+    int part_tangent;                // of a predictable one with parts: offset of their tangents
+                                     // among those that a run remembers
     int ground;                      // index into model.ground
 };
 
@@ -132,7 +148,7 @@ struct link {
     const struct word *word;  // that names it in its statement, for messages
 };
 
-// Forces in one of the columns that are struck together, elastic: shears are the force to the right
+// Forces in one of the columns that are struck together: shears are the force to the right
 // on the upper end of a part, moments act on ends and are positive counterclockwise.
 enum column_force {
     COLUMN_SHEAR_BELOW,   // [F] of the part below the struck point
@@ -146,7 +162,7 @@ enum column_force {
 // A column that is struck between the floors of its storey. The struck point has a mass and one
 // degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
 // the floors below and above: the column is clamped in both, and the rotation of its point has no
-// inertia. The storey keeps the stiffness of all its columns.
+// inertia. The spring may have a law. The storey keeps the stiffness of all its columns.
 struct struck_column {
     const char *name;
     int building;      // index into model.building
@@ -163,7 +179,9 @@ struct struck_column {
     double n;          // columns that are struck together
     double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
     int dof[3];  // the struck point, the floor above, the floor below; WALL: the ground
-    double force[COLUMN_FORCE_COUNT][3];  // [F/L] or [F] for unit displacements of these
+    double force[COLUMN_FORCE_COUNT][3];   // [F/L] or [F] for unit displacements of these
+    bool yields;                           // the spring has a law, and the forces also have
+    double by_spring[COLUMN_FORCE_COUNT];  // 1 or [L] for its unit force; 0: elastic
 };
 
 // The ground acceleration under some buildings: the sum of the signals.
@@ -232,7 +250,10 @@ struct model {
     const double *displacement;   // [L] (n_dof) initial, relative to the ground
     const double *velocity;       // [L/T] (n_dof)
     int n_storey_history, n_link_history;  // of storeys and parts; of links
+    int n_part_scratch;                    // the most that a part needs
+    int n_part_tangent;                    // struct building.part_tangent of all buildings
     int n_force;  // that follow from the drifts of all buildings, each in whole lanes
+    int n_hinge;  // of all buildings
 
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative
@@ -262,6 +283,11 @@ long model_rows(const struct model *m);
 
 // The damping forces C v of building `g`; v and force are (n_floor) [L/T] [F].
 void building_damping_force(const struct building *g, const double *v, double *force);
+
+// The tangents of its storeys (n_floor), and with parts theirs by drifts and by rates.
+static inline int building_n_tangent(const struct building *g) {
+    return g->n_floor + (g->n_part > 0 ? 2 * g->n_floor * g->n_floor : 0);
+}
 
 // Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN
 // for a rigid-body mode.

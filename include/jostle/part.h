@@ -17,7 +17,8 @@
 JOSTLE_C_BEGIN
 
 enum part_trait {
-    PART_LINEAR = 1,  // the shears are one matrix times the drifts: no rates, no history
+    PART_LINEAR = 1,    // the shears are one matrix times the drifts: no rates, no history
+    PART_STRAIGHT = 2,  // they are so between corners: the tangent changes at these only
 };
 
 // What a part adds to. Matrices are symmetric to the bit. NULL: not needed.
@@ -25,6 +26,7 @@ struct part_sums {
     double *shear;     // [F] (n)
     double *by_drift;  // [F/L] (n, n) d shear / d drift; it may be negative
     double *by_rate;   // [F T/L] (n, n) d shear / d drift rate
+    double *scratch;   // (n_scratch) of a part that has unknowns of its own
 };
 
 struct part {
@@ -36,6 +38,7 @@ struct part {
     const void *data;
     int n_history;
     int history;  // offset of its values in the state's storey history
+    int n_scratch;
 };
 
 struct part_kind {
@@ -45,7 +48,8 @@ struct part_kind {
     // Adds the shears and their consistent tangents at these drifts and drift rates (n), from the
     // committed history, which is 0 at first. `after`, unless it is NULL, becomes the history that
     // a step which ends there commits; it may be `history` itself. Pure: any drifts that an
-    // iteration may visit.
+    // iteration may visit. The first shear, or else the first tangent, is NAN if the part has no
+    // equilibrium there.
     void (*respond)(const struct part *p, const double *history, const double *drift,
                     const double *rate, const struct part_sums *to, double *after);
 

@@ -18,14 +18,26 @@ enum { RESULT_FORMAT_VERSION = 1 };
 // A member of a frame or a wall: moments on its ends, counterclockwise positive; its shear; its
 // normal force, tension positive, NAN of beams and walls, as floors are rigid.
 enum member_force { MEMBER_M_I, MEMBER_M_J, MEMBER_V, MEMBER_N, MEMBER_FORCES };
-extern const char *const report_force_names[];  // (MEMBER_FORCES)
+// Members of a building with hinges have these besides, NAN where an end has no hinge: how far the
+// end of the member turns more than the joint, and the plastic part of that.
+enum member_rotation {
+    MEMBER_ROTATION_I = MEMBER_FORCES,
+    MEMBER_ROTATION_J,
+    MEMBER_PLASTIC_I,
+    MEMBER_PLASTIC_J,
+    MEMBER_QUANTITIES
+};
+extern const char *const report_force_names[];  // (MEMBER_QUANTITIES)
 struct member_extreme {
     double max, max_time, min, min_time;  // [F] or [F L]; [T]
 };
 struct report_member {
     const char *name;             // "column_2_3": storey 2, third line; "beam_1_2": floor 1, bay 2
     double moment, shear, axial;  // largest absolute values; moment: of both ends
-    struct member_extreme extreme[MEMBER_FORCES];
+    struct member_extreme extreme[MEMBER_QUANTITIES];
+    double plastic;    // largest absolute plastic rotation of its hinges; 0: it has none
+    double ductility;  // largest rotation of a hinge over that at yield; 0: it has none; NAN: the
+                       // law has no yield
 };
 
 // What resists in a building beside others: a part, or its shear storeys.
@@ -34,23 +46,32 @@ struct report_share {
     const double *shear, *shear_time;  // [F] [T] (n_floor) largest absolute storey shears
 };
 
+// What the foundation of a building has done: largest absolute values and their times (enum
+// foundation_quantity).
+struct report_foundation {
+    double size[FOUNDATION_QUANTITIES], time[FOUNDATION_QUANTITIES];
+};
+extern const char *const report_foundation_names[];  // (FOUNDATION_QUANTITIES)
+
 // One building of a report. Arrays (n_floor) in the deck's units; floor 1 first.
 struct report_building {
     const char *name;
     int n_floor;
-    const double *mass;                   // [M]
-    const double *stiffness;              // [F/L]
-    const double *height;                 // [L] 0 where not given
-    const double *period;                 // [T] of the building alone, elastic, longest first
-    const double *axial, *theta;          // [F] and 1, as in struct building; NULL: no P-delta
-    const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
-    const double *peak_time[PEAK_COUNT];  // [T]
-    const double *residual_drift;         // [L] of the storeys; NULL: none can yield
-    int n_member, n_share;                // shares: 0 where one alone resists
-    struct report_member *member;         // (n_member)
-    struct report_share *share;           // (n_share)
-    bool extremes;                        // those of members are known, not only the sizes
-    const char *path, *parts;             // of its group in the file, and of its shares
+    const double *mass;                    // [M]
+    const double *stiffness;               // [F/L]
+    const double *height;                  // [L] 0 where not given
+    const double *period;                  // [T] of the building alone, elastic, longest first
+    const double *axial, *theta;           // [F] and 1, as in struct building; NULL: no P-delta
+    const double *peak[PEAK_COUNT];        // largest absolute values; NULL before the run
+    const double *peak_time[PEAK_COUNT];   // [T]
+    const double *residual_drift;          // [L] of the storeys; NULL: none can yield
+    int n_member, n_share;                 // shares: 0 where one alone resists
+    struct report_member *member;          // (n_member)
+    struct report_share *share;            // (n_share)
+    struct report_foundation *foundation;  // NULL: it has none
+    bool extremes;                         // those of members are known, not only the sizes
+    bool hinged;                           // its members have rotations besides
+    const char *path, *parts;              // of its group in the file, and of its shares
 };
 
 // A contact or a bilateral link of a report.

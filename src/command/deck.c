@@ -72,6 +72,11 @@ static void print_language(enum page page, const struct deck_statement *s) {
     printf("\n");
 }
 
+static bool names_storey_law(const struct statement_kind *kind) {
+    return strcmp(kind->name, "storey") == 0 || strcmp(kind->name, "hinges") == 0 ||
+           strcmp(kind->name, "column") == 0;
+}
+
 static void print_kind(enum page page, const struct statement_kind *kind) {
     char usage[USAGE_SIZE];
     snprintf(usage, sizeof usage, "%s %s", kind->name, kind->usage);
@@ -82,7 +87,7 @@ static void print_kind(enum page page, const struct statement_kind *kind) {
     const char *name[STATEMENTS_MAX];
     char list[USAGE_SIZE], text[2 * USAGE_SIZE];
     const bool contact = strcmp(kind->name, "contact") == 0;
-    const int n = contact ? n_contact_law : strcmp(kind->name, "storey") == 0 ? n_storey_law : 0;
+    const int n = contact ? n_contact_law : names_storey_law(kind) ? n_storey_law : 0;
     for (int i = 0; i < n && i < STATEMENTS_MAX; i++) {
         name[i] = contact ? contact_laws[i]->name : storey_laws[i]->name;
     }

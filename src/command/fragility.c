@@ -75,10 +75,7 @@ static void print_parameters(const struct result *r) {
     const struct fragility *f = &r->fit;
     const char *unit = r->suite->abscissa_units, *blank = unit[0] ? " " : "";
     if (f->outcome == FRAGILITY_FITTED) {
-        printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of "
-               "the dispersion\n",
-               f->median, blank, unit, study_print_g(&r->suite->view->units, unit, f->median).added,
-               f->dispersion, f->log_median_error, f->dispersion_error);
+        study_print_curve(f, unit, &r->suite->view->units);
         return;
     }
     printf("no curve: %s", fragility_reason(f));

@@ -92,7 +92,7 @@ static void print_sample(struct ida_print *p, long run, const struct fragility *
 }
 
 static void print_fit(const struct ida_print *p, int group, const struct fragility *f) {
-    const char *unit = p->request->unit, *blank = unit[0] ? " " : "", *comma = "";
+    const char *comma = "";
     int choice[STUDY_SWEEPS_MAX];
     plan_choose(&p->found->plan, run_of(p, group, 0), choice);
     for (int i = 0; i < p->view->n_sweep; i++) {
@@ -110,17 +110,13 @@ static void print_fit(const struct ida_print *p, int group, const struct fragili
         printf("no curve: %s\n", fragility_reason(f));
         return;
     }
-    printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of the "
-           "dispersion\n",
-           f->median, blank, unit, study_print_g(&p->view->units, unit, f->median).added,
-           f->dispersion, f->log_median_error, f->dispersion_error);
+    study_print_curve(f, p->request->unit, &p->view->units);
 }
 
-int ida_print_samples(struct ida_print *p, struct error *e) {
+static int print_groups(struct ida_print *p, int n_group, struct fragility *fit, struct error *e) {
     const char *im = p->view->sweep[p->roles->abscissa]->name;
     const char *unit = p->request->unit[0] ? p->request->unit : NULL;
     const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
-    const int n_group = roles_count(p->view, p->roles, ROLE_GROUP);
     const int n_sample = roles_count(p->view, p->roles, ROLE_SAMPLE);
     struct printer_column columns[] = {
         {.head = "below", .key = "below", .unit = unit, .width = 12, .digits = 5},
@@ -139,8 +135,7 @@ int ida_print_samples(struct ida_print *p, struct error *e) {
                   p->request->edp.text);
     }
     printer_head(&p->table);
-    struct fragility *fit = calloc((size_t)n_group, sizeof *fit);
-    int status = fit ? STATUS_OK : error_no_memory(e);
+    int status = STATUS_OK;
     for (int g = 0; g < n_group && status == STATUS_OK; g++) {
         status = fit_group(p, g, &fit[g], e);
         for (int k = 0; k < n_sample && status == STATUS_OK; k++) {
@@ -151,6 +146,16 @@ int ida_print_samples(struct ida_print *p, struct error *e) {
     for (int g = 0; g < n_group && status == STATUS_OK && p->table.form == FORM_TEXT; g++) {
         print_fit(p, g, &fit[g]);
     }
+    return status;
+}
+
+int ida_print_samples(struct ida_print *p, struct error *e) {
+    const int n_group = roles_count(p->view, p->roles, ROLE_GROUP);
+    struct fragility *fit = calloc((size_t)n_group, sizeof *fit);
+    if (!fit) {
+        return error_no_memory(e);
+    }
+    const int status = print_groups(p, n_group, fit, e);
     free(fit);
     return status;
 }

@@ -14,6 +14,13 @@
 // Of the largest values: buildings shown, and the width of names.
 enum { BUILDINGS_MAX = 8, NAME_WIDTH_MIN = 12, NAME_WIDTH_MAX = 33 };
 
+void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u) {
+    printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of the "
+           "dispersion\n",
+           f->median, unit[0] ? " " : "", unit, study_print_g(u, unit, f->median).added,
+           f->dispersion, f->log_median_error, f->dispersion_error);
+}
+
 const char *study_print_status(const struct study_outcome *outcome) {
     switch (outcome->status) {
         case STUDY_DONE:
@@ -26,12 +33,13 @@ const char *study_print_status(const struct study_outcome *outcome) {
 }
 
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
-    const struct report_building *b = study_view_members(v, item);
+    const struct report_building *b = study_view_building(v, item, "members");
     if (b && i < (size_t)b->n_member) {
         return b->member[i].name;
     }
     if (item->owner) {
-        return item->owner;
+        const struct report_building *founded = study_view_building(v, item, "foundation");
+        return founded ? founded->name : item->owner;
     }
     if (!item->scale) {
         return "";

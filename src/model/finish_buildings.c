@@ -62,15 +62,17 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
 // Computes the initial stiffness and damping of all parts, and of the storeys with them.
 static void sum_parts(struct builder *b, struct building *g, const struct part *part, int n_part) {
     const size_t n = (size_t)g->n_floor;
-    size_t n_history = 0;
+    size_t n_history = 0, n_scratch = 0;
     for (int i = 0; i < n_part; i++) {
         n_history += (size_t)part[i].n_history;
+        n_scratch += (size_t)part[i].n_scratch;
     }
     double *at_rest = arena_alloc(b->arena, n, sizeof *at_rest);
     double *history = arena_alloc(b->arena, n_history, sizeof *history);
     double *stiffness = arena_alloc(b->arena, n, sizeof *stiffness);
     const struct part_sums sums = {.by_drift = arena_alloc(b->arena, n * n, sizeof *stiffness),
-                                   .by_rate = arena_alloc(b->arena, n * n, sizeof *stiffness)};
+                                   .by_rate = arena_alloc(b->arena, n * n, sizeof *stiffness),
+                                   .scratch = arena_alloc(b->arena, n_scratch, sizeof *history)};
     if (arena_failed(b->arena)) {
         return;
     }
@@ -91,6 +93,8 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     for (int i = 0; i < d->parts.n; i++) {
         part[i].history = m->n_storey_history;
         m->n_storey_history += part[i].n_history;
+        m->n_part_scratch =
+            part[i].n_scratch > m->n_part_scratch ? part[i].n_scratch : m->n_part_scratch;
     }
     g->part = part;
     g->n_part = d->parts.n;
@@ -120,20 +124,26 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= s->law->n_history == 0;
         g->smooth |= s->law->n_history > 0 && !(s->law->traits & STOREY_STRAIGHT);
     }
-    forces_create(g, g->elastic, &m->n_force, b->arena);
+    forces_create(g, g->elastic, m, b->arena);
+    const bool yields = !g->elastic;
     for (int i = 0; i < g->n_part; i++) {
-        const bool linear = g->part[i].kind->traits & PART_LINEAR;
-        g->elastic &= linear;
-        g->smooth |= !linear;
+        const unsigned traits = g->part[i].kind->traits;
+        g->elastic &= (traits & PART_LINEAR) != 0;
+        g->smooth |= !(traits & PART_LINEAR) && (yields || !(traits & PART_STRAIGHT));
     }
     // The tangent predicts the shear if each storey is elastic or has a law of straight lines that
-    // does not identify its line (`branch`).
-    g->predictable = !g->elastic && g->n_part == 0;
+    // does not identify its line (`branch`); and with parts, if all storeys are elastic and all
+    // parts are of straight lines.
+    g->predictable = !g->elastic && (g->n_part == 0 || (!yields && !g->smooth));
     for (int i = 0; i < g->n_floor; i++) {
         const struct storey_law *law = storey[g->first + i].law;
         g->predictable &= law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch);
     }
     m->elastic &= g->elastic;
+    if (g->predictable && g->n_part > 0) {
+        g->part_tangent = m->n_part_tangent;
+        m->n_part_tangent += building_n_tangent(g) - g->n_floor;
+    }
 }
 
 static int count_floors(struct builder *b) {

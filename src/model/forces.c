@@ -6,6 +6,13 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "model/foundation.h"
+#include "model/hinges.h"
+
+// The building whose storeys and parts have the forces: with a foundation, that without it.
+static const struct building *forces_own(const struct building *g) {
+    return g->fixed ? g->fixed : g;
+}
 
 static bool forces_storeys_resist(const struct building *g) {
     bool resist = false;
@@ -17,14 +24,17 @@ static bool forces_storeys_resist(const struct building *g) {
 
 // Does more than one resist?
 static bool forces_shared(const struct building *g) {
+    g = forces_own(g);
     return g->n_part > (forces_storeys_resist(g) ? 0 : 1);
 }
 
 // The storey shears of a share.
 static int forces_count_shares(const struct building *g, int number) {
-    const bool linear = number == 0 ? g->storeys_linear && forces_storeys_resist(g)
-                                    : g->part[number - 1].kind->traits & PART_LINEAR;
-    return forces_shared(g) && linear ? g->n_floor : 0;
+    const struct building *own = forces_own(g);
+    const struct part *part = number > 0 ? &own->part[number - 1] : NULL;
+    const bool linear = part ? part->kind->traits & PART_LINEAR || frame_of(part)
+                             : g->storeys_linear && forces_storeys_resist(own);
+    return forces_shared(g) && linear ? own->n_floor : 0;
 }
 
 // The storey shears of the shares below `number`, and the members of the parts below `part`.
@@ -39,94 +49,170 @@ static int forces_shares_below(const struct building *g, int number) {
 static int forces_members_below(const struct building *g, int part) {
     int n = 0;
     for (int i = 0; i < part; i++) {
-        const struct plane_frame *f = frame_of(&g->part[i]);
+        const struct plane_frame *f = frame_of(&forces_own(g)->part[i]);
         n += f ? f->n_member : 0;
     }
     return n;
 }
 
 int forces_of_share(const struct building *g, int number) {
-    assert(number >= 0 && number <= g->n_part);
+    assert(number >= 0 && number <= forces_own(g)->n_part);
     return forces_count_shares(g, number) > 0 ? forces_shares_below(g, number) : -1;
 }
 
 const char *forces_share_name(const struct building *g, int number) {
-    return number == 0 ? "storeys" : g->part[number - 1].name;
+    return number == 0 ? "storeys" : forces_own(g)->part[number - 1].name;
 }
 
 int forces_n_member(const struct building *g) {
-    return forces_members_below(g, g->n_part);
+    return forces_members_below(g, forces_own(g)->n_part);
 }
 
 int forces_of_members(const struct building *g, int part, int which) {
-    assert(part >= 0 && part <= g->n_part);
-    return forces_shares_below(g, g->n_part + 1) + (int)which * forces_n_member(g) +
+    const int n_part = forces_own(g)->n_part;
+    assert(part >= 0 && part <= n_part);
+    return forces_shares_below(g, n_part + 1) + (int)which * forces_n_member(g) +
            forces_members_below(g, part);
 }
 
-// Sets row `force` of the transposed matrix.
-static void forces_set(const struct building *g, double *by_drift, int force, const double *row) {
+int forces_quantities(const struct building *g) {
+    return g->n_hinge > 0 ? FRAME_QUANTITIES : FRAME_FORCES;
+}
+
+int forces_of_foundation(const struct building *g) {
+    return forces_of_members(g, 0, forces_quantities(g));
+}
+
+// Sets the first n entries of row `force` of the transposed matrix.
+static void forces_set(const struct building *g, double *by_action, int force, int n,
+                       const double *row) {
     const size_t stride = (size_t)lanes_whole(g->n_force);
-    for (int j = 0; j < g->n_floor; j++) {
-        by_drift[(size_t)j * stride + (size_t)force] = row[j];
+    for (int j = 0; j < n; j++) {
+        by_action[(size_t)j * stride + (size_t)force] = row[j];
     }
 }
 
-static void forces_fill(const struct building *g, double *by_drift) {
-    const size_t n = (size_t)g->n_floor;
+// The rotation of a hinge, and its plastic rotation r - m / k; the moment m acts on the joint, its
+// opposite on the end of the member.
+static void forces_fill_hinge(const struct building *g, double *by_action, int part, int hinge) {
+    const struct plane_frame *f = g->part[part].data;
+    const struct hinge *h = hinges_at(f, hinge);
+    const ptrdiff_t stride = lanes_whole(g->n_force), n = f->n_action;
+    const double *moment = f->stiffness + (f->n_floor + hinge) * n;
+    const int turn = forces_of_members(g, part, FRAME_ROTATION_I + h->end) + h->member;
+    const int plastic = forces_of_members(g, part, FRAME_PLASTIC_I + h->end) + h->member;
+    for (ptrdiff_t j = 0; j < n; j++) {
+        const double own = j == f->n_floor + hinge ? 1.0 : 0.0;
+        by_action[j * stride + turn] = own;
+        by_action[j * stride + plastic] = own + moment[j] / h->stiffness;
+    }
+}
+
+// By the drifts of the storeys themselves.
+static void forces_fill(const struct building *g, double *by_action) {
+    const struct building *own = forces_own(g);
+    const size_t n = (size_t)own->n_floor;
     const size_t stride = (size_t)lanes_whole(g->n_force);
     const int storeys = forces_of_share(g, 0);
     for (size_t i = 0; storeys >= 0 && i < n; i++) {
-        by_drift[i * stride + (size_t)storeys + i] = g->spring[i];
+        by_action[i * stride + (size_t)storeys + i] = own->spring[i];
     }
-    for (int p = 0; p < g->n_part; p++) {
+    for (int p = 0; p < own->n_part; p++) {
         const int share = forces_of_share(g, p + 1);
-        for (int i = 0; share >= 0 && i < g->n_floor; i++) {
-            forces_set(g, by_drift, share + i, g->part[p].stiffness + (size_t)i * n);
+        const struct plane_frame *f = frame_of(&own->part[p]);
+        const double *stiffness = f ? f->stiffness : own->part[p].stiffness;
+        const int n_action = f ? f->n_action : own->n_floor;
+        for (int i = 0; share >= 0 && i < own->n_floor; i++) {
+            forces_set(g, by_action, share + i, n_action, stiffness + (ptrdiff_t)i * n_action);
         }
-        const struct plane_frame *f = frame_of(&g->part[p]);
         for (int i = 0; f && i < f->n_member * FRAME_FORCES; i++) {
             const int at = forces_of_members(g, p, i % FRAME_FORCES) + i / FRAME_FORCES;
-            forces_set(g, by_drift, at, f->force + (size_t)i * n);
+            forces_set(g, by_action, at, n_action, f->force + (ptrdiff_t)i * n_action);
+        }
+        for (int i = 0; f && i < f->n_hinge; i++) {
+            forces_fill_hinge(g, by_action, p, i);
         }
     }
 }
 
-bool forces_create(struct building *g, bool linear, int *first, struct arena *a) {
+// From the drifts of the storeys themselves to those of a building with a foundation, of which
+// P-delta acts on the lean of the storeys; and the forces of the foundation.
+static void forces_found(const struct building *g, const double *by_own, double *by_action) {
+    const size_t stride = (size_t)lanes_whole(g->n_force);
+    const int storeys = forces_of_share(g, 0), foundation = forces_of_foundation(g);
+    for (int j = 0; j < g->n_floor; j++) {
+        double *to = by_action + (size_t)j * stride;
+        for (int i = 0; i < g->n_level; i++) {
+            const double entry = foundation_deformation(g, i, j);
+            for (size_t q = 0; q < stride; q++) {
+                to[q] += by_own[(size_t)i * stride + q] * entry;
+            }
+            if (storeys >= 0 && g->pdelta) {
+                to[storeys + i] -= g->pdelta[i] * foundation_lean(g, i);
+            }
+        }
+        for (int q = 0; q < FOUNDATION_QUANTITIES; q++) {
+            to[foundation + q] = foundation_by_drift(g, q, j);
+        }
+    }
+}
+
+bool forces_create(struct building *g, bool linear, struct model *m, struct arena *a) {
     g->storeys_linear = linear;
-    g->force = *first;
-    g->n_force = g->n_part > 0 ? forces_of_members(g, 0, FRAME_FORCES) : 0;
+    g->force = m->n_force;
+    g->first_hinge = m->n_hinge;
+    for (int i = 0; i < g->n_part; i++) {
+        const struct plane_frame *f = frame_of(&g->part[i]);
+        if (f && f->n_hinge > 0) {
+            g->n_hinge = f->n_hinge;
+            g->turn = g->part[i].history;  // which begins with them
+        }
+    }
+    m->n_hinge += g->n_hinge;
+    g->n_force = g->n_part > 0 ? forces_of_foundation(g) : 0;
+    g->n_force += g->fixed ? FOUNDATION_QUANTITIES : 0;
     if (g->n_force == 0) {
         return true;
     }
     const size_t stride = (size_t)lanes_whole(g->n_force);
-    double *by_drift = arena_alloc(a, (size_t)g->n_floor * stride, sizeof *by_drift);
-    if (by_drift) {
-        forces_fill(g, by_drift);
+    const size_t n_action = (size_t)(g->n_floor + g->n_hinge);
+    double *by_action = arena_alloc(a, n_action * stride, sizeof *by_action);
+    double *by_own =
+        g->fixed ? arena_alloc(a, (size_t)g->n_level * stride, sizeof *by_own) : by_action;
+    if (!by_action || !by_own) {
+        return false;
     }
-    g->force_by_drift = by_drift;
-    *first += (int)stride;
-    return by_drift != NULL;
+    forces_fill(g, by_own);
+    if (g->fixed) {
+        forces_found(g, by_own, by_action);
+    }
+    g->force_by_action = by_action;
+    m->n_force += (int)stride;
+    return true;
 }
 
-void forces_at(const struct building *g, const double *drift, double *force) {
+void forces_at(const struct building *g, const double *drift, const double *history,
+               double *force) {
     const size_t n = (size_t)lanes_whole(g->n_force);
     memset(force, 0, n * sizeof *force);
-    for (int j = 0; j < g->n_floor; j++) {
-        const double *row = g->force_by_drift + (size_t)j * n;
+    for (int j = 0; j < g->n_floor + g->n_hinge; j++) {
+        const double *row = g->force_by_action + (size_t)j * n;
+        const double action = j < g->n_floor ? drift[j] : history[g->turn + j - g->n_floor];
         LANES_LOOP
         for (size_t i = 0; i < n; i++) {
-            force[i] += row[i] * drift[j];
+            force[i] += row[i] * action;
         }
     }
 }
 
 void forces_hide(const struct building *g, double *force) {
-    for (int p = 0; p < g->n_part; p++) {
-        const struct plane_frame *f = frame_of(&g->part[p]);
+    for (int p = 0; p < forces_own(g)->n_part; p++) {
+        const struct plane_frame *f = frame_of(&forces_own(g)->part[p]);
         for (int i = 0; f && i < f->n_member; i++) {
-            if (!frame_has(&f->member[i], FRAME_NORMAL)) {
-                force[forces_of_members(g, p, FRAME_NORMAL) + i] = (double)NAN;
+            for (int q = FRAME_NORMAL; q < forces_quantities(g); q++) {
+                if (!frame_has(&f->member[i], q)) {
+                    force[forces_of_members(g, p, q) + i] = (double)NAN;
+                }
             }
         }
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forces that follow from the drifts of a building: the storey shears of its parts, where more than
-// one resists, and the forces of the members of its frames and walls. They are the rows of a matrix
-// times the drifts. Those of all buildings are one list, in which each building begins at a whole
-// lane.
+// one resists, the forces of the members of its frames and walls, and what a foundation does. They
+// are the rows of a matrix times the drifts; with hinges, times the drifts and the rotations of the
+// hinges. Those of all buildings are one list, in which each building begins at a whole lane.
 #ifndef JOSTLE_FORCES_H
 #define JOSTLE_FORCES_H
 
@@ -23,13 +23,26 @@ int forces_n_member(const struct building *g);
 // those of the next members follow.
 int forces_of_members(const struct building *g, int part, int which);
 
-// Fills n_force, force and force_by_drift of the building, whose parts are there; `linear` storeys
-// have a share. *first is the number of forces of the buildings before; it grows by those of this
-// one. False: no memory.
-bool forces_create(struct building *g, bool linear, int *first, struct arena *a);
+// The index of the first quantity of the foundation (enum foundation_quantity); without one, the
+// number of the others.
+int forces_of_foundation(const struct building *g);
+
+// Do rows of the histories have these forces?
+static inline bool forces_in_rows(const struct model *m) {
+    return m->n_force > 0 && (m->founded || m->output.fields & FIELD_MEMBERS);
+}
+
+// What is known of each member: FRAME_FORCES, or FRAME_QUANTITIES where the building has hinges.
+int forces_quantities(const struct building *g);
+
+// Fills n_force, force, force_by_action and hinges of the building, whose parts are there; `linear`
+// storeys have a share. The model has the forces and hinges of the buildings before; those of this
+// one are added. False: no memory.
+bool forces_create(struct building *g, bool linear, struct model *m, struct arena *a);
 
 // The forces of the building at these drifts (n_floor), n_force rounded up to whole lanes.
-void forces_at(const struct building *g, const double *drift, double *force);
+// `history` is the storey history of the state.
+void forces_at(const struct building *g, const double *drift, const double *history, double *force);
 
 // Makes the forces that members do not have NAN.
 void forces_hide(const struct building *g, double *force);

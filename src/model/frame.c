@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The deformations of a member are three numbers, each a sum over unknowns plus a share of one
-// storey drift: its bending, a - b; its swaying, a + b; and its stretching. The stiffness of all
-// unknowns is the sum over deformations of k times the square of that row. It is a band, because
-// joints are numbered level by level.
+// The deformations of a member are three numbers, each a sum over unknowns plus shares of actions,
+// which are one storey drift and the rotations of hinges at the ends: its bending, a - b; its
+// swaying, a + b; and its stretching. The stiffness of all unknowns is the sum over deformations of
+// k times the square of that row. It is a band, because joints are numbered level by level.
 #include "model/frame.h"
 
 #include <assert.h>
@@ -31,7 +31,8 @@ const struct part_kind frame_wall = {
 };
 
 const struct plane_frame *frame_of(const struct part *p) {
-    return p->kind == &frame_part || p->kind == &frame_wall ? p->data : NULL;
+    const bool hinged = p->kind == &hinges_part || p->kind == &hinges_straight_part;
+    return hinged || p->kind == &frame_part || p->kind == &frame_wall ? p->data : NULL;
 }
 
 const char *frame_member_name(const struct frame_member *m, struct arena *a) {
@@ -51,21 +52,27 @@ struct frame_member frame_member(enum frame_kind kind, int level, int number, do
         .bend = ei / length,
         .sway = 3.0 / (length / ei + 12.0 / (ga * length)),
         .axial = ea / length,
+        .hinge = {-1, -1},
     };
 }
 
 bool frame_has(const struct frame_member *m, int force) {
+    if (force >= FRAME_FORCES) {
+        return m->hinge[(force - FRAME_FORCES) % 2] >= 0;
+    }
     return force != FRAME_NORMAL || m->kind == FRAME_COLUMN;
 }
 
 // One of the three deformations of a member.
-enum { FRAME_TERMS = 4, FRAME_DEFORMATIONS = 3 };
+enum { FRAME_TERMS = 4, FRAME_ACTIONS = 3, FRAME_DEFORMATIONS = 3 };
 struct deformation {
     double stiffness;
     int n;
     int unknown[FRAME_TERMS];
     double weight[FRAME_TERMS];
-    double by_drift;  // of the storey of a column
+    int n_action;
+    int action[FRAME_ACTIONS];  // as in struct plane_frame
+    double share[FRAME_ACTIONS];
 };
 
 static void frame_add_term(struct deformation *d, int unknown, double weight) {
@@ -75,6 +82,12 @@ static void frame_add_term(struct deformation *d, int unknown, double weight) {
     }
 }
 
+static void frame_add_action(struct deformation *d, int action, double share) {
+    d->action[d->n_action] = action;
+    d->share[d->n_action++] = share;
+}
+
+// A hinge turns its end of the member by its rotation more than the joint.
 static void frame_deform(const struct plane_frame *f, const struct frame_member *m,
                          struct deformation d[FRAME_DEFORMATIONS]) {
     const struct frame_joint *i = &f->joint[m->joint[0]], *j = &f->joint[m->joint[1]];
@@ -91,17 +104,32 @@ static void frame_deform(const struct plane_frame *f, const struct frame_member 
         frame_add_term(&d[1], j->rise, -2.0 / m->length);
     } else {
         // The chord turns by -drift / length.
-        d[1].by_drift = 2.0 / m->length;
+        frame_add_action(&d[1], m->level - 1, 2.0 / m->length);
         if (m->axial > 0.0) {
             frame_add_term(&d[2], i->rise, -1.0);
             frame_add_term(&d[2], j->rise, 1.0);
         }
     }
+    for (int end = 0; end < 2; end++) {
+        if (m->hinge[end] >= 0) {
+            frame_add_action(&d[0], f->n_floor + m->hinge[end], end == 0 ? 1.0 : -1.0);
+            frame_add_action(&d[1], f->n_floor + m->hinge[end], 1.0);
+        }
+    }
 }
 
-// The force of a deformation where the unknowns are x, by a unit drift of its storey or another.
-static double frame_force(const struct deformation *d, const double *x, bool own_drift) {
-    double sum = own_drift ? d->by_drift : 0.0;
+// The share of an action in a deformation.
+static double frame_share(const struct deformation *d, int action) {
+    double share = 0.0;
+    for (int i = 0; i < d->n_action; i++) {
+        share += d->action[i] == action ? d->share[i] : 0.0;
+    }
+    return share;
+}
+
+// The force of a deformation where the unknowns are x, by a unit action.
+static double frame_force(const struct deformation *d, const double *x, int action) {
+    double sum = frame_share(d, action);
     for (int i = 0; i < d->n; i++) {
         sum += d->weight[i] * x[d->unknown[i]];
     }
@@ -192,15 +220,16 @@ static int frame_factorise(gsl_matrix *band, const double *diagonal) {
     return -1;
 }
 
-// The loads of all unknowns that hold joints at 0 under a unit drift of a storey, reversed.
-static void frame_load(const struct plane_frame *f, int storey, double *x) {
+// The loads of all unknowns that hold joints at 0 under a unit action, reversed.
+static void frame_load(const struct plane_frame *f, int action, double *x) {
     memset(x, 0, (size_t)f->n_unknown * sizeof *x);
     for (int i = 0; i < f->n_member; i++) {
         struct deformation d[FRAME_DEFORMATIONS];
         frame_deform(f, &f->member[i], d);
-        if (f->member[i].level == storey) {
-            for (int p = 0; p < d[1].n; p++) {
-                x[d[1].unknown[p]] -= d[1].stiffness * d[1].by_drift * d[1].weight[p];
+        for (int k = 0; k < FRAME_DEFORMATIONS; k++) {
+            const double share = frame_share(&d[k], action);
+            for (int p = 0; share != 0.0 && p < d[k].n; p++) {
+                x[d[k].unknown[p]] -= d[k].stiffness * share * d[k].weight[p];
             }
         }
     }
@@ -208,7 +237,7 @@ static void frame_load(const struct plane_frame *f, int storey, double *x) {
 
 static double *frame_entry(const struct plane_frame *f, int member, enum frame_force force) {
     const size_t row = (size_t)member * FRAME_FORCES + force;
-    return f->force + row * (size_t)f->n_floor;
+    return f->force + row * (size_t)f->n_action;
 }
 
 // Does the member stand on a pinned base? Its moment there is 0, without rounding.
@@ -217,39 +246,45 @@ static bool frame_is_pinned(const struct plane_frame *f, const struct frame_memb
     return m->joint[0] < f->n_line && j->turns && j->spring == 0.0;
 }
 
-// The forces of all members where joints move by x under a unit drift of a storey; and the storey
-// shears, which those of columns add up to.
-static void frame_recover(struct plane_frame *f, int storey, const double *x) {
-    const int n = f->n_floor, column = storey - 1;
+// The forces of all members where joints move by x under a unit action; and the storey shears,
+// which those of columns add up to, and moments at hinges.
+static void frame_recover(struct plane_frame *f, int action, const double *x) {
+    double *column = f->stiffness + action;
+    const ptrdiff_t stride = f->n_action;
     for (int i = 0; i < f->n_member; i++) {
         const struct frame_member *m = &f->member[i];
-        const bool own = m->kind != FRAME_BEAM && m->level == storey;
         struct deformation d[FRAME_DEFORMATIONS];
         frame_deform(f, m, d);
-        const double bend = frame_force(&d[0], x, own), sway = frame_force(&d[1], x, own);
+        const double bend = frame_force(&d[0], x, action), sway = frame_force(&d[1], x, action);
         const double shear = 2.0 * sway / m->length;
-        frame_entry(f, i, FRAME_MOMENT_I)[column] = frame_is_pinned(f, m) ? 0.0 : sway + bend;
-        frame_entry(f, i, FRAME_MOMENT_J)[column] = sway - bend;
-        frame_entry(f, i, FRAME_SHEAR)[column] = shear;
+        const double moment[] = {frame_is_pinned(f, m) ? 0.0 : sway + bend, sway - bend};
+        frame_entry(f, i, FRAME_MOMENT_I)[action] = moment[0];
+        frame_entry(f, i, FRAME_MOMENT_J)[action] = moment[1];
+        frame_entry(f, i, FRAME_SHEAR)[action] = shear;
         if (m->kind != FRAME_BEAM) {
-            f->stiffness[(m->level - 1) * n + column] += shear;
+            column[(m->level - 1) * stride] += shear;
+        }
+        for (int end = 0; end < 2; end++) {
+            if (m->hinge[end] >= 0) {
+                column[(f->n_floor + m->hinge[end]) * stride] = moment[end];
+            }
         }
     }
 }
 
-// The normal forces of columns under a unit drift, from the equilibrium of joints: a column carries
-// what the one above it does, and the shears of the beams beside its upper end. `carried` (n_line).
-static void frame_find_normal(const struct plane_frame *f, int storey, double *carried) {
-    const int drift = storey - 1;
+// The normal forces of columns under a unit action, from the equilibrium of joints: a column
+// carries what the one above it does, and the shears of the beams beside its upper end. `carried`
+// (n_line).
+static void frame_find_normal(const struct plane_frame *f, int action, double *carried) {
     memset(carried, 0, (size_t)f->n_line * sizeof *carried);
     for (int i = f->n_member - 1; i >= 0; i--) {
         const struct frame_member *m = &f->member[i];
-        const double shear = frame_entry(f, i, FRAME_SHEAR)[drift];
+        const double shear = frame_entry(f, i, FRAME_SHEAR)[action];
         if (m->kind == FRAME_BEAM) {
             carried[m->number - 1] -= shear;
             carried[m->number] += shear;
         } else if (m->kind == FRAME_COLUMN) {
-            frame_entry(f, i, FRAME_NORMAL)[drift] = carried[m->number - 1];
+            frame_entry(f, i, FRAME_NORMAL)[action] = carried[m->number - 1];
         }
     }
 }
@@ -284,17 +319,17 @@ static bool frame_is_finite(const double *x, int n) {
     return isfinite(sum);
 }
 
-// Condenses the frame to the drifts, by its factorised band. `x` (n_unknown), `carried` (n_line).
+// Condenses the frame to the actions, by its factorised band. `x` (n_unknown), `carried` (n_line).
 static void frame_reduce(struct plane_frame *f, const gsl_matrix *factors, double *x,
                          double *carried) {
     gsl_vector_view joints = gsl_vector_view_array(x, (size_t)f->n_unknown);
-    for (int storey = 1; storey <= f->n_floor; storey++) {
-        frame_load(f, storey, x);
+    for (int action = 0; action < f->n_action; action++) {
+        frame_load(f, action, x);
         gsl_linalg_cholesky_band_svx(factors, &joints.vector);
-        frame_recover(f, storey, x);
-        frame_find_normal(f, storey, carried);
+        frame_recover(f, action, x);
+        frame_find_normal(f, action, carried);
     }
-    frame_symmetrise(f->stiffness, f->n_floor);
+    frame_symmetrise(f->stiffness, f->n_action);
 }
 
 // Factorises the stiffness of the unknowns and condenses the frame. `x` (n_unknown).
@@ -312,11 +347,12 @@ static int frame_solve(struct plane_frame *f, gsl_matrix *band, double *x, doubl
         return frame_report(f, loose, e);
     }
     frame_reduce(f, band, x, carried);
-    return frame_is_finite(f->stiffness, f->n_floor * f->n_floor) ? STATUS_OK : frame_refuse(e);
+    return frame_is_finite(f->stiffness, f->n_action * f->n_action) ? STATUS_OK : frame_refuse(e);
 }
 
 int frame_condense(struct plane_frame *f, struct arena *a, struct error *e) {
-    const size_t n = (size_t)f->n_floor;
+    f->n_action = f->n_floor + f->n_hinge;
+    const size_t n = (size_t)f->n_action;
     bool *propped = arena_alloc(a, (size_t)f->n_joint, sizeof *propped);
     double *carried = arena_alloc(a, (size_t)f->n_line, sizeof *carried);
     f->stiffness = arena_alloc(a, n * n, sizeof *f->stiffness);

@@ -7,6 +7,7 @@
 
 #include "deck/reader.h"
 #include "model/frame.h"
+#include "model/hinges.h"
 
 bool frame_draft_has_frame(struct builder *b, const struct statement *s,
                            const struct building_draft *d) {
@@ -102,18 +103,73 @@ static struct plane_frame *begin(struct builder *b, const struct building_draft 
     return f && f->joint && f->member ? f : NULL;
 }
 
-// Condenses the frame and adds it to the parts of the building.
+// Condenses the frame and adds it to the parts of the building. `hinge` (n_hinge) are its hinges.
 static void end(struct builder *b, struct building_draft *d, struct plane_frame *f,
-                const struct part_kind *kind, const struct word *word, const char *source) {
+                const struct part_kind *kind, const struct hinge *hinge, const struct word *word,
+                const char *source) {
     struct error e;
-    const int status = frame_condense(f, b->arena, &e);
+    int status = frame_condense(f, b->arena, &e);
+    if (status == STATUS_OK && f->n_hinge > 0) {
+        status = hinges_create(f, hinge, b->arena, &e);
+    }
     if (status == STATUS_INPUT) {
         deck_error(b->deck, word, "%s of building %s: %s", kind->name, d->name, e.message);
     } else if (status == STATUS_OK && source) {
-        const struct part part = {
+        struct part part = {
             .kind = kind, .source = source, .n = d->n_floor, .stiffness = f->stiffness, .data = f};
+        if (f->n_hinge > 0) {
+            part.kind = hinges_kind(f->hinges);
+            part.stiffness = NULL;
+            part.n_history = hinges_n_history(f->hinges);
+            part.n_scratch = hinges_n_scratch(f->hinges);
+        }
         builder_add_part(b, d, &part);
     }
+}
+
+// Takes the hinges at the ends of the member that was added last.
+static void take_hinges(struct plane_frame *f, struct hinge *hinge,
+                        const struct hinge_draft *draft) {
+    for (int end = 0; end < 2; end++) {
+        if (draft[end].word.text) {
+            f->member[f->n_member - 1].hinge[end] = f->n_hinge;
+            hinge[f->n_hinge++] =
+                (struct hinge){.member = f->n_member - 1, .end = end, .storey = draft[end].storey};
+        }
+    }
+}
+
+// A pinned base has no moment, so a column has no hinge there. Reports one that `hinges A bases`
+// gave.
+static void drop_pinned(struct builder *b, const struct building_draft *d,
+                        const struct plane_frame *f, int line) {
+    struct hinge_draft *hinge = &d->frame->column_hinge[(ptrdiff_t)2 * line];
+    if (!hinge->word.text || !f->joint[line].turns || f->joint[line].spring > 0.0) {
+        return;
+    }
+    if (hinge->base) {
+        deck_error(b->deck, &hinge->word,
+                   "the base of line %d of building %s is pinned: it has no "
+                   "hinge",
+                   line + 1, d->name);
+    }
+    *hinge = (struct hinge_draft){0};
+}
+
+// Reports the first hinge of a building on a foundation; false after that.
+static bool may_have_hinges(struct builder *b, const struct building_draft *d) {
+    const struct frame_draft *f = d->frame;
+    const int n = d->n_floor * f->n_line;
+    const struct hinge_draft *first = NULL;
+    for (int i = 0; !first && i < 4 * n - 2 * d->n_floor; i++) {
+        const struct hinge_draft *h = i < 2 * n ? &f->column_hinge[i] : &f->beam_hinge[i - 2 * n];
+        first = h->word.text ? h : NULL;
+    }
+    if (d->foundation && first) {
+        deck_error(b->deck, &first->word,
+                   "building %s stands on a foundation: its frame cannot have hinges", d->name);
+    }
+    return !d->foundation || !first;
 }
 
 // Has the storey a column? Reports one that has none.
@@ -150,7 +206,8 @@ static void add_frame(struct builder *b, struct building_draft *d) {
     const struct frame_draft *f = d->frame;
     const int n = f->n_line, n_bay = n - 1;
     struct plane_frame *to = begin(b, d, n, d->n_floor * (n + n_bay));
-    bool stands = to != NULL;
+    struct hinge *hinge = arena_alloc(b->arena, 4 * (size_t)d->n_floor * (size_t)n, sizeof *hinge);
+    bool stands = to && hinge && may_have_hinges(b, d);
     for (int i = 1; stands && i <= d->n_floor; i++) {
         stands = has_columns(b, d, i);
     }
@@ -158,6 +215,16 @@ static void add_frame(struct builder *b, struct building_draft *d) {
         return;
     }
     int n_column = 0;
+    for (int k = 0; k < n; k++) {
+        if (f->column[k].word.text) {
+            set_base(to, k, &f->base[k], d->base);
+            drop_pinned(b, d, to, k);
+        } else if (f->base[k].word.text) {
+            deck_error(b->deck, &f->base[k].word,
+                       "the frame of building %s has no column in storey 1 on line %d", d->name,
+                       k + 1);
+        }
+    }
     for (int level = 1; level <= d->n_floor; level++) {
         for (int k = 0; k < n; k++) {
             const struct section_draft *m = &f->column[(level - 1) * n + k];
@@ -165,6 +232,7 @@ static void add_frame(struct builder *b, struct building_draft *d) {
                 to->member[to->n_member++] =
                     frame_member(FRAME_COLUMN, level, k + 1, d->height[level - 1],
                                  f->modulus * m->inertia, INFINITY, f->modulus * m->area);
+                take_hinges(to, hinge, &f->column_hinge[(ptrdiff_t)2 * ((level - 1) * n + k)]);
                 n_column++;
             }
         }
@@ -173,21 +241,18 @@ static void add_frame(struct builder *b, struct building_draft *d) {
             if (m->word.text) {
                 to->member[to->n_member++] = frame_member(FRAME_BEAM, level, k + 1, f->bay[k],
                                                           f->modulus * m->inertia, INFINITY, 0.0);
+                take_hinges(to, hinge, &f->beam_hinge[(ptrdiff_t)2 * ((level - 1) * n_bay + k)]);
             }
         }
     }
-    for (int k = 0; k < n; k++) {
-        if (f->column[k].word.text) {
-            set_base(to, k, &f->base[k], d->base);
-        } else if (f->base[k].word.text) {
-            deck_error(b->deck, &f->base[k].word,
-                       "the frame of building %s has no column in storey 1 on line %d", d->name,
-                       k + 1);
-        }
-    }
     warn_open(b, d);
-    end(b, d, to, &frame_part, &f->word,
-        arena_format(b->arena, "%d columns and %d beams", n_column, to->n_member - n_column));
+    char hinges[32] = "";
+    if (to->n_hinge > 0) {
+        snprintf(hinges, sizeof hinges, ", %d hinge%s", to->n_hinge, to->n_hinge > 1 ? "s" : "");
+    }
+    end(b, d, to, &frame_part, hinge, &f->word,
+        arena_format(b->arena, "%d columns and %d beams%s", n_column, to->n_member - n_column,
+                     hinges));
 }
 
 static void add_wall(struct builder *b, struct building_draft *d, const struct wall_draft *w) {
@@ -204,7 +269,7 @@ static void add_wall(struct builder *b, struct building_draft *d, const struct w
                                                   w->ga ? w->ga[i] : INFINITY, 0.0);
     }
     set_base(to, 0, NULL, d->base);
-    end(b, d, to, &frame_wall, &w->word,
+    end(b, d, to, &frame_wall, NULL, &w->word,
         arena_format(b->arena, "%d storey%s", w->n_floor, w->n_floor == 1 ? "" : "s"));
 }
 
@@ -230,13 +295,6 @@ void frame_draft_finish(struct builder *b) {
                        "building %s has no frame and no wall that stands on a base", d->name);
         }
         check_top(b, d);
-        if (d->foundation && (d->frame || d->walls.n > 0)) {
-            deck_warning(b->deck,
-                         d->frame ? &d->frame->word : &((struct wall_draft *)d->walls.item)->word,
-                         "building %s stands on a foundation: the results have no forces of its "
-                         "members",
-                         d->name);
-        }
         if (d->frame && !d->frame->torn) {
             add_frame(b, d);
         }

@@ -21,16 +21,25 @@ struct base_draft {
     double rotation;   // [F L] stiffness; 0: pinned; infinite: fixed
 };
 
+// A hinge at an end of a member.
+struct hinge_draft {
+    struct word word;  // of its statement; text NULL: there is no hinge
+    struct storey storey;
+    bool base;  // the statement is of bases
+};
+
 struct frame_draft {
     struct word word;
     int n_line;
-    const double *bay;             // [L] (n_line - 1)
-    double modulus;                // [F/L^2]
-    bool inextensible;             // no column stretches
-    bool torn;                     // a statement of its members is wrong, and reported
-    struct section_draft *column;  // (n_floor, n_line)
-    struct section_draft *beam;    // (n_floor, n_line - 1)
-    struct base_draft *base;       // (n_line)
+    const double *bay;                 // [L] (n_line - 1)
+    double modulus;                    // [F/L^2]
+    bool inextensible;                 // no column stretches
+    bool torn;                         // a statement of its members is wrong, and reported
+    struct section_draft *column;      // (n_floor, n_line)
+    struct section_draft *beam;        // (n_floor, n_line - 1)
+    struct base_draft *base;           // (n_line)
+    struct hinge_draft *column_hinge;  // (n_floor, n_line, 2) of ends i and j
+    struct hinge_draft *beam_hinge;    // (n_floor, n_line - 1, 2)
 };
 
 struct wall_draft {

@@ -123,13 +123,22 @@ const struct column_table layout_peak = TABLE(peak_column, report_building);
 static const struct column member_column[] = {MEMBER("name", TEXT, name, NULL, "name")};
 const struct column_table layout_member = TABLE(member_column, report_member);
 
+// The columns of members without hinges, which come first.
+enum { MEMBER_PEAKS = 3, MEMBER_EXTREMES = 4 * MEMBER_FORCES };
+
 static const struct column member_peak_column[] = {
     MEMBER("moment", DOUBLE, moment, &dimension_energy, "largest absolute moment on either end"),
     MEMBER("shear", DOUBLE, shear, &dimension_force, "largest absolute shear"),
     MEMBER("axial", DOUBLE, axial, &dimension_force,
            "largest absolute normal force, NaN of beams and walls"),
+    MEMBER("plastic_rotation", DOUBLE, plastic, NULL,
+           "largest absolute plastic rotation of a hinge, 0 without hinges"),
+    MEMBER("ductility", DOUBLE, ductility, NULL,
+           "largest rotation of a hinge over its rotation at yield, 0 without hinges"),
 };
-const struct column_table layout_member_peak = TABLE(member_peak_column, report_member);
+const struct column_table layout_member_peak[] = {
+    {member_peak_column, MEMBER_PEAKS, sizeof(struct report_member)},
+    TABLE(member_peak_column, report_member)};
 
 #define EXTREME(name, number, dimension, long_name)                                                \
     MEMBER(name "_max", DOUBLE, extreme[number].max, dimension, "largest " long_name),             \
@@ -143,14 +152,26 @@ static const struct column member_extreme_column[] = {
     EXTREME("M_j", MEMBER_M_J, &dimension_energy, "moment on the upper or right end"),
     EXTREME("V", MEMBER_V, &dimension_force, "shear"),
     EXTREME("N", MEMBER_N, &dimension_force, "normal force, tension positive"),
+    EXTREME("rotation_i", MEMBER_ROTATION_I, NULL, "rotation of the hinge at end i, NaN without"),
+    EXTREME("rotation_j", MEMBER_ROTATION_J, NULL, "rotation of the hinge at end j, NaN without"),
+    EXTREME("plastic_rotation_i", MEMBER_PLASTIC_I, NULL,
+            "plastic rotation of the hinge at end i, NaN without"),
+    EXTREME("plastic_rotation_j", MEMBER_PLASTIC_J, NULL,
+            "plastic rotation of the hinge at end j, NaN without"),
 };
-const struct column_table layout_member_extreme = TABLE(member_extreme_column, report_member);
+const struct column_table layout_member_extreme[] = {
+    {member_extreme_column, MEMBER_EXTREMES, sizeof(struct report_member)},
+    TABLE(member_extreme_column, report_member)};
 
 const struct quantity layout_member_field[] = {
     {"moment on the lower or left end, counterclockwise positive", &dimension_energy},
     {"moment on the upper or right end, counterclockwise positive", &dimension_energy},
     {"shear, (M_i + M_j) / length", &dimension_force},
     {"normal force, tension positive, NaN of beams and walls", &dimension_force},
+    {"rotation of the hinge at the lower or left end, NaN without", NULL},
+    {"rotation of the hinge at the upper or right end, NaN without", NULL},
+    {"plastic rotation of the hinge at the lower or left end, NaN without", NULL},
+    {"plastic rotation of the hinge at the upper or right end, NaN without", NULL},
 };
 
 const struct quantity layout_share_field = {
@@ -169,6 +190,23 @@ static const struct column share_peak_column[] = {
 };
 const struct column_table layout_share_peak = TABLE(share_peak_column, report_share);
 
+#define FOUNDATION(name, number, dimension, long_name)                                             \
+    ROW(report_foundation, name, DOUBLE, size[number], dimension, "largest " long_name),           \
+        ROW(report_foundation, name "_time", DOUBLE, time[number], &dimension_time,                \
+            "time of the largest " long_name)
+static const struct column foundation_column[] = {
+    FOUNDATION("sway", FOUNDATION_SWAY, &dimension_length, "sway of the foundation"),
+    FOUNDATION("rocking", FOUNDATION_ROCKING, NULL, "rotation of the foundation"),
+    FOUNDATION("sway_force", FOUNDATION_FORCE, &dimension_force, "sway spring force"),
+    FOUNDATION("rocking_moment", FOUNDATION_MOMENT, &dimension_energy, "rocking spring moment"),
+};
+const struct column_table layout_foundation = TABLE(foundation_column, report_foundation);
+const struct quantity layout_foundation_field[] = {
+    {"displacement of the foundation relative to the ground", &dimension_length},
+    {"rotation of the foundation, clockwise positive", NULL},
+    {"force of the spring against sway, positive if it pushes to the left", &dimension_force},
+    {"moment of the spring against rocking, positive counterclockwise", &dimension_energy},
+};
 #define LINK(name, kind, member, dimension, long_name)                                             \
     ROW(report_link, name, kind, member, dimension, long_name)
 static const struct column link_column[] = {
@@ -228,6 +266,10 @@ static const struct column link_peak_column[] = {
          "time of the largest change of length"),
     LINK("work", DOUBLE, peak.dissipated, &dimension_energy,
          "work done on the link, stored or dissipated"),
+    LINK("dissipated", DOUBLE, peak.lost, &dimension_energy,
+         "work that the link does not give back after the end"),
+    LINK("residual_deformation", DOUBLE, peak.residual, &dimension_length,
+         "absolute deformation that remains without force, slack left out"),
 };
 const struct column_table layout_link_peak = TABLE(link_peak_column, report_link);
 

@@ -19,12 +19,20 @@ static void visit_links(const struct link_group *g, const struct report_link *li
 static void visit_forces(const struct report_building *b, layout_visit *visit, void *context) {
     if (b->n_member > 0) {
         visit(context, &(struct layout_place){b->path, "members", "envelope", "member",
-                                              &layout_member_peak, b->member, (size_t)b->n_member});
+                                              &layout_member_peak[b->hinged], b->member,
+                                              (size_t)b->n_member});
     }
     for (int i = 0; i < b->n_share; i++) {
         visit(context,
               &(struct layout_place){b->parts, b->share[i].name, "envelope", "floor",
                                      &layout_share_peak, &b->share[i], (size_t)b->n_floor});
+    }
+}
+
+static void visit_foundation(const struct report_building *b, layout_visit *visit, void *context) {
+    if (b->foundation) {
+        visit(context, &(struct layout_place){b->path, "foundation", "envelope", "slab",
+                                              &layout_foundation, b->foundation, 1});
     }
 }
 
@@ -42,6 +50,7 @@ void layout_each(const struct report *r, layout_visit *visit, void *context) {
         p.leaf = "envelope";
         visit(context, &p);
         visit_forces(b, visit, context);
+        visit_foundation(b, visit, context);
     }
     visit_links(&layout_contacts, r->contact, r->n_contact, visit, context);
     if (r->n_link > 0) {

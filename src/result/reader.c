@@ -99,11 +99,13 @@ static void get_members(struct result_file *f, const struct spot *building,
     get_column(f, &members, &layout_member, 0, b->member, n);
     if (f->reading == READ_VALUES && !f->h.failed) {
         const struct spot envelope = open_spot(f, &members, "envelope");
-        get_columns(f, &envelope, &layout_member_peak, b->member, n);
-        b->extremes =
-            envelope.own >= 0 && h5_has(&f->h, envelope.own, layout_member_extreme.column[0].name);
+        b->hinged = h5_has(&f->h, envelope.own >= 0 ? envelope.own : envelope.study,
+                           layout_member_peak[1].column[layout_member_peak[0].n_column].name);
+        get_columns(f, &envelope, &layout_member_peak[b->hinged], b->member, n);
+        b->extremes = envelope.own >= 0 &&
+                      h5_has(&f->h, envelope.own, layout_member_extreme[0].column[0].name);
         if (b->extremes) {
-            get_columns(f, &envelope, &layout_member_extreme, b->member, n);
+            get_columns(f, &envelope, &layout_member_extreme[b->hinged], b->member, n);
         }
         close_spot(f, &envelope);
     }
@@ -128,6 +130,17 @@ static void get_shares(struct result_file *f, const struct spot *building,
     }
     b->n_share = f->h.failed ? 0 : (int)n;
     close_spot(f, &parts);
+}
+
+// What the foundation of a building has done, whose group is there.
+static void get_foundation(struct result_file *f, const struct spot *building,
+                           struct report_building *b) {
+    const struct spot foundation = open_spot(f, building, "foundation");
+    const struct spot envelope = open_spot(f, &foundation, "envelope");
+    b->foundation = h5_alloc(&f->h, f->report->arena, 1, sizeof *b->foundation);
+    get_columns(f, &envelope, &layout_foundation, b->foundation, 1);
+    close_spot(f, &envelope);
+    close_spot(f, &foundation);
 }
 
 // The building in the group `name`, at its position, which must be free.
@@ -173,6 +186,9 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     }
     if (!f->h.failed && h5_has(&f->h, holder(f, &building, "parts"), "parts")) {
         get_shares(f, &building, &r->building[position]);
+    }
+    if (!f->h.failed && h5_has(&f->h, holder(f, &building, "foundation"), "foundation")) {
+        get_foundation(f, &building, &r->building[position]);
     }
     for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
         r->fields |= h5_has(&f->h, building.own, field_names[i]) ? 1U << i : 0;

@@ -74,7 +74,8 @@ static void put_members(struct result_writer *w, hid_t building, const struct re
     const size_t n = (size_t)b->n_member;
     const struct tree_group g = tree_group(&w->tree, building, "members", "member", n);
     put_columns(w, &g, &layout_member, b->member, n);
-    for (int q = 0; q < MEMBER_FORCES && w->report->fields & FIELD_MEMBERS; q++) {
+    const int n_quantity = forces_quantities(model);
+    for (int q = 0; q < n_quantity && w->report->fields & FIELD_MEMBERS; q++) {
         const size_t first = (size_t)(model->force + forces_of_members(model, 0, q));
         const struct stream s = {.source = SOURCE_MEMBER_FORCE, .first = first, .width = n};
         put_history(w, g.group, report_force_names[q], layout_member_field[q], s, g.scale);
@@ -106,6 +107,23 @@ static void put_shares(struct result_writer *w, hid_t building, const struct rep
     tree_close(&w->tree, &all);
 }
 
+// What the foundation does: its motion with the displacements, its forces with the shears.
+static void put_foundation(struct result_writer *w, hid_t building, const struct building *model) {
+    static const enum field field[] = {FIELD_DISPLACEMENT, FIELD_DISPLACEMENT, FIELD_STOREY_SHEAR,
+                                       FIELD_STOREY_SHEAR};
+    const struct tree_group g = tree_group(&w->tree, building, "foundation", "slab", 1);
+    for (int q = 0; q < FOUNDATION_QUANTITIES; q++) {
+        const struct stream s = {.source = SOURCE_MEMBER_FORCE,
+                                 .first = (size_t)(model->force + forces_of_foundation(model) + q),
+                                 .width = 1};
+        if (w->report->fields & field[q]) {
+            put_history(w, g.group, report_foundation_names[q], layout_foundation_field[q], s,
+                        g.scale);
+        }
+    }
+    tree_close(&w->tree, &g);
+}
+
 static void put_building(struct result_writer *w, hid_t parent, int position) {
     const struct report_building *b = &w->report->building[position];
     const struct building *model = &w->model->building[position];
@@ -131,6 +149,9 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
     }
     if (b->n_share > 0) {
         put_shares(w, g.group, b, model);
+    }
+    if (b->foundation) {
+        put_foundation(w, g.group, model);
     }
     tree_close(&w->tree, &g);
 }
@@ -240,13 +261,13 @@ static void put_envelope(void *context, const struct layout_place *p) {
 
 // The signed extremes of members, beside their sizes.
 static void put_extremes(struct result_writer *w, const struct report_building *b) {
+    const struct column_table *t = &layout_member_extreme[b->hinged];
     hid_t building = h5_open_object(w->h, w->root, b->path);
     hid_t members = h5_open_object(w->h, building, "members");
     hid_t scale = h5_open_object(w->h, members, "member");
     hid_t envelope = h5_open_object(w->h, members, "envelope");
-    for (int c = 0; c < layout_member_extreme.n_column && !w->h->failed; c++) {
-        h5_put_column(w->h, envelope, &layout_member_extreme, c, b->member, (size_t)b->n_member,
-                      scale);
+    for (int c = 0; c < t->n_column && !w->h->failed; c++) {
+        h5_put_column(w->h, envelope, t, c, b->member, (size_t)b->n_member, scale);
     }
     h5_close(w->h, envelope);
     h5_close(w->h, scale);

@@ -72,11 +72,11 @@ static int analysis_show_row(struct run *r) {
     for (int k = 0; k < r->model->n_link; k++) {
         r->row_force[k] = s->link[k].force;
     }
-    const bool members = r->model->output.fields & FIELD_MEMBERS;
+    const bool members = forces_in_rows(r->model);
     for (int k = 0; members && k < r->model->n_building; k++) {
         const struct building *g = &r->model->building[k];
         if (g->n_force > 0) {
-            forces_at(g, s->drift + g->first, r->row_members + g->force);
+            forces_at(g, s->drift + g->first, s->storey_history, r->row_members + g->force);
             forces_hide(g, r->row_members + g->force);
         }
     }
@@ -194,7 +194,7 @@ static int analysis_start(struct run *r) {
     rest_start(r->now, m);
     peaks_update(r->results, m, r->now);
     if (m->n_force > 0) {
-        force_peaks_note(&r->forces, r->now->u, r->now->time);
+        force_peaks_note(&r->forces, r->now);
     }
     if (energy_start(&r->energy, m, r->now, r->results->link, r->error) != STATUS_OK) {
         return r->error->status;
@@ -238,6 +238,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
     force_peaks_flush(&r->forces);
     impacts_finish(&r->impacts, r->now);
     residual_drifts(r->model, r->now, results->residual_drift);
+    residual_links(r->model, r->now, results->link);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;
     *out = results;

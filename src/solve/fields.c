@@ -7,6 +7,10 @@
 #include "core/lanes.h"
 #include "jostle/model.h"
 
+int fields_actions(const struct model *m) {
+    return m->chain.n + lanes_whole(m->n_hinge);
+}
+
 // Elements of a field in building k.
 static size_t fields_count(const struct fields_row *f, const struct model *m, int k) {
     int n_signal = 0;
@@ -18,6 +22,7 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
         [FIELD_AT] = 1,
         [FIELD_BUILDINGS] = m->n_body,
         [FIELD_BUILDING_FLOORS] = m->building[k].n_floor,
+        [FIELD_BUILDING_TANGENTS] = building_n_tangent(&m->building[k]),
         [FIELD_COLUMNS] = m->n_column,
         [FIELD_FLOORS] = m->n_dof,
         [FIELD_LINKS] = m->n_link,
@@ -25,9 +30,11 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
         [FIELD_LOADS] = m->n_load,
         [FIELD_SIGNALS] = n_signal,
         [FIELD_STOREY_HISTORIES] = m->n_storey_history,
+        [FIELD_PART_SCRATCH] = m->n_part_scratch,
+        [FIELD_PART_TANGENTS] = m->n_part_tangent,
         [FIELD_LINK_HISTORIES] = m->n_link_history,
         [FIELD_FORCES] = m->n_force,
-        [FIELD_FORCE_STATES] = m->n_force > 0 ? m->chain.n * FORCES_BATCH : 0,
+        [FIELD_FORCE_STATES] = m->n_force > 0 ? fields_actions(m) * FORCES_BATCH : 0,
     };
     return (size_t)n[f->count];
 }
@@ -65,7 +72,7 @@ static void fields_copy_of(const struct fields *f, const struct model *m, int bu
         const size_t n = fields_count(i, m, building);
         char *there = fields_elements(i, to);
         const char *here = fields_elements(i, from);
-        if (!i->part && n > 0) {
+        if (!i->part && n > 0 && i->count != FIELD_PART_SCRATCH) {
             memcpy(there, here, n * i->size);
         }
         for (size_t k = 0; i->part && k < n; k++) {

@@ -10,15 +10,20 @@
 struct arena;
 struct model;
 
+// The actions that forces follow from, in whole lanes: drifts, then rotations of hinges.
+int fields_actions(const struct model *m);
+
 // States whose forces are looked at together (account/force_peaks.h).
 enum { FORCES_BATCH = 32 };
 
 // How many elements a field has. The list allocates arrays from FIELDS_ALLOCATED on.
 enum field_count {
-    FIELD_ONE,              // it is in the struct itself
-    FIELD_AT,               // one, behind a pointer
-    FIELD_BUILDINGS,        // structs behind a pointer
-    FIELD_BUILDING_FLOORS,  // (n_floor) of one of them
+    FIELD_ONE,                // it is in the struct itself
+    FIELD_AT,                 // one, behind a pointer
+    FIELD_BUILDINGS,          // structs behind a pointer
+    FIELD_BUILDING_FLOORS,    // (n_floor) of one of them
+    FIELD_BUILDING_TANGENTS,  // of its storeys (n_floor), and of its parts by drifts and by rates,
+                              // each (n_floor, n_floor)
     FIELDS_ALLOCATED,
     FIELD_FLOORS = FIELDS_ALLOCATED,  // (n_dof) an array of core/lanes.h
     FIELD_LINKS,                      // (n_link) from the start of a line of the cache, whole lanes
@@ -27,9 +32,11 @@ enum field_count {
     FIELD_LOADS,
     FIELD_SIGNALS,           // of all grounds
     FIELD_STOREY_HISTORIES,  // (model.n_storey_history)
+    FIELD_PART_SCRATCH,      // (model.n_part_scratch), which is not copied
+    FIELD_PART_TANGENTS,     // (model.n_part_tangent)
     FIELD_LINK_HISTORIES,    // (model.n_link_history)
     FIELD_FORCES,            // (model.n_force)
-    FIELD_FORCE_STATES,      // (FORCES_BATCH, model.chain.n) if the model has forces
+    FIELD_FORCE_STATES,      // (FORCES_BATCH, fields_actions) if the model has forces
 };
 
 struct fields;

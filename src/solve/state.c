@@ -23,6 +23,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct state, rate, FIELD_FLOORS),
     FIELD_ARRAY(struct state, external, FIELD_FLOORS),
     FIELD_ARRAY(struct state, storey_history, FIELD_STOREY_HISTORIES),
+    FIELD_ARRAY(struct state, scratch, FIELD_PART_SCRATCH),
     FIELD_VALUE(struct state, n_live),
     FIELD_ARRAY(struct state, live, FIELD_LINKS),
     FIELD_ARRAY(struct state, link, FIELD_LINKS),
@@ -36,6 +37,7 @@ const struct fields state_fields = FIELDS(list);
 
 static const struct fields_row memory_list[] = {
     FIELD_ARRAY(struct memory, tangent, FIELD_FLOORS),
+    FIELD_ARRAY(struct memory, part_tangent, FIELD_PART_TANGENTS),
     FIELD_ARRAY(struct memory, resolved, FIELD_LINKS),
     FIELD_VALUE(struct memory, unresolved),
 };
@@ -51,6 +53,15 @@ bool state_memory_alloc(struct memory *s, const struct model *m, struct arena *a
         return false;
     }
     memcpy(s->tangent, m->chain.stiffness, (size_t)m->n_dof * sizeof *s->tangent);
+    for (int k = 0; k < m->n_body; k++) {
+        const struct building *g = &m->building[k];
+        if (g->predictable && g->n_part > 0) {
+            const size_t n = (size_t)g->n_floor * (size_t)g->n_floor;
+            double *own = s->part_tangent + g->part_tangent;
+            memcpy(own, g->part_stiffness, n * sizeof *own);
+            memcpy(own + n, g->part_dashpot, n * sizeof *own);
+        }
+    }
     return true;
 }
 
@@ -105,18 +116,15 @@ void state_storeys(struct state *s, const struct model *m, const struct building
     }
 }
 
-void state_parts(struct state *s, const struct model *m, const double *v, const double *from,
-                 double *after) {
-    for (int k = 0; m->chain.parts && k < m->n_body; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; g->n_part > 0 && !g->elastic && i < g->first + g->n_floor; i++) {
-            s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
-        }
-        if (g->n_part > 0) {
-            parts_respond(g, from, s->drift + g->first, s->rate + g->first,
-                          &(struct part_sums){.shear = s->shear + g->first}, after);
-        }
+void state_rates(struct state *s, const struct building *g, const double *v) {
+    for (int i = g->first; g->n_part > 0 && !g->elastic && i < g->first + g->n_floor; i++) {
+        s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
     }
+}
+
+void state_parts(struct state *s, const struct building *g, const double *from, double *after) {
+    const struct part_sums sums = {.shear = s->shear + g->first, .scratch = s->scratch};
+    parts_respond(g, from, s->drift + g->first, s->rate + g->first, &sums, after);
 }
 
 static void state_forces_from(struct state *s, const struct model *m, const double *from,
@@ -127,7 +135,12 @@ static void state_forces_from(struct state *s, const struct model *m, const doub
             state_storeys(s, m, &m->building[k], from, after);
         }
     }
-    state_parts(s, m, s->v, from, after);
+    for (int k = 0; m->chain.parts && k < m->n_body; k++) {
+        if (m->building[k].n_part > 0) {
+            state_rates(s, &m->building[k], s->v);
+            state_parts(s, &m->building[k], from, after);
+        }
+    }
 }
 
 void state_internal_forces(struct state *s, const struct model *m) {
@@ -164,10 +177,17 @@ double state_rounding(const struct link *l, const double *x) {
     return 4.0 * DBL_EPSILON * link_size(l, x);
 }
 
+// The deformation of link k that its law gets.
+static double state_depth(const struct state *s, const struct model *m, int k) {
+    return m->link[k].bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
+}
+
 double state_link_force(const struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
-    return l->law->force(l->constant, s->link_history + l->history, d, state_rate(s, m, k)).force;
+    return l->law
+        ->force(l->constant, s->link_history + l->history, state_depth(s, m, k),
+                state_rate(s, m, k))
+        .force;
 }
 
 double state_penetration(const struct state *s, const struct model *m, int k) {
@@ -220,7 +240,7 @@ void state_commit_links(struct state *s, const struct model *m) {
         int k = s->live[i];
         const struct link *l = &m->link[k];
         if (s->link[k].closed && l->law->commit) {
-            l->law->commit(l->constant, s->link_history + l->history, fmax(s->delta[k], 0.0),
+            l->law->commit(l->constant, s->link_history + l->history, state_depth(s, m, k),
                            state_rate(s, m, k));
         }
     }

@@ -36,6 +36,7 @@ struct state {
     double *rate;            // [L/T] of the drifts of buildings with parts
     double *external;        // [F] loads and -m a_ground
     double *storey_history;  // (model.n_storey_history)
+    double *scratch;         // (model.n_part_scratch) of parts, which carries nothing
 
     // Links. Those not in `live` are open, with force 0.
     int n_live, *live;        // links that were closed in the step to this state, or are; ascending
@@ -59,6 +60,7 @@ struct resolved {
 // last bits of the results depend on it.
 struct memory {
     double *tangent;            // [F/L] (n_dof) of the storeys when they were last linearised
+    double *part_tangent;       // (model.n_part_tangent) of the parts of predictable buildings
     struct resolved *resolved;  // (n_link)
     int unresolved;             // link that last needed a shorter step; -1: none did
 };
@@ -147,11 +149,13 @@ void state_internal_forces(struct state *s, const struct model *m);
 void state_reach(struct state *s, const struct model *m, const double *from);
 
 // Parts of that, after the chain's: shears and tangents of the storeys of building g; then the
-// shears of all parts. `after` as in struct storey_law.
+// shears of its parts, at the drift rates of `s`. `after` as in struct storey_law.
 void state_storeys(struct state *s, const struct model *m, const struct building *g,
                    const double *from, double *after);
-void state_parts(struct state *s, const struct model *m, const double *v, const double *from,
-                 double *after);
+void state_parts(struct state *s, const struct building *g, const double *from, double *after);
+
+// The drift rates of building g, of the velocities v (n_dof), if its parts may read them.
+void state_rates(struct state *s, const struct building *g, const double *v);
 
 // Computes what steps leave out: accelerations of the ground, external forces and total
 // accelerations, and those of linear models drifts and internal forces. Adaptive steps have the

@@ -64,6 +64,7 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
         .memory = memory,
         .ahead.from = -FORCING_AHEAD,
         .held = -1,
+        .lost = -1,
     };
     size_t n = (size_t)m->n_body;
     w->home = arena_alloc(a, n, sizeof *w->home);
@@ -87,11 +88,17 @@ static int work_refactor(struct work *w, struct effective *e, int k) {
     if (g->n_part > 0 && g->smooth) {
         return STATUS_OK;
     }
-    bool same = g->elastic || memcmp(e[k].tangent, tangent, size) == 0;
+    const double *parts = w->memory->part_tangent + g->part_tangent;
+    const size_t parts_size =
+        g->predictable ? (size_t)(building_n_tangent(g) - g->n_floor) * sizeof *parts : 0;
+    double *own_parts = e[k].tangent + g->n_floor;
+    bool same = g->elastic || (memcmp(e[k].tangent, tangent, size) == 0 &&
+                               memcmp(own_parts, parts, parts_size) == 0);
     if (same && e[k].b == w->b && e[k].g == w->g) {
         return STATUS_OK;
     }
     memmove(e[k].tangent, tangent, size);
+    memmove(own_parts, parts, parts_size);
     return effective_factor(&e[k], w->b, w->g);
 }
 

@@ -41,6 +41,7 @@ struct work {
     long factors;                 // counts its factorisations
     enum strictness strictness;
     int held;  // link that stays open or closed in this step; -1: none
+    int lost;  // building a part of which had no equilibrium in this step; -1: none
 
     // Borrowed; NULL: steps are fixed, and do not end at corners.
     const struct forcing *forcing;

@@ -147,14 +147,36 @@ static double gap(struct maker *m) {
     return random_below(&m->random, 4) ? random_logarithmic(&m->random, 1e-4, 0.1) : 0.0;
 }
 
+static void add_link_law(struct maker *m) {
+    static const char *const one_way[] = {"", " -tension-only", " -compression-only"};
+    static const char *const law[] = {"bilinear -hardening 0.1", "clough -hardening 0.02",
+                                      "flag -hardening 0.1 -b 0.7"};
+    const double stiffness = random_logarithmic(&m->random, 1e3, 1e10);
+    const double dashpot = random_logarithmic(&m->random, 1e2, 1e8);
+    const double exponent = random_uniform(&m->random, 0.2, 2.0);
+    const int kind = random_below(&m->random, 4);
+    if (kind < 2) {
+        add(m, "%s -stiffness %.5g -dashpot %.5g -exponent %.3g\n",
+            kind == 0 ? "" : " -law maxwell", stiffness, dashpot, exponent);
+        return;
+    }
+    const char *direction = one_way[random_below(&m->random, 3)];
+    const double force = random_logarithmic(&m->random, 1e3, 1e8), slack = gap(m);
+    if (kind == 2) {
+        add(m, " -law friction -slip %.5g", force);
+    } else {
+        add(m, " -law %s -yield %.5g", law[random_below(&m->random, 3)], force);
+    }
+    add(m, " -stiffness %.5g -slack %.5g%s\n", stiffness, slack, direction);
+}
+
 static void add_links(struct maker *m) {
     for (int i = 0; i + 1 < m->n_building; i++) {
         add(m, "contact B%d B%d -gap %.5g", i, i + 1, gap(m));
         add_law(m);
-        if (random_below(&m->random, 4) == 0) {
-            add(m, "link B%d:1 B%d:1 -stiffness %.5g -dashpot %.5g -exponent %.3g\n", i, i + 1,
-                random_logarithmic(&m->random, 1e3, 1e10), random_logarithmic(&m->random, 1e2, 1e8),
-                random_uniform(&m->random, 0.2, 2.0));
+        if (random_below(&m->random, 3) == 0) {
+            add(m, "link B%d:1 B%d:1", i, i + 1);
+            add_link_law(m);
         }
     }
     if (random_below(&m->random, 3) == 0) {
@@ -214,6 +236,78 @@ void random_deck_cluster(uint64_t seed, char *text, size_t size) {
         add_law(&m);
     }
     add(&m, "ground sine -amplitude 1 -frequency 1\nduration 1\nstep fixed 1e-3\n");
+}
+
+// A frame of the building, of members of one section each, and hinges at some of their ends.
+static void add_hinges(struct maker *m, int i) {
+    static const char *const law[] = {"bilinear",    "clough",
+                                      "takeda",      "bouc-wen",
+                                      "flag -b 0.5", "imk -post-capping -0.05 -capping"};
+    static const char *const place[] = {":all columns", ":all beams", " bases"};
+    const double yield = random_logarithmic(&m->random, 1e4, 1e6);
+    for (int k = 0; k < 3; k++) {
+        // Columns of storey 1 have hinges at the bases, too.
+        const bool twice = k == 2 && strstr(m->text, ":all columns") != NULL;
+        if (!twice && random_below(&m->random, 4)) {
+            const double own =
+                yield * (random_below(&m->random, 2) ? 1.0 : random_uniform(&m->random, 0.5, 2.0));
+            const double stiffness = own * random_logarithmic(&m->random, 30.0, 1e5);
+            const int which = random_below(&m->random, 6);
+            add(m, "hinges B%d%s %s", i, place[k], law[which]);
+            if (which == 5) {
+                add(m, " %.4g", own / stiffness * random_uniform(&m->random, 1.5, 10.0));
+            }
+            add(m, " -yield %.6g -hardening %.3g -stiffness %.6g\n", own,
+                random_below(&m->random, 2) ? 0.0 : random_uniform(&m->random, 0.0, 0.3),
+                stiffness);
+        }
+    }
+}
+
+static void add_frame(struct maker *m, int i) {
+    const bool stretch = random_below(&m->random, 2);
+    m->floors[i] = 1 + random_below(&m->random, 5);
+    add(m,
+        "building B%d -floors %d -mass %.6g -height %.4g\nframe B%d -bays %d*%.4g -modulus "
+        "2e11%s\n",
+        i, m->floors[i], random_logarithmic(&m->random, 1e4, 2e5),
+        random_uniform(&m->random, 2.5, 5.0), i, 1 + random_below(&m->random, 3),
+        random_uniform(&m->random, 3.0, 9.0), stretch ? "" : " -columns-inextensible");
+    add(m, "columns B%d:all -I %.4g%s\nbeams B%d:all -I %.4g\n", i,
+        random_logarithmic(&m->random, 5e-5, 2e-3), stretch ? " -A 0.02" : "", i,
+        random_logarithmic(&m->random, 5e-5, 2e-3));
+    if (random_below(&m->random, 4) == 0) {
+        add(m, "base B%d -rotation %.4g\n", i, random_logarithmic(&m->random, 1e6, 1e9));
+    }
+    if (random_below(&m->random, 3) == 0) {
+        add(m, "pdelta B%d -weight %.4g\n", i, random_logarithmic(&m->random, 1e2, 1e5));
+    }
+    if (random_below(&m->random, 4)) {
+        add(m, "damping B%d rayleigh %.4g\n", i, random_uniform(&m->random, 0.0, 0.1));
+    }
+    if (random_below(&m->random, 4) == 0) {
+        add(m, "storey B%d:1 bilinear -yield 1e5 -hardening 0.02 -stiffness 1e7\n", i);
+    }
+    add_hinges(m, i);
+}
+
+void random_deck_framed(uint64_t seed, char *text, size_t size) {
+    text[0] = '\0';
+    struct maker m = {.random = {seed}, .text = text, .size = size, .n_building = 2};
+    add_frame(&m, 0);
+    if (random_below(&m.random, 2)) {
+        add_building(&m, 1);
+    } else {
+        add(&m, "building B1 -floors 2 -mass 5e4 -stiffness 3e7\n");
+    }
+    if (random_below(&m.random, 2)) {
+        add(&m, "contact B0 B1 -gap %.5g -law kelvin-voigt -k %.4g -e 0.6\n", gap(&m),
+            random_logarithmic(&m.random, 1e7, 1e10));
+    }
+    add(&m,
+        "ground record input/records/ELCENTRO_1940_NS.AT2 -pga %.4gg\nstep fixed %.6g\n"
+        "duration 6\n",
+        random_logarithmic(&m.random, 0.1, 3.0), random_logarithmic(&m.random, 1e-3, 0.02));
 }
 
 void random_deck(uint64_t seed, char *text, size_t size) {

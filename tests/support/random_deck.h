@@ -14,7 +14,11 @@ void random_deck(uint64_t seed, char *text, size_t size);
 // contacts, each with a law of its own; of even numbers none may pull.
 void random_deck_cluster(uint64_t seed, char *text, size_t size);
 
-// The same deck with the lines `steps` in place of its integrator and step.
+// Writes deck number `seed` of two buildings, of which one or both are frames whose members have
+// hinges of any storey law, with or without P-delta.
+void random_deck_framed(uint64_t seed, char *text, size_t size);
+
+// Deck number `seed` of random_deck with the lines `steps` in place of its integrator and step.
 void random_deck_stepped(uint64_t seed, const char *steps, char *text, size_t size);
 
 #endif

@@ -153,6 +153,11 @@ static void copy_often(const struct model *m, int n, struct met *met) {
     "building B -floors 5 -mass 80t -stiffness 160MN/m\n"                                          \
     "damping A rayleigh 5%\ndamping B rayleigh 3% 7%\n"                                            \
     "ground record input/records/ELCENTRO_1940_NS.AT2 -pga 0.6g\n"
+#define HINGED                                                                                     \
+    "building A -floors 3 -mass 60t -height 3.5m\nframe A -bays 2*6m -modulus 200GPa "             \
+    "-columns-inextensible\ncolumns A:1:3 -I 3e-4\nbeams A:1:3 -I 2.5e-4\n"                        \
+    "damping A rayleigh 3%\nbuilding B -floors 3 -mass 80t -stiffness 60MN/m\n"                    \
+    "ground record input/records/ELCENTRO_1940_NS.AT2 -pga 0.6g\n"
 #define YIELDING                                                                                   \
     "storey A bilinear -yield 1MN -hardening 5%\n"                                                 \
     "storey B:1:3 bouc-wen -yield 1MN -hardening 2%\n"                                             \
@@ -163,6 +168,10 @@ static const char *const kind[] = {
     TWO "contact A B -gap 5mm -law jankowski -k 1e9N/m^1.5 -e 0.65\n",
     TWO "contact A B -gap 5mm -law kelvin-voigt -k 1e8 -e 0.65\nlink A:4 B:4 -dashpot 50kN*s/m\n"
         "damping A modal 5%\n",
+    TWO "contact A B -gap 5mm -law linear -k 1e8\nlink A:3 A:4 -law imk -stiffness 50MN/m "
+        "-yield 200kN -hardening 5% -capping 9mm -post-capping -0.1 -tension-only\n"
+        "link A:2 B:2 -law maxwell -stiffness 50MN/m -dashpot 900kN*s^0.5/m^0.5 -exponent 0.5\n"
+        "link A:1 B:1 -law friction -stiffness 50MN/m -slip 50kN -slack 2mm\n",
     TWO "contact A B -gap 5mm -law wang -k 1e8 -zeta 1e8 -residual 0.4\n",
     TWO "contact A B -gap 5mm -law stereomechanical -e 0.4\n"
         "contact wall A -gap 0 -law stereomechanical -e 0\n",
@@ -186,6 +195,12 @@ static const char *const kind[] = {
     TALL "storey A clough -yield 500kN -hardening 5%\n",
     TALL "storey C:all takeda -yield 500kN -hardening 2%\n",
     FRAME "storey B takeda -yield 300kN -hardening 2%\ncontact A B -gap 9mm -law linear -k 1e8\n",
+    HINGED "hinges A:1:3 beams bilinear -yield 80kN*m -hardening 2% -stiffness 200MN*m\n"
+           "hinges A bases clough -yield 90kN*m -hardening 2% -stiffness 200MN*m\n"
+           "contact A B -gap 5mm -law kelvin-voigt -k 1e8 -e 0.65\n",
+    HINGED "hinges A:1:3 columns bouc-wen -yield 80kN*m -hardening 2% -stiffness 200MN*m\n"
+           "storey A takeda -yield 200kN -hardening 0 -stiffness 20MN/m\npdelta A\n"
+           "contact A B -gap 9mm -law linear -k 1e8\n",
     TWO "storey A:1:2 ramberg-osgood -yield 300kN -eta 0.2 -r 7\n"
         "storey A:3:4 multilinear -yield 200kN -drift-2 9mm -shear-2 300kN -cycle peak\n"
         "storey B bouc-wen -yield 300kN -hardening 2% -n 1 -delta-eta 0.05 -zeta-s 0.8\n"

@@ -2,27 +2,12 @@
 // Buildings whose foundations sway and rock.
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "model/forces.h"
+#include "model/foundation.h"
 #include "support/analysis.h"
 #include "support/support.h"
-
-// The record of El Centro as a series that starts from 0 at t = 0, as the independent programs have
-// it; its first value is at t = 0.02 s.
-static const char *el_centro(void) {
-    enum { HEAD = 4 };
-    const char *text = support_read("input/records/ELCENTRO_1940_NS.AT2", NULL);
-    for (int i = 0; i < HEAD; i++) {
-        text = strchr(text, '\n') + 1;
-    }
-    char *series = malloc(strlen(text) + 3);
-    assert_non_null(series);
-    sprintf(series, "0\n%s", text);
-    const char *path = support_write("el_centro.txt", series);
-    free(series);
-    return path;
-}
 
 static const char left[] =
     "building A -floors 4 -mass 120t -stiffness 240MN/m 220MN/m 180MN/m 140MN/m -height 3.2m\n"
@@ -50,7 +35,7 @@ static void one_building_is_that_of_an_independent_program(void **state) {
         struct analysis a =
             analysis_of("units N m s\n%sground record %s -format series -dt 0.02 -unit g\n"
                         "duration 31.18\n%s",
-                        left, el_centro(), step[s]);
+                        left, analysis_el_centro(), step[s]);
         const struct results *r = a.results;
         for (int i = 0; i < 4; i++) {
             assert_close(r->peak[PEAK_DISPLACEMENT][i], displacement[i], rtol[s]);
@@ -61,6 +46,16 @@ static void one_building_is_that_of_an_independent_program(void **state) {
         }
         assert_close(r->peak[PEAK_DISPLACEMENT][4], 0.00644877103, rtol[s]);          // sway
         assert_close(r->peak[PEAK_DISPLACEMENT][5], 12.8 * 0.002925406585, rtol[s]);  // of the roof
+        const int first = forces_of_foundation(&a.model->building[0]);
+        const double sway = 0.00644877103, rocking = 0.002925406585;
+        assert_close(-r->force_min[first + FOUNDATION_SWAY], sway, rtol[s]);
+        assert_close(r->force_max[first + FOUNDATION_SWAY], 0.005802250802, rtol[s]);
+        assert_close(r->force_max[first + FOUNDATION_ROCKING], rocking, rtol[s]);
+        assert_close(-r->force_min[first + FOUNDATION_ROCKING], 0.002825242346, rtol[s]);
+        assert_close(-r->force_min[first + FOUNDATION_FORCE], 600e6 * sway, rtol[s]);
+        assert_close(r->force_max[first + FOUNDATION_MOMENT], 12e9 * rocking, rtol[s]);
+        assert_near(r->force_min_time[first + FOUNDATION_SWAY], 2.47309, 5e-4);
+        assert_near(r->force_max_time[first + FOUNDATION_MOMENT], 2.17259, 5e-4);
         assert_true(r->residual_peak < (s < 2 ? 1e-12 : 1e-7) * r->energy[ENERGY_INPUT]);
         analysis_free(&a);
     }
@@ -79,7 +74,7 @@ static void two_buildings_hit_each_other(void **state) {
         "units N m s\n%s%scontact A B -gap 20mm -law komodromos -k 300MN/m -zeta 0.1359\n"
         "ground record %s -format series -dt 0.02 -unit g -scale 1.5\nduration 31.18\n"
         "step fixed 50us",
-        left, right, el_centro());
+        left, right, analysis_el_centro());
     const struct results *r = a.results;
     for (int i = 0; i < 4; i++) {
         assert_close(r->link[i].force, force[i], 2e-3);
@@ -138,8 +133,8 @@ static void a_stiff_foundation_is_the_fixed_base(void **state) {
         "step fixed 1ms\n%s";
     (void)state;
     struct analysis a[2] = {
-        analysis_of(deck, el_centro(), ""),
-        analysis_of(deck, el_centro(),
+        analysis_of(deck, analysis_el_centro(), ""),
+        analysis_of(deck, analysis_el_centro(),
                     "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
     };
     for (int i = 0; i < 3; i++) {
@@ -153,6 +148,42 @@ static void a_stiff_foundation_is_the_fixed_base(void **state) {
                  1e-6);
     for (int k = 0; k < 2; k++) {
         assert_true(a[k].results->residual_peak < 1e-10 * a[k].results->energy[ENERGY_INPUT]);
+        analysis_free(&a[k]);
+    }
+}
+
+// A frame, a wall and storeys on a foundation: on one that hardly moves members have the forces of
+// the fixed base. On one that moves, the columns of a storey carry its shear.
+static void members_on_a_foundation_have_forces(void **state) {
+    static const char deck[] =
+        "units N m s\nbuilding A -floors 2 -mass 100t -height 3m -stiffness 9MN/m\n"
+        "frame A -bays 6 5 -modulus 30e9\ncolumns A:1:2 -I 2e-3 -A 0.16\nbeams A:1:2 -I 3e-3\n"
+        "wall A:1:2 -EI 3e8\ndamping A rayleigh 3%%\n"
+        "ground record %s -format series -dt 0.02 -unit g\nduration 6\nstep fixed 1ms\n%s";
+    (void)state;
+    struct analysis a[3] = {
+        analysis_of(deck, analysis_el_centro(), ""),
+        analysis_of(deck, analysis_el_centro(),
+                    "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
+        analysis_of(deck, analysis_el_centro(),
+                    "foundation A -mass 100t -inertia 1000t*m^2 -sway 3e8 -rocking 9e9"),
+    };
+    const struct building *g = &a[0].model->building[0];
+    assert_int_equal(g->n_force, forces_of_foundation(&a[1].model->building[0]));
+    for (int i = 0; i < g->n_force; i++) {
+        if (a[0].results->force_max[i] != 0.0) {
+            assert_close(a[1].results->force_max[i], a[0].results->force_max[i], 1e-6);
+            assert_close(a[1].results->force_min[i], a[0].results->force_min[i], 1e-6);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        const struct building *b = &a[k].model->building[0];
+        double drift[4] = {1e-3, -2e-3, 5e-4, 3e-4}, force[64], columns = 0.0;
+        forces_at(b, drift, NULL, force);
+        for (int i = 0; i < 3; i++) {
+            columns += force[forces_of_members(b, 0, FRAME_SHEAR) + i];
+        }
+        assert_close(columns, force[forces_of_share(b, 1)], 1e-12);
         analysis_free(&a[k]);
     }
 }
@@ -192,8 +223,8 @@ static void levels_of_other_buildings_stay_where_they_are(void **state) {
         "duration 6\nstep fixed 0.5ms\n%s";
     (void)state;
     struct analysis a[2] = {
-        analysis_of(deck, el_centro(), ""),
-        analysis_of(deck, el_centro(),
+        analysis_of(deck, analysis_el_centro(), ""),
+        analysis_of(deck, analysis_el_centro(),
                     "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
     };
     assert_int_equal(a[0].model->n_contact, 4);  // A@2.5m, B@3m, A@5m, B@6m
@@ -214,6 +245,7 @@ int main(void) {
         cmocka_unit_test(two_buildings_hit_each_other),
         cmocka_unit_test(the_period_is_that_of_veletsos_and_meek),
         cmocka_unit_test(a_stiff_foundation_is_the_fixed_base),
+        cmocka_unit_test(members_on_a_foundation_have_forces),
         cmocka_unit_test(soil_gives_springs_and_dashpots),
         cmocka_unit_test(levels_of_other_buildings_stay_where_they_are),
     };

@@ -20,6 +20,9 @@ struct accuracy {
     double relative, time, small_energy;
 };
 static const struct accuracy fixed = {1e-3, 1e-4, 1e-2}, adaptive = {1e-6, 1e-6, 0.1};
+// A step of Dormand & Prince's method looks at parts with a history at three instants within it,
+// and so misses the turn of a hinge by a little.
+static const struct accuracy hinged = {5e-5, 1e-6, 0.1};
 
 // A number much smaller than others of its kind is judged by this share of the largest.
 static const double SMALL = 1e-3;
@@ -141,7 +144,14 @@ static double contact_value(const struct analysis *a, const struct reference *r)
 
 // A member of a building's frame or wall, such as A/column_1_1, and its force, such as M_i_max.
 static double member_value(const struct analysis *a, const struct reference *r) {
-    static const char *const force[FRAME_FORCES] = {"M_i", "M_j", "V", "N"};
+    static const char *const force[FRAME_QUANTITIES] = {"M_i",
+                                                        "M_j",
+                                                        "V",
+                                                        "N",
+                                                        "rotation_i",
+                                                        "rotation_j",
+                                                        "plastic_rotation_i",
+                                                        "plastic_rotation_j"};
     const struct model *m = a->model;
     const char *name = strchr(r->owner, '/') + 1, *extreme = strrchr(r->quantity, '_');
     for (int k = 0; k < m->n_building; k++) {
@@ -152,7 +162,7 @@ static double member_value(const struct analysis *a, const struct reference *r) 
         }
         for (int i = 0; i < f->n_member; i++) {
             for (int q = 0; strcmp(frame_member_name(&f->member[i], m->deck->arena), name) == 0 &&
-                            q < FRAME_FORCES;
+                            q < forces_quantities(g);
                  q++) {
                 const int at = g->force + forces_of_members(g, 0, q) + i;
                 if (strncmp(r->quantity, force[q], (size_t)(extreme - r->quantity)) == 0) {
@@ -226,7 +236,7 @@ static void fixed_steps_agree(void **state) {
 
 static void adaptive_steps_agree(void **state) {
     struct analysis a = run_adaptive(*state, "step adaptive -tolerance 1e-8");
-    compare(*state, &a, &adaptive);
+    compare(*state, &a, a.model->n_hinge > 0 ? &hinged : &adaptive);
 }
 
 static void adaptive_steps_of_newmark_agree(void **state) {
@@ -274,6 +284,8 @@ int main(void) {
         CASE("K_frame5x3"),
         CASE("K_frame7"),
         CASE("K_frames"),
+        CASE("K_hinges"),
+        CASE("K_hinges_twice"),
         CASE("K_wall8"),
         CASE("K_wall_pounding"),
     };

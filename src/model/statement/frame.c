@@ -58,6 +58,8 @@ static void build(struct builder *b, const struct statement *s) {
         .column = arena_alloc(b->arena, n * n_line, sizeof *f->column),
         .beam = arena_alloc(b->arena, n * (n_line - 1), sizeof *f->beam),
         .base = arena_alloc(b->arena, n_line, sizeof *f->base),
+        .column_hinge = arena_alloc(b->arena, 2 * n * n_line, sizeof *f->column_hinge),
+        .beam_hinge = arena_alloc(b->arena, 2 * n * (n_line - 1), sizeof *f->beam_hinge),
     };
     d->frame = f;
 }

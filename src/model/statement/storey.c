@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <math.h>
-#include <string.h>
 
 #include "deck/reader.h"
-#include "model/builder.h"
-#include "model/storey_choice.h"
+#include "model/storey_choices.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -12,29 +10,6 @@ static const struct row rows[N_ROW] = {
     [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
                    "initial stiffnesses, instead of those of the building"},
 };
-
-// Computes the constants of the k-th selected storey.
-static bool prepare(struct builder *b, const struct statement *s, const struct storey_law *law,
-                    double *const *value, const struct argument *given, int k, double stiffness,
-                    struct storey *out) {
-    double own[STOREY_ROWS_MAX];
-    for (int r = 0; r < law->n_row; r++) {
-        const bool flag = law->row[r].kind == ROW_FLAG && given[r].given;
-        own[r] = value[r] ? value[r][k] : flag ? 1.0 : NAN;
-    }
-    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
-    if (!constant) {
-        return false;
-    }
-    struct error e;
-    if (law->prepare(own, stiffness, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, &s->word[1], "%s", e.message);
-        return false;
-    }
-    out->law = law;
-    out->constant = constant;
-    return true;
-}
 
 // Marks that storey i has a law; false after a report if it had one.
 static bool take(struct builder *b, struct building_draft *d, int i, const struct statement *s) {
@@ -66,19 +41,23 @@ static bool warn_yield(struct builder *b, const struct word *w, const char *buil
     return metres < YIELD_MIN;
 }
 
-static void assign(struct builder *b, const struct statement *s, const struct storey_law *law,
-                   const struct selection *floors, const struct argument *own,
-                   const struct argument *given) {
+// Warns about the first storey that yields early.
+static void warn_yields(struct builder *b, const struct building_draft *d,
+                        const struct selection *floors, const struct storey_choices *c) {
+    bool warned = false;
+    for (int k = 0; c->yield && !warned && k < floors->n_floor; k++) {
+        const int i = floors->floor[k] - 1;
+        warned = warn_yield(b, &c->given[c->yield_row].word[0], d->name, i + 1,
+                            d->storey[i].yield / d->stiffness[i]);
+    }
+}
+
+static void assign(struct builder *b, const struct statement *s, const struct selection *floors,
+                   const struct argument *own, struct storey_choices *c) {
     struct building_draft *d = builder_draft(b, floors->building);
-    double *value[STOREY_ROWS_MAX] = {0};
     double *stiffness = NULL;
     bool good = d->stiffness != NULL;
-    for (int r = 0; r < law->n_row; r++) {
-        if (given[r].n > 0) {
-            value[r] = builder_spread(b, &given[r], floors->n_floor, "storeys");
-            good &= value[r] != NULL;
-        }
-    }
+    good &= storey_choices_spread(b, c, floors->n_floor, "storeys");
     if (own[STIFFNESS].given) {
         stiffness = builder_spread(b, &own[STIFFNESS], floors->n_floor, "storeys");
         good &= stiffness != NULL;
@@ -95,23 +74,10 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }
-        good = good && prepare(b, s, law, value, given, k, d->stiffness[i], &d->storey[i]);
+        good = good && storey_choices_prepare(b, &s->word[1], c, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
-        // Sets the yield shears of the storeys, for laws with a row `yield`. At most one warning
-        // for a statement.
-        int row = 0;
-        while (row < law->n_row && !(value[row] && strcmp(law->row[row].key, "yield") == 0)) {
-            row++;
-        }
-        bool warned = false;
-        for (int k = 0; k < floors->n_floor; k++) {
-            const int i = floors->floor[k] - 1;
-            const double yield = row < law->n_row ? value[row][k] : INFINITY;
-            d->storey[i].yield = yield;
-            warned = warned || (isfinite(yield) && warn_yield(b, &given[row].word[0], d->name,
-                                                              i + 1, yield / d->stiffness[i]));
-        }
+        warn_yields(b, d, floors, c);
     }
 }
 
@@ -121,15 +87,14 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    const struct storey_law *law = storey_choice_find(b->deck, &s->word[2]);
-    if (!law) {
+    struct storey_choices c = {.law = storey_choice_find(b->deck, &s->word[2])};
+    if (!c.law) {
         return;
     }
     struct argument own[N_ROW] = {0};
-    struct argument given[STOREY_ROWS_MAX] = {0};
-    struct row_set set[] = {{rows, N_ROW, own}, {law->row, law->n_row, given}};
+    struct row_set set[] = {{rows, N_ROW, own}, {c.law->row, c.law->n_row, c.given}};
     if (deck_options(b->deck, s, set, 2) && selected) {
-        assign(b, s, law, &floors, own, given);
+        assign(b, s, &floors, own, &c);
     }
 }
 

@@ -9,11 +9,11 @@
 static const struct fields_row list[] = {
     FIELD_VALUE(struct force_peaks, n),
     FIELD_VALUE(struct force_peaks, time),
-    FIELD_ARRAY(struct force_peaks, drift, FIELD_FORCE_STATES),
+    FIELD_ARRAY(struct force_peaks, action, FIELD_FORCE_STATES),
 };
 const struct fields force_peaks_fields = FIELDS(list);
 
-// Bounds are this share of a drift too wide, which is more than their rounding.
+// Bounds are this share of an action too wide, which is more than their rounding.
 static const double WIDER = 1e-12;
 
 bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct results *r,
@@ -24,9 +24,10 @@ bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct resu
         r->force_max[i] = -INFINITY;
         r->force_min[i] = INFINITY;
     }
-    p->bow = lanes_array(a, m->n_dof);
+    p->n_action = fields_actions(m);
+    p->bow = lanes_array(a, p->n_action);
     p->turned =
-        arena_alloc(a, m->n_force > 0 ? (size_t)m->n_dof * FORCES_BATCH : 0, sizeof *p->turned);
+        arena_alloc(a, m->n_force > 0 ? (size_t)p->n_action * FORCES_BATCH : 0, sizeof *p->turned);
     return fields_alloc(&force_peaks_fields, m, p, a);
 }
 
@@ -37,28 +38,33 @@ bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct resu
 #define LARGER(a, b) CHOOSE((b) < (a), a, b)
 #define SMALLER(a, b) CHOOSE((a) < (b), a, b)
 
-// How far the drifts go from their lines.
+// How far the actions go from their lines.
 LANES_INLINE void force_peaks_bend(const struct force_peaks *p) {
-    const ptrdiff_t n = p->model->chain.n;
-    const double *end = p->drift + (p->n - 1) * n;
+    const ptrdiff_t n = p->n_action;
+    const double *end = p->action + (p->n - 1) * n;
     for (ptrdiff_t i = 0; i < n; i += LANES_VECTOR) {
-        const lanes first = LANES_OF(p->drift, i), last = LANES_OF(end, i);
+        const lanes first = LANES_OF(p->action, i), last = LANES_OF(end, i);
         const lanes slope = (last - first) / (p->n > 1 ? p->n - 1 : 1);
         lanes bow = WIDER * LARGER(ABSOLUTE(first), ABSOLUTE(last));
         for (int k = 1; k < p->n - 1; k++) {
-            const lanes apart = LANES_OF(p->drift + k * n, i) - (first + slope * k);
+            const lanes apart = LANES_OF(p->action + k * n, i) - (first + slope * k);
             bow = LARGER(ABSOLUTE(apart), bow);
         }
         *(lanes *)(p->bow + i) = bow + WIDER * bow;
     }
 }
 
-// Turns the drifts of building g so that those of a storey stand side by side.
+// Where action j of building g stands in a state.
+static inline int force_peaks_place(const struct force_peaks *p, const struct building *g, int j) {
+    return j < g->n_floor ? g->first + j : p->model->chain.n + g->first_hinge + j - g->n_floor;
+}
+
+// Turns the actions of building g so that the values of one stand side by side.
 static void force_peaks_turn(const struct force_peaks *p, const struct building *g) {
     for (int k = 0; k < p->n; k++) {
-        const double *drift = p->drift + (ptrdiff_t)k * p->model->chain.n + g->first;
-        for (int j = 0; j < g->n_floor; j++) {
-            p->turned[j * FORCES_BATCH + k] = drift[j];
+        const double *action = p->action + (ptrdiff_t)k * p->n_action;
+        for (int j = 0; j < g->n_floor + g->n_hinge; j++) {
+            p->turned[j * FORCES_BATCH + k] = action[force_peaks_place(p, g, j)];
         }
     }
 }
@@ -68,12 +74,12 @@ LANES_INLINE void force_peaks_compute(const struct force_peaks *p, const struct 
                                       int i) {
     const ptrdiff_t stride = lanes_whole(g->n_force);
     double force[FORCES_BATCH] = {0.0};
-    for (int j = 0; j < g->n_floor; j++) {
-        const double by_drift = g->force_by_drift[j * stride + i];
-        const double *drift = p->turned + (ptrdiff_t)j * FORCES_BATCH;
+    for (int j = 0; j < g->n_floor + g->n_hinge; j++) {
+        const double by_action = g->force_by_action[j * stride + i];
+        const double *action = p->turned + (ptrdiff_t)j * FORCES_BATCH;
         LANES_LOOP
         for (int k = 0; k < FORCES_BATCH; k++) {
-            force[k] += by_drift * drift[k];
+            force[k] += by_action * action[k];
         }
     }
     for (int k = 0; k < p->n; k++) {
@@ -85,14 +91,15 @@ LANES_INLINE void force_peaks_compute(const struct force_peaks *p, const struct 
 LANES_INLINE void force_peaks_bound(const struct force_peaks *p, const struct building *g, int i,
                                     lanes_bits *beyond) {
     const ptrdiff_t stride = lanes_whole(g->n_force);
-    const double *first = p->drift + g->first, *bow = p->bow + g->first;
-    const double *last = first + (ptrdiff_t)(p->n - 1) * p->model->chain.n;
+    const double *first = p->action, *bow = p->bow;
+    const double *last = first + (ptrdiff_t)(p->n - 1) * p->n_action;
     lanes start = {0.0}, end = {0.0}, reach = {0.0};
-    for (int j = 0; j < g->n_floor; j++) {
-        const lanes row = LANES_OF(g->force_by_drift + j * stride, i);
-        start += row * first[j];
-        end += row * last[j];
-        reach += ABSOLUTE(row) * bow[j];
+    for (int j = 0; j < g->n_floor + g->n_hinge; j++) {
+        const lanes row = LANES_OF(g->force_by_action + j * stride, i);
+        const int at = force_peaks_place(p, g, j);
+        start += row * first[at];
+        end += row * last[at];
+        reach += ABSOLUTE(row) * bow[at];
     }
     const lanes most = LANES_OF(p->results->force_max + g->force, i);
     const lanes least = LANES_OF(p->results->force_min + g->force, i);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest and smallest of the forces that follow from drifts (model/forces.h), over all
-// computed steps.
+// The largest and smallest of the forces that follow from drifts and rotations of hinges
+// (model/forces.h), over all computed steps.
 //
-// Drifts of FORCES_BATCH states are collected. A drift stays near the straight line from the first
-// to the last of them: by its bow at most. So a force with the row p stays between its values at
-// the first and the last state, widened by sum(|p| bow). Only forces that may so exceed their
-// extremes so far are computed, state by state. They are few.
+// Such actions of FORCES_BATCH states are collected. An action stays near the straight line from
+// the first to the last of them: by its bow at most. So a force with the row p stays between its
+// values at the first and the last state, widened by sum(|p| bow). Only forces that may so exceed
+// their extremes so far are computed, state by state. They are few.
 #ifndef JOSTLE_FORCE_PEAKS_H
 #define JOSTLE_FORCE_PEAKS_H
 
@@ -16,10 +16,10 @@ struct force_peaks {
     struct results *results;  // borrowed
     int n;                    // states in the batch
     double time[FORCES_BATCH];
-    double *drift;  // [L] (FORCES_BATCH, model.chain.n)
-    double *bow;    // [L] (n_dof) scratch
-    double
-        *turned;  // [L] (n_dof, FORCES_BATCH) scratch: the drifts of a building, storey by storey
+    int n_action;    // of a state: model.chain.n drifts, then rotations
+    double *action;  // (FORCES_BATCH, n_action)
+    double *bow;     // (n_action) scratch
+    double *turned;  // (n_action, FORCES_BATCH) scratch: those of a building, one by one
 };
 extern const struct fields force_peaks_fields;
 
@@ -42,14 +42,20 @@ static inline void force_peaks_take(struct results *r, int i, double value, doub
     }
 }
 
-// Takes a state with displacements u, an array of core/lanes.h.
-static inline void force_peaks_note(struct force_peaks *p, const double *u, double time) {
-    const struct chain *c = &p->model->chain;
-    double *drift = p->drift + (ptrdiff_t)p->n * c->n;
+// Takes a state: its displacements, and rotations of hinges.
+static inline void force_peaks_note(struct force_peaks *p, const struct state *s) {
+    const struct model *m = p->model;
+    const struct chain *c = &m->chain;
+    double *action = p->action + (ptrdiff_t)p->n * p->n_action;
     for (int i = 0; i < c->n; i++) {
-        drift[i] = u[i] - c->joint[i] * u[i - 1];
+        action[i] = s->u[i] - c->joint[i] * s->u[i - 1];
     }
-    p->time[p->n++] = time;
+    for (int k = 0; m->n_hinge > 0 && k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        memcpy(action + c->n + g->first_hinge, s->storey_history + g->turn,
+               (size_t)g->n_hinge * sizeof *action);
+    }
+    p->time[p->n++] = s->time;
     if (p->n == FORCES_BATCH) {
         force_peaks_flush(p);
     }

@@ -3,6 +3,8 @@
 // reached straight from their history, so that this drift is a root of the shear, on the side to
 // which it pulls.
 //
+// So it is with a link that has a storey law. The damper of Maxwell's law stays where it is.
+//
 // The storeys of a building with parts come to rest together: Newton's method finds the drifts at
 // which all shears are 0, from the histories at the end of the analysis and without velocities.
 #include <assert.h>
@@ -14,6 +16,7 @@
 
 #include "core/arena.h"
 #include "core/root.h"
+#include "law/link_law.h"
 #include "model/foundation.h"
 #include "model/parts.h"
 #include "model/storey_force.h"
@@ -46,6 +49,25 @@ static double residual_drift_unload(struct unloading u, double stiffness, double
     return shear == 0.0 ? drift : root_find(residual_drift_shear, &u, low, high, DBL_EPSILON);
 }
 
+void residual_links(const struct model *m, const struct state *s, struct link_peak *link) {
+    for (int k = m->n_contact; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        const double *history = s->link_history + l->history;
+        const double stored =
+            l->law->stored ? l->law->stored(l->constant, history, s->delta[k]) : 0.0;
+        link[k].lost = link[k].dissipated - stored;
+        if (l->law->creep) {
+            link[k].residual = fabs(history[1]);
+        } else if (l->law->traits & CONTACT_TURNS) {
+            const struct link_storey of = link_law_storey(l->constant, history);
+            const struct storey storey = {.law = of.law, .constant = of.constant};
+            const struct unloading u = {&storey, of.history};
+            link[k].residual =
+                fabs(residual_drift_unload(u, l->constant[LINK_STIFFNESS], of.deformation));
+        }
+    }
+}
+
 // A building with parts, its shears and their tangent at rest.
 struct settling {
     const struct model *model;
@@ -55,6 +77,7 @@ struct settling {
     double *tangent;            // (n, n)
     double *shear, *change;     // (n) change: of x
     double *x, *trial, *still;  // (n) drifts; still: drift rates of 0
+    double *scratch;            // (model.n_part_scratch) of parts
     size_t *order;              // (n) of the rows in the factorisation
 };
 
@@ -63,7 +86,8 @@ static double residual_drift_shears(struct settling *r, const double *x) {
     const struct building *b = r->building;
     memset(r->shear, 0, r->n * sizeof *r->shear);
     memset(r->tangent, 0, r->n * r->n * sizeof *r->tangent);
-    const struct part_sums sums = {.shear = r->shear, .by_drift = r->tangent};
+    const struct part_sums sums = {
+        .shear = r->shear, .by_drift = r->tangent, .scratch = r->scratch};
     parts_respond(b, r->history, x, r->still, &sums, NULL);
     for (size_t i = 0; i < r->n; i++) {
         const struct storey *storey = &r->model->storey[(size_t)b->first + i];
@@ -113,6 +137,7 @@ static void residual_drift_settle(const struct model *m, const struct state *s,
         *array[i] = arena_alloc(a, i == 0 ? n * n : n, sizeof(double));
     }
     r.order = a ? arena_alloc(a, n, sizeof *r.order) : NULL;
+    r.scratch = a ? arena_alloc(a, (size_t)m->n_part_scratch, sizeof *r.scratch) : NULL;
     for (size_t i = 0; i < n; i++) {
         out[i] = (double)NAN;
     }

@@ -58,7 +58,7 @@ static void dp_integrate(const struct dp *p, const double *time, struct energy_a
 // of such a law gives 0 but for the rule. NAN: it does depend.
 static double dp_elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
-    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0) {
+    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0 || p->model->link[k].law->creep) {
         return NAN;
     }
     double start = p->now.delta[k];
@@ -144,6 +144,8 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
         }
     }
     row->time = t;
+    memcpy(row->link_history, p->now.link_history,
+           (size_t)p->model->n_link_history * sizeof *row->link_history);
     dp_row_floors(p, rates, row);
     dp_row_links(p, rates, row);
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extremes in a step of the forces that follow from drifts, of the forces in struck columns, and
 // of the storeys of buildings with a foundation. A force is linear in the
-// displacements, so it goes on a polynomial as they do, and turns where that does.
+// displacements, so it goes on a polynomial as they do, and turns where that does. With hinges, it
+// is known at the ends of steps only.
 #include <math.h>
 
 #include "model/forces.h"
 #include "model/foundation.h"
+#include "model/struck_column.h"
 #include "solve/account/force_peaks.h"
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
@@ -14,16 +16,27 @@
 static void dp_forces_of(const struct dp *p, const struct building *g, const double *x,
                          double *out) {
     double *drift = p->system.part_drift;
+    const double *history = p->system.part_history;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         drift[i] = x[i] - x[p->system.below[i]];
     }
-    forces_at(g, drift + g->first, out);
+    forces_at(g, drift + g->first, history, out);
 }
 
 static void dp_forces_note_turns(struct dp *p, int i, const struct motion *m) {
     const struct motion_pieces s = dp_motion_cut(m);
     for (int j = 1; j < s.n; j++) {
         force_peaks_take(p->results, i, s.d[j], p->now.time + s.x[j] * p->h);
+    }
+}
+
+// The forces of a building with hinges at the end of the step.
+static void dp_forces_hinged(const struct dp *p, const struct building *g) {
+    const struct state *next = &p->next;
+    dp_rates_parts(p, g, p->now.storey_history, next->u, next->v, p->system.part_history);
+    dp_forces_of(p, g, next->u, p->force[0]);
+    for (int i = 0; i < g->n_force; i++) {
+        force_peaks_take(p->results, g->force + i, p->force[0][i], next->time);
     }
 }
 
@@ -63,11 +76,28 @@ static struct motion dp_forces_sum(const struct dp *p, int n, const int *dof,
     return m;
 }
 
+// Forces in a struck column with a law: at the end of the step only.
+static void dp_forces_yielding(const struct dp *p, int column) {
+    const struct model *m = p->model;
+    const struct link *l = &m->link[m->n_link - m->n_column + column];
+    const double d = dp_system_across(l, m, p->next.u, p->next.ground_u);
+    const double spring =
+        l->law->force(l->constant, p->now.link_history + l->history, d, 0.0).force;
+    for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        peaks_column(&p->results->column[column][q],
+                     struck_column_force(&m->column[column], q, p->next.u, spring), p->next.time);
+    }
+}
+
 // Forces in struck columns at the end of the step and where they turn.
 static void dp_forces_columns(const struct dp *p) {
     const struct model *m = p->model;
     for (int i = 0; i < m->n_column; i++) {
         const struct struck_column *c = &m->column[i];
+        if (c->yields) {
+            dp_forces_yielding(p, i);
+            continue;
+        }
         for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
             struct column_peak *peak = &p->results->column[i][q];
             const struct motion force = dp_forces_sum(p, 3, c->dof, c->force[q]);
@@ -127,7 +157,9 @@ static void dp_forces_founded(const struct dp *p, const struct building *g) {
 void dp_forces_step(struct dp *p, bool within) {
     for (int k = 0; k < p->model->n_building; k++) {
         const struct building *g = &p->model->building[k];
-        if (g->n_force > 0) {
+        if (g->n_hinge > 0) {
+            dp_forces_hinged(p, g);
+        } else if (g->n_force > 0) {
             dp_forces_building(p, g, within);
         }
         if (g->fixed) {

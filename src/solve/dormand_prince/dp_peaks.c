@@ -262,14 +262,32 @@ static double dp_motion_bend(const struct polynomial *p, double x) {
     return 2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]));
 }
 
+// The force of link number i of the live ones at place x of its path in the step, and its rate.
+static double dp_link_force(const struct dp *p, int i, const struct polynomial *path, double x,
+                            double *rate) {
+    const int k = p->now.live[i];
+    const double d = dp_motion_value(path, x), v = dp_motion_slope(path, x) / p->h;
+    const double a = dp_motion_bend(path, x) / (p->h * p->h);
+    if (!p->model->link[k].law->creep) {
+        const struct contact_response r = dp_system_response(p, k, d, v);
+        *rate = r.dfdd * v + r.dfdv * a;
+        return r.force;
+    }
+    struct dp_link_rates r = {.creep = dp_rates_creep(p, i, x)};
+    dp_rates_creeping(p, i, d, v, &r);
+    *rate = r.response.dfdd * (v - r.flow) + r.response.dfdv * a;
+    return r.response.force;
+}
+
 // The force of link number i of the live ones where its rate changes its sign inside the step, and
 // when; the one at the end where it does not.
 static double dp_inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
-    const struct dp_rates *first = p->stage[0], *last = p->stage[DP_STAGES - 1];
+    const struct dp_link_rates *first = &p->stage[0]->link[i];
+    const struct dp_link_rates *last = &p->stage[DP_STAGES - 1]->link[i];
     const double start =
-        first->link[i].response.dfdd * m->v[0] + first->link[i].response.dfdv * m->a[0];
-    double rate = last->link[i].response.dfdd * m->v[1] + last->link[i].response.dfdv * m->a[1];
-    double force = last->link[i].response.force;
+        first->response.dfdd * (m->v[0] - first->flow) + first->response.dfdv * m->a[0];
+    double rate = last->response.dfdd * (m->v[1] - last->flow) + last->response.dfdv * m->a[1];
+    double force = last->response.force;
     *time = p->next.time;
     if (start * rate >= 0.0 || dp_is_instant(p)) {
         return force;
@@ -277,11 +295,8 @@ static double dp_inner_force(const struct dp *p, int i, const struct motion *m, 
     const struct polynomial path = dp_motion_path(m);
     struct root at = {.high = 1.0};
     while (at.high - at.low > PLACED) {
-        const double x = root_middle(&at), v = dp_motion_slope(&path, x) / m->h;
-        const struct contact_response r =
-            dp_system_response(p, p->now.live[i], dp_motion_value(&path, x), v);
-        rate = r.dfdd * v + r.dfdv * (dp_motion_bend(&path, x) / (m->h * m->h));
-        force = r.force;
+        const double x = root_middle(&at);
+        force = dp_link_force(p, i, &path, x, &rate);
         *time = p->now.time + x * m->h;
         root_halve(&at, start * rate > 0.0);
     }

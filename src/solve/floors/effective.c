@@ -21,7 +21,7 @@
 static const struct fields_row list[] = {
     FIELD_VALUE(struct effective, b),
     FIELD_VALUE(struct effective, g),
-    FIELD_ARRAY(struct effective, tangent, FIELD_BUILDING_FLOORS),
+    FIELD_ARRAY(struct effective, tangent, FIELD_BUILDING_TANGENTS),
     FIELD_ARRAY(struct effective, ready, FIELD_BUILDING_FLOORS),
 };
 const struct fields effective_fields = FIELDS(list);
@@ -42,7 +42,7 @@ static void alloc_one(struct effective *e, const struct building *building, enum
     e->building = building;
     e->use = building->damping_full ? EFFECTIVE_LONG : building->smooth ? EFFECTIVE_BRIEFLY : use;
     e->b = e->g = NAN;
-    e->tangent = arena_alloc(a, n + (building->n_part > 0 ? 2 * n * n : 0), sizeof *e->tangent);
+    e->tangent = arena_alloc(a, (size_t)building_n_tangent(building), sizeof *e->tangent);
     e->stride = lanes_whole(building->n_floor);
     e->inverse = lanes_array(a, e->stride * e->stride);
     e->damping = padded(building->damping_full, building->n_floor, e->stride, a);

@@ -278,7 +278,7 @@ LANES_INLINE long floors_fly_from(const struct flight *f, const struct floors_li
             flight_account_links(f, from, to);
         }
         if (f->work->floors.account.forces) {
-            force_peaks_note(f->work->floors.account.forces, to->u, to->time);
+            force_peaks_note(f->work->floors.account.forces, to);
         }
         *now = to;
         *next = from;

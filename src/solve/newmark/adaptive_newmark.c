@@ -69,8 +69,10 @@ static void adaptive_start(struct run *r) {
 
 // What keeps steps short, for messages.
 static const char *adaptive_cause(const struct run *r) {
-    const int k = r->memory.unresolved;
-    return k < 0 ? "the tolerance" : r->model->link[k].name;
+    const int k = r->memory.unresolved, lost = r->work.lost;
+    return lost >= 0 ? r->model->building[lost].name
+           : k < 0   ? "the tolerance"
+                     : r->model->link[k].name;
 }
 
 // The next step on the way to `limit`: its size *h, and the instant *end at which it ends. Errors:

@@ -13,6 +13,12 @@ static int fixed_reject(struct run *r, double h, int halvings) {
     const struct model *m = r->model;
     const char *unit = m->deck->units.time_name;
     const int k = r->memory.unresolved;
+    if (halvings == RUN_HALVINGS_MAX && r->work.lost >= 0) {
+        return error_set(r->error, STATUS_FAILED,
+                         "at t = %.9g %s the hinges of building %s have no equilibrium that a step "
+                         "of %.3g %s finds",
+                         r->now->time, unit, m->building[r->work.lost].name, h, unit);
+    }
     if (halvings == RUN_HALVINGS_MAX) {
         return error_set(
             r->error, STATUS_FAILED,

@@ -88,28 +88,49 @@ static bool newmark_parts_agree(const struct work *w, const struct state *next, 
     return agree;
 }
 
+// Takes the tangents of the parts of building k at the drifts of `at`. STATUS_RETRY: a part has no
+// equilibrium there.
+static int newmark_linearise_parts(struct work *w, const struct state *now, const struct state *at,
+                                   int k) {
+    const struct building *g = &w->model->building[k];
+    const size_t n = (size_t)g->n_floor, size = 2 * n * n * sizeof(double);
+    double *by_drift = w->effective[k].tangent + n;
+    double *memory = w->memory->part_tangent + g->part_tangent;
+    memset(by_drift, 0, size);
+    const struct part_sums sums = {
+        .by_drift = by_drift, .by_rate = by_drift + n * n, .scratch = at->scratch};
+    parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first, &sums, NULL);
+    const bool found = !isnan(by_drift[0]);
+    w->lost = found ? w->lost : k;
+    if (g->predictable) {
+        memcpy(found ? memory : by_drift, found ? by_drift : memory, size);
+    }
+    return found ? STATUS_OK : STATUS_RETRY;
+}
+
 // Takes the tangents of the storeys of building k, and of its parts, at the drifts of `at`, and
 // factorises again.
 static int newmark_linearise(struct work *w, const struct state *now, const struct state *at,
                              int k) {
     const struct building *g = &w->model->building[k];
     const size_t n = (size_t)g->n_floor;
-    double *tangent = w->effective[k].tangent, *by_drift = tangent + n;
+    double *tangent = w->effective[k].tangent;
+    int status = STATUS_OK;
     memcpy(tangent, at->tangent + g->first, n * sizeof *tangent);
     memcpy(w->memory->tangent + g->first, at->tangent + g->first, n * sizeof *tangent);
     if (g->n_part > 0) {
-        memset(by_drift, 0, 2 * n * n * sizeof *by_drift);
-        parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first,
-                      &(struct part_sums){.by_drift = by_drift, .by_rate = by_drift + n * n}, NULL);
+        status = newmark_linearise_parts(w, now, at, k);
     }
-    const int status = effective_factor(&w->effective[k], w->b, w->g);
+    if (status == STATUS_OK) {
+        status = effective_factor(&w->effective[k], w->b, w->g);
+    }
     w->h = status == STATUS_OK ? w->h : 0.0;
     w->totals->indefinite += status != STATUS_OK;
     return status;
 }
 
-// Takes the shears of building k at the state reached back to the trial, on their tangents there.
-static void newmark_extrapolate(const struct work *w, const struct state *next, int k) {
+// Takes the shears of building k at a state to the trial, on the tangents it is factorised with.
+static void newmark_extrapolate(const struct work *w, const struct state *from, int k) {
     const struct building *g = &w->model->building[k];
     const struct storeys *trial = &w->storeys;
     const int first = g->first, n = g->n_floor;
@@ -117,11 +138,11 @@ static void newmark_extrapolate(const struct work *w, const struct state *next, 
     const double *by_drift = tangent + n, *by_rate = by_drift + (ptrdiff_t)n * n;
     for (int i = 0; i < n; i++) {
         const int at = first + i;
-        double shear = next->shear[at] + tangent[i] * (trial->drift[at] - next->drift[at]);
+        double shear = from->shear[at] + tangent[i] * (trial->drift[at] - from->drift[at]);
         for (int j = 0; j < (g->n_part > 0 ? n : 0); j++) {
             const int other = first + j;
-            shear += by_drift[i * n + j] * (trial->drift[other] - next->drift[other]) +
-                     by_rate[i * n + j] * (trial->rate[other] - next->rate[other]);
+            shear += by_drift[i * n + j] * (trial->drift[other] - from->drift[other]) +
+                     by_rate[i * n + j] * (trial->rate[other] - from->rate[other]);
         }
         trial->shear[at] = shear;
     }
@@ -207,16 +228,21 @@ static int newmark_try(struct work *w, const struct state *now, const struct sta
     chain_try(&m->chain, w->h, now->u, now->v, now->a, trial.drift, trial.shear);
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
-        if (g->predictable) {
+        if (g->n_part > 0) {
+            floors_trial(w, now, k);
+            state_rates(&trial, g, w->v_trial);
+        }
+        if (g->predictable && g->n_part > 0) {
+            newmark_extrapolate(w, now, k);
+        } else if (g->predictable) {
             newmark_predict_shears(g, w->effective[k].tangent, now, &trial);
         } else if (!g->elastic) {
             state_storeys(&trial, m, g, history, trial.storey_history);
         }
-        if (g->n_part > 0) {
-            floors_trial(w, now, k);
+        if (g->n_part > 0 && !g->predictable) {
+            state_parts(&trial, g, history, trial.storey_history);
         }
     }
-    state_parts(&trial, m, w->v_trial, history, trial.storey_history);
     for (int k = 0; status == STATUS_OK && k < m->n_body; k++) {
         if (m->building[k].smooth) {
             w->factors++;
@@ -266,6 +292,7 @@ static void newmark_finish(struct work *w, struct state *next) {
 
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
                  struct error *e) {
+    w->lost = -1;
     if (work_factor(w, h) != STATUS_OK) {
         w->totals->indefinite++;
         return STATUS_RETRY;

@@ -107,7 +107,7 @@ static int run_step_commit(struct run *r) {
     r->next = old;
     r->results->totals.steps++;
     if (r->model->n_force > 0) {
-        force_peaks_note(&r->forces, r->now->u, r->now->time);
+        force_peaks_note(&r->forces, r->now);
     }
     if (status == STATUS_OK && r->results->collapse.happened) {
         return STATUS_COLLAPSE;
