@@ -311,16 +311,6 @@ static int add_terms(struct reading *r, struct error *e) {
     }
 }
 
-struct dimension edp_units(const char *text, double gravity, double *size) {
-    struct dimension dimension = dimension_none;
-    const char *end;
-    if (!unit_parse(text, gravity, &end, &dimension, size) || *end != '\0') {
-        *size = 1.0;
-        return dimension_none;
-    }
-    return dimension;
-}
-
 int edp_parse(const struct study_view *v, const char *text, struct arena *a, struct edp *out,
               struct error *e) {
     const size_t n = strcspn(text, ":");

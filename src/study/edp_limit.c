@@ -33,6 +33,16 @@ static int read_limit(const struct edp *p, const struct unit_system *units, cons
                             : error_set(e, STATUS_INPUT, "limit '%s' is too large", text);
 }
 
+struct dimension edp_units(const char *text, double gravity, double *size) {
+    struct dimension dimension = dimension_none;
+    const char *end;
+    if (!unit_parse(text, gravity, &end, &dimension, size) || *end != '\0') {
+        *size = 1.0;
+        return dimension_none;
+    }
+    return dimension;
+}
+
 int edp_limit(const struct edp *p, const struct unit_system *units, const char *text, double *limit,
               struct error *e) {
     int status = read_limit(p, units, text, limit, e);
