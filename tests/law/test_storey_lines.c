@@ -214,6 +214,10 @@ static void directions_may_yield_at_different_shears(void **state) {
     check("bilinear", UNEQUAL "0", target, kinematic, 9, 1e-12);
     check("clough", UNEQUAL "0", target, clough, 8, 1e-12);
     check("takeda", UNEQUAL "0 alpha 0", target, clough, 8, 1e-12);
+    // To the left it yields first.
+    const struct test_storey virgin = test_storey_of("clough", 1.0, UNEQUAL "0");
+    assert_near(test_storey_at(&virgin, -0.8).shear, -0.5, 1e-14);
+    assert_near(test_storey_at(&virgin, 0.8).shear, 0.8, 1e-14);
     // A left turn softens by its own drift at yield: k (0.5 / 2)^0.5 = 0.5.
     struct test_storey s = test_storey_of("takeda", 1.0, UNEQUAL "0 alpha 0.5");
     test_storey_go(&s, -2.0, 1);
@@ -305,18 +309,24 @@ static void ramberg_osgood_loops_are_masings(void **state) {
 static void ramberg_osgood_storeys_forget_small_loops_without_a_jump(void **state) {
     (void)state;
     struct test_storey s = test_storey_of("ramberg-osgood", 1.0, "yield 1 eta 0.2 r 7");
-    double work = 0.0, shear = 0.0;
+    double work = 0.0;
     for (int i = 0; i < 60; i++) {
         const double d = (i % 2 ? -3.0 : 3.0) * exp(-0.05 * i);
         work += test_storey_work(&s, d, 4000);
         assert_true(work - s.law->stored(s.constant, s.history, d) > 0.0);
     }
-    for (int i = 0; i < 3000; i++) {
-        const double d = s.drift + 2e-3, before = test_storey_at(&s, s.drift).shear;
-        shear = test_storey_go(&s, d, 1);
-        assert_true(shear - before > 0.0 && shear - before <= 2e-3 * (1.0 + 1e-9));
+    // On to both sides, out of all loops.
+    for (int side = -1; side <= 1; side += 2) {
+        struct test_storey out = s;
+        double shear = test_storey_at(&out, out.drift).shear;
+        for (int i = 0; i < 3000; i++) {
+            const double before = shear;
+            shear = test_storey_go(&out, out.drift + side * 2e-3, 1);
+            const double rise = side * (shear - before);
+            assert_true(rise > 0.0 && rise <= 2e-3 * (1.0 + 1e-9));
+        }
+        assert_near(shear + side * 0.2 * pow(fabs(shear), 7.0), out.drift, 1e-12);
     }
-    assert_near(shear + 0.2 * pow(shear, 7.0), s.drift, 1e-12);
 }
 
 // Closed cycles of any size give no energy back.
