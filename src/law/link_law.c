@@ -47,9 +47,11 @@ static const struct row friction_rows[FRICTION_ROWS] = {
 enum { VISCOUS, MAXWELL, FRICTION, HOOK, CABLE, GAP, N_OWN };
 
 #define STOREY_LAW(descriptor) +1
+#define STOREY_WITHOUT_RATE
 const int n_link_law = N_OWN
 #include "law/storey_list.inc"
     ;
+#undef STOREY_WITHOUT_RATE
 #undef STOREY_LAW
 struct link_law link_law_at(int i) {
     switch (i) {
@@ -238,10 +240,6 @@ int link_law_prepare(const struct link_law *from, const double *value, double *c
     const double *own = value + LINK_ROWS;
     double bilinear[STOREY_ROWS_MAX];
     int law = 0;
-    if (from->storey->respond_at_rate) {
-        return error_set(e, STATUS_INPUT, "law %s depends on the velocity; it is for storeys only",
-                         from->storey->name);
-    }
     while (storey_laws[law] != from->storey) {
         law++;
         assert(law < n_storey_law);

@@ -5,6 +5,7 @@
 // friction depends on the velocity, the law is fps.
 #include "model/isolator.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "law/lists.h"
@@ -23,36 +24,55 @@ static double isolator_weight(struct builder *b, const struct building_draft *d,
     return isnan(q->weight) ? sum : q->weight;
 }
 
-// The law of strength `q` and stiffnesses kd, ki; false after a report.
-static bool isolator_set_bilinear(struct builder *b, struct building_draft *d,
-                                  const struct isolator_draft *draft, double q, double kd,
-                                  double ki) {
-    enum { YIELD, HARDENING };  // rows of the law
-    const double ratio = kd / ki;
-    const double value[] = {[YIELD] = q / (1.0 - ratio), [HARDENING] = ratio};
-    d->stiffness[draft->storey] = ki;
-    d->storey[draft->storey].yield = value[YIELD];
-    return storey_choices_law(b, &draft->word, &storey_bilinear, value, ki,
-                              &d->storey[draft->storey]);
+// A value of a row of a law, by its key.
+struct isolator_value {
+    const char *key;
+    double value;
+};
+
+// Gives the storey the law with n values; rows without one have their fallbacks.
+static void isolator_set(struct builder *b, struct building_draft *d,
+                         const struct isolator_draft *q, const struct storey_law *law,
+                         const struct isolator_value *of, int n, double ki) {
+    double value[STOREY_ROWS_MAX];
+    for (int r = 0; r < law->n_row; r++) {
+        value[r] = law->row[r].fallback;
+    }
+    for (int i = 0; i < n; i++) {
+        const int row = storey_choice_row(law, of[i].key);
+        assert(row >= 0);
+        value[row] = of[i].value;
+    }
+    d->stiffness[q->storey] = ki;
+    storey_choices_law(b, &q->word, law, value, ki, &d->storey[q->storey]);
 }
 
-static bool isolator_set_sliding(struct builder *b, struct building_draft *d,
+// The law of strength `strength` and stiffnesses kd, ki.
+static void isolator_set_bilinear(struct builder *b, struct building_draft *d,
+                                  const struct isolator_draft *q, double strength, double kd,
+                                  double ki) {
+    const struct isolator_value of[] = {{"yield", strength / (1.0 - kd / ki)},
+                                        {"hardening", kd / ki}};
+    d->storey[q->storey].yield = of[0].value;
+    isolator_set(b, d, q, &storey_bilinear, of, 2, ki);
+}
+
+static void isolator_set_sliding(struct builder *b, struct building_draft *d,
                                  const struct isolator_draft *q) {
-    enum { WEIGHT, RADIUS, MU, MU_SLOW, RATE };  // rows of the law
     const double weight = isolator_weight(b, d, q);
     const double kd = isnan(q->radius) ? 0.0 : weight / q->radius;
     const double strength = q->mu * weight, ki = kd + strength / q->yield_drift;
     if (isnan(q->mu_slow) && isnan(q->rate)) {
-        return isolator_set_bilinear(b, d, q, strength, kd, ki);
+        isolator_set_bilinear(b, d, q, strength, kd, ki);
+        return;
     }
-    const double value[] = {[WEIGHT] = weight,
-                            [RADIUS] = q->radius,
-                            [MU] = q->mu,
-                            [MU_SLOW] = q->mu_slow,
-                            [RATE] = q->rate};
-    d->stiffness[q->storey] = ki;
+    const struct isolator_value of[] = {{"weight", weight},
+                                        {"radius", q->radius},
+                                        {"mu", q->mu},
+                                        {"mu-slow", q->mu_slow},
+                                        {"rate", q->rate}};
     d->storey[q->storey].yield = ki * q->yield_drift;
-    return storey_choices_law(b, &q->word, &storey_fps, value, ki, &d->storey[q->storey]);
+    isolator_set(b, d, q, &storey_fps, of, 5, ki);
 }
 
 void isolator_finish(struct builder *b) {
