@@ -4,72 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/choice.h"
-#include "command/printer.h"
 #include "command/report_head.h"
+#include "command/report_links.h"
 #include "command/report_members.h"
 #include "core/safe.h"
 #include "core/text.h"
 #include "jostle/result.h"
-
-enum { NAME_WIDTH_MIN = 8, NAME_WIDTH_MAX = 16, LINK_WIDTH_MAX = 33, LAW_WIDTH_MAX = 17 };
-
-#define READ(name, wide, of)                                                                       \
-    { .head = name, .dimension = &dimension_##of, .width = wide, .digits = 4, .look = LOOK_READ }
-#define COUNT(name, wide) COLUMN_G(name, wide, 9)
-#define RATIO(wide)                                                                                \
-    { .head = "of height", .unit = "%", .width = wide, .digits = 4, .look = LOOK_READ }
-
-struct summary {
-    FILE *to;
-    const struct report *r;
-    int status;
-    struct error *e;
-};
-
-// The entries of a table and the width of their names.
-struct shown {
-    struct choice choice[SHOWN_MAX];
-    int n, width;
-};
-
-// Writes all cells of entry `i`. Returns whether one has the mark of a floor that was hit.
-typedef bool row_function(struct printer *t, const struct report *r, int i);
-
-// A table with the names of the entries and the columns behind them.
-static void print_table(struct summary *s, const struct shown *shown, const char *name,
-                        const struct printer_column *column, int n, row_function *row) {
-    struct printer t = {.to = s->to, .units = &s->r->units, .at_head = UNITS_BELOW};
-    bool any_hit = false;
-    fputc('\n', s->to);
-    printer_add(&t, &(struct printer_column)COLUMN_NAME(name, shown->width), 1);
-    printer_add(&t, column, n);
-    printer_head(&t);
-    for (int i = 0; i < shown->n; i++) {
-        any_hit |= row(&t, s->r, shown->choice[i].index);
-        printer_line(&t);
-    }
-    s->status = printer_end(&t, s->status, s->e);
-    if (any_hit) {
-        fprintf(s->to, "%s\n", report_hit_note);
-    }
-}
-
-#define PRINT_TABLE(s, shown, name, column, row)                                                   \
-    print_table(s, shown, name, column, (int)(sizeof(column) / sizeof(column)[0]), row)
-
-static void not_shown(const struct summary *s, int n, const char *what, const char *order) {
-    if (n > 0) {
-        safe_line(s->to, "  %d more %s not shown (by %s); all are in %s%s", n, what, order,
-                  s->r->file ? s->r->file : "the result file",
-                  s->r->file ? " (jostle show --tsv)" : "");
-    }
-}
-
-static int widest(int width, const char *text, int limit) {
-    const int n = text_columns(text, strlen(text));
-    return n <= width ? width : n < limit ? n : limit;
-}
 
 // Index of the largest value of the floors or storeys in summaries; of the first if all are NaN.
 static int largest(const struct report_building *b, const double *value) {
@@ -82,8 +22,8 @@ static int largest(const struct report_building *b, const double *value) {
     return at;
 }
 
-static struct shown choose_buildings(const struct report *r) {
-    struct shown s = {.width = NAME_WIDTH_MIN};
+static struct report_shown choose_buildings(const struct report *r) {
+    struct report_shown s = {.width = NAME_WIDTH_MIN};
     for (int i = 0; i < r->n_building; i++) {
         const struct report_building *b = &r->building[i];
         const double *drift = b->peak[PEAK_DRIFT];
@@ -92,7 +32,8 @@ static struct shown choose_buildings(const struct report *r) {
     }
     choice_sort(s.choice, s.n);
     for (int i = 0; i < s.n; i++) {
-        s.width = widest(s.width, r->building[s.choice[i].index].name, NAME_WIDTH_MAX);
+        s.width =
+            report_summary_widest(s.width, r->building[s.choice[i].index].name, NAME_WIDTH_MAX);
     }
     return s;
 }
@@ -197,17 +138,17 @@ static const struct printer_column foundations[] = {
     READ("sway force", 12, force),
     READ("rocking mom.", 13, energy)};
 static bool foundation_row(struct printer *t, const struct report *r, int i) {
-    const struct report_foundation *f = r->building[i].foundation;
-    const double value[] = {f->size[FOUNDATION_SWAY],    f->time[FOUNDATION_SWAY],
-                            f->size[FOUNDATION_ROCKING], f->time[FOUNDATION_ROCKING],
-                            f->size[FOUNDATION_FORCE],   f->size[FOUNDATION_MOMENT]};
+    const double *size = r->building[i].foundation->size, *time = r->building[i].foundation->time;
+    const double value[] = {size[FOUNDATION_SWAY],    time[FOUNDATION_SWAY],
+                            size[FOUNDATION_ROCKING], time[FOUNDATION_ROCKING],
+                            size[FOUNDATION_FORCE],   size[FOUNDATION_MOMENT]};
     printer_text(t, r->building[i].name);
     printer_numbers(t, value, 6);
     return false;
 }
 
-static void print_peaks(struct summary *s, const struct shown *shown) {
-    struct shown yielding = {.width = shown->width}, founded = yielding, isolated = yielding;
+static void print_peaks(struct report_summary *s, const struct report_shown *shown) {
+    struct report_shown yielding = {.width = shown->width}, founded = yielding, isolated = yielding;
     for (int i = 0; i < shown->n; i++) {
         const struct report_building *b = &s->r->building[shown->choice[i].index];
         if (b->residual_drift) {
@@ -233,7 +174,7 @@ static void print_peaks(struct summary *s, const struct shown *shown) {
     }
 }
 
-static void print_members(const struct summary *s, const struct shown *shown) {
+static void print_members(const struct report_summary *s, const struct report_shown *shown) {
     const struct report_building *building[SHOWN_MAX];
     for (int i = 0; i < shown->n; i++) {
         building[i] = &s->r->building[shown->choice[i].index];
@@ -241,132 +182,8 @@ static void print_members(const struct summary *s, const struct shown *shown) {
     report_print_members(s->r, building, shown->n, s->to);
 }
 
-static bool contact_row(struct printer *t, const struct report *r, int i) {
-    const struct report_link *c = &r->contact[i];
-    const struct link_peak *p = &c->peak;
-    const double none = NAN;
-    const bool hit = p->impacts > 0;
-    const double value[] = {c->gap,
-                            (double)p->impacts,
-                            hit ? p->force : none,
-                            hit ? p->force_time : none,
-                            hit ? p->penetration : none,
-                            p->impulse,
-                            p->dissipated};
-    printer_text(t, c->name);
-    printer_text(t, c->law);
-    printer_numbers(t, value, 7);
-    return false;
-}
-
-// Those that were hit hardest come first. Laws have a column where they differ.
-static void print_contacts(struct summary *s) {
-    const struct report *r = s->r;
-    struct printer_column contacts[] = {{0},
-                                        READ("gap", 9, length),
-                                        COUNT("impacts", 7),
-                                        READ("force", 9, force),
-                                        READ("time", 7, time),
-                                        READ("penetr.", 9, length),
-                                        READ("impulse", 9, impulse),
-                                        READ("dissip.", 9, energy)};
-    struct shown shown = {.width = NAME_WIDTH_MIN};
-    int n_hit = 0, law = 3, room = LINK_WIDTH_MAX;
-    bool differ = false;
-    for (int i = 0; i < r->n_contact; i++) {
-        const bool hit = r->contact[i].peak.impacts > 0;
-        const double rank = hit ? r->contact[i].peak.force : -HUGE_VAL;
-        n_hit += hit;
-        differ = differ || strcmp(r->contact[i].law, r->contact[0].law) != 0;
-        shown.n = choice_add(shown.choice, shown.n, SHOWN_MAX, (struct choice){rank, i});
-    }
-    for (int i = 0; i < shown.n && differ; i++) {
-        law = widest(law, r->contact[shown.choice[i].index].law, LAW_WIDTH_MAX);
-        contacts[0] = (struct printer_column)COLUMN_NAME("law", law);
-        room = LINK_WIDTH_MAX - law - 2;
-    }
-    for (int i = 0; i < shown.n; i++) {
-        shown.width = widest(shown.width, r->contact[shown.choice[i].index].name, room);
-    }
-    fprintf(s->to, "\n%d %s, %d hit, %ld %s", r->n_contact,
-            r->n_contact == 1 ? "contact" : "contacts", n_hit, r->n_impact,
-            r->n_impact == 1 ? "impact" : "impacts");
-    if (r->totals.coarse > 0) {
-        fprintf(s->to, " (%ld of fewer than %d steps)", r->totals.coarse, IMPACT_STEPS_MIN);
-    }
-    if (shown.n > 0 && !differ) {
-        fputs(", law ", s->to);
-        safe_put(s->to, SAFE_TERMINAL, r->contact[0].law);
-    }
-    if (shown.n > 0) {
-        PRINT_TABLE(s, &shown, "contact", contacts, contact_row);
-        not_shown(s, r->n_contact - shown.n, "contacts", "force");
-    } else {
-        fputc('\n', s->to);
-    }
-}
-
-static const struct printer_column links[] = {
-    READ("force", 10, force),    READ("time", 8, time),    READ("deformation", 12, length),
-    READ("time", 8, time),       READ("work", 10, energy), READ("dissip.", 10, energy),
-    READ("residual", 10, length)};
-static bool link_row(struct printer *t, const struct report *r, int i) {
-    const struct link_peak *p = &r->link[i].peak;
-    const double value[] = {p->force,      p->force_time, p->penetration, p->penetration_time,
-                            p->dissipated, p->lost,       p->residual};
-    printer_text(t, r->link[i].name);
-    printer_numbers(t, value, 7);
-    return false;
-}
-
-// Shows the first of n links, or columns, in the order of their numbers.
-static struct shown first_of(const struct report_link *link, int n) {
-    struct shown shown = {.width = NAME_WIDTH_MIN};
-    for (int i = 0; i < n && i < SHOWN_MAX; i++) {
-        shown.choice[shown.n++] = (struct choice){.index = i};
-        shown.width = widest(shown.width, link[i].name, LINK_WIDTH_MAX);
-    }
-    return shown;
-}
-
-static void print_links(struct summary *s) {
-    struct shown shown = first_of(s->r->link, s->r->n_link);
-    if (shown.n > 0) {
-        PRINT_TABLE(s, &shown, "link", links, link_row);
-        not_shown(s, s->r->n_link - shown.n, "links", "number");
-    }
-}
-
-static const struct printer_column columns[] = {
-    READ("force", 10, force),
-    READ("shear", 10, force),
-    READ("moment", 10, energy),
-    {.head = "demand", .width = 8, .digits = 4, .look = LOOK_READ}};
-static bool column_row(struct printer *t, const struct report *r, int i) {
-    const struct report_link *c = &r->column[i];
-    const double value[] = {c->peak.force, c->shear, c->moment, c->demand};
-    printer_text(t, c->name);
-    printer_numbers(t, value, 4);
-    return false;
-}
-
-static void print_columns(struct summary *s) {
-    struct shown shown = first_of(s->r->column, s->r->n_column);
-    bool fails = false;
-    if (shown.n > 0) {
-        PRINT_TABLE(s, &shown, "column", columns, column_row);
-        not_shown(s, s->r->n_column - shown.n, "columns", "number");
-    }
-    for (int i = 0; i < s->r->n_column; i++) {
-        fails |= s->r->column[i].demand > 1.0;
-    }
-    fputs(fails ? "a column with a demand above 1 would fail; without a law it stays elastic\n"
-                : "",
-          s->to);
-}
-
 // The energies of the end, as the tables have numbers.
-static void print_energies(const struct summary *s, const char *unit) {
+static void print_energies(const struct report_summary *s, const char *unit) {
     static const enum energy energy[] = {ENERGY_INPUT, ENERGY_DAMPING, ENERGY_HYSTERETIC,
                                          ENERGY_CONTACT};
     char text[4][32];
@@ -377,7 +194,7 @@ static void print_energies(const struct summary *s, const char *unit) {
             text[0], text[1], text[2], s->r->n_link > 0 ? " and links" : "", text[3]);
 }
 
-static void print_totals(const struct summary *s) {
+static void print_totals(const struct report_summary *s) {
     const struct report *r = s->r;
     const struct totals *t = &r->totals;
     const double input = r->energy[ENERGY_INPUT];
@@ -408,17 +225,17 @@ static void print_totals(const struct summary *s) {
 }
 
 int report_print(const struct report *r, FILE *to, struct error *e) {
-    struct summary s = {.to = to, .r = r, .e = e};
+    struct report_summary s = {.to = to, .r = r, .e = e};
     report_head(r, to);
-    const struct shown shown = choose_buildings(r);
+    const struct report_shown shown = choose_buildings(r);
     PRINT_TABLE(&s, &shown, "building", buildings, building_row);
-    not_shown(&s, r->n_building - shown.n, "buildings", "drift");
+    report_summary_rest(&s, r->n_building - shown.n, "buildings", "drift");
     if (r->n_building > 0 && r->building[0].peak[0]) {
         print_peaks(&s, &shown);
         print_members(&s, &shown);
-        print_contacts(&s);
-        print_links(&s);
-        print_columns(&s);
+        report_links_contacts(&s);
+        report_links_links(&s);
+        report_links_columns(&s);
         print_totals(&s);
     }
     return s.status;

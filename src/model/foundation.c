@@ -21,6 +21,7 @@
 
 #include "core/arena.h"
 #include "law/lists.h"
+#include "model/founded.h"
 #include "model/modes.h"
 #include "model/pairs.h"
 #include "model/parts.h"
@@ -28,99 +29,6 @@
 #include "model/rate_storeys.h"
 #include "model/storey_force.h"
 #include "model/tangent_damping.h"
-
-// The part of a building with a foundation. The storeys that yield are kept one by one. All that is
-// linear is the stiffness of the part.
-struct founded {
-    int n;                        // storeys
-    const double *share;          // (n) r_i
-    const struct storey *storey;  // (n) history: offset in that of the part
-};
-
-// d e_i / d d_j.
-static double founded_entry(const struct founded *f, int i, int j) {
-    return (i == j) - f->share[i] - (i == 0 && j <= f->n);
-}
-
-// u_b and phi.
-struct founded_motion {
-    double sway, turn;
-};
-
-static struct founded_motion founded_motion(const struct founded *f, const double *drift) {
-    double sway = 0.0;
-    for (int i = 0; i <= f->n; i++) {
-        sway += drift[i];
-    }
-    return (struct founded_motion){sway, sway + drift[f->n + 1]};
-}
-
-static double founded_deformation(const struct founded *f, int i, const double *drift,
-                                  struct founded_motion slab) {
-    return drift[i] - f->share[i] * slab.turn - (i == 0 ? slab.sway : 0.0);
-}
-
-static void founded_add_storey(const struct founded *f, int i, struct storey_rate_response r,
-                               const struct part_sums *to) {
-    const int n = f->n + 2;
-    for (int j = 0; j < n; j++) {
-        const double entry = founded_entry(f, i, j);
-        if (to->shear) {
-            to->shear[j] += entry * r.shear;
-        }
-        for (int k = 0; to->by_drift && k < n; k++) {
-            to->by_drift[j * n + k] += r.tangent * (entry * founded_entry(f, i, k));
-        }
-        for (int k = 0; to->by_rate && k < n; k++) {
-            to->by_rate[j * n + k] += r.dashpot * (entry * founded_entry(f, i, k));
-        }
-    }
-}
-
-static void founded_respond(const struct part *p, const double *history, const double *drift,
-                            const double *rate, const struct part_sums *to, double *after) {
-    const struct founded *f = p->data;
-    const struct founded_motion slab = founded_motion(f, drift);
-    const struct founded_motion speed = founded_motion(f, rate);
-    parts_linear_respond(p, history, drift, rate, to, after);
-    for (int i = 0; i < f->n; i++) {
-        const struct storey *s = &f->storey[i];
-        if (s->law->n_history > 0) {
-            const double deformation = founded_deformation(f, i, drift, slab);
-            founded_add_storey(f, i,
-                               storey_respond_at_rate(s, history, deformation,
-                                                      founded_deformation(f, i, rate, speed),
-                                                      after),
-                               to);
-        }
-    }
-}
-
-static double founded_stored(const struct part *p, const double *history, const double *drift) {
-    const struct founded *f = p->data;
-    const struct founded_motion slab = founded_motion(f, drift);
-    double sum = parts_linear_stored(p, history, drift);
-    for (int i = 0; i < f->n; i++) {
-        const struct storey *s = &f->storey[i];
-        if (s->law->n_history > 0) {
-            sum += s->law->stored(s->constant, history + s->history,
-                                  founded_deformation(f, i, drift, slab));
-        }
-    }
-    return sum;
-}
-
-static const struct part_kind founded_linear = {
-    .name = "foundation",
-    .traits = PART_LINEAR,
-    .respond = parts_linear_respond,
-    .stored = parts_linear_stored,
-};
-static const struct part_kind founded_yields = {
-    .name = "foundation",
-    .respond = founded_respond,
-    .stored = founded_stored,
-};
 
 // P-delta acts on how far a storey leans, e_i + r_i phi = d_i (less u_b in the first storey): the
 // share of phi is not in it. Takes P/h off the matrix (all, all).

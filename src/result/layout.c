@@ -4,8 +4,6 @@
 
 #include <string.h>
 
-#include "core/arena.h"
-
 // A row of a table of struct `type`.
 #define ROW(type, name, kind, member, dimension, long_name)                                        \
     { name, long_name, dimension, COLUMN_##kind, offsetof(struct type, member), 0 }
@@ -393,9 +391,4 @@ long layout_whole(const struct column *c, const void *at) {
 double layout_number(const struct column *c, const void *at) {
     return c->kind == COLUMN_DOUBLE || c->kind == COLUMN_ARRAY ? *(const double *)at
                                                                : (double)layout_whole(c, at);
-}
-
-void layout_paths(struct report_building *b, struct arena *a) {
-    b->path = arena_format(a, "buildings/%s", b->name);
-    b->parts = arena_format(a, "buildings/%s/parts", b->name);
 }

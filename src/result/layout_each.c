@@ -2,6 +2,8 @@
 // The walk over the places of the tree.
 #include "result/layout.h"
 
+#include "core/arena.h"
+
 static void visit_links(const struct link_group *g, const struct report_link *link, int n,
                         layout_visit *visit, void *context) {
     struct layout_place p = {
@@ -62,4 +64,9 @@ void layout_each(const struct report *r, layout_visit *visit, void *context) {
     visit(context, &(struct layout_place){"energy", NULL, NULL, NULL, &layout_energy, r, 1});
     visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_totals, r, 1});
     visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_collapse, r, 1});
+}
+
+void layout_paths(struct report_building *b, struct arena *a) {
+    b->path = arena_format(a, "buildings/%s", b->name);
+    b->parts = arena_format(a, "buildings/%s/parts", b->name);
 }
