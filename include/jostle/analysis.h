@@ -73,6 +73,8 @@ struct link_peak {
     double impulse;                        // [F T]
     double dissipated;                     // [F L] work done on the link
     long impacts;                          // of a contact
+    double lost;      // [F L] of that, what a bilateral link does not give back at the end
+    double residual;  // [L] deformation of a bilateral link that remains without a force
 };
 
 // One impact: a contact from closure to opening.

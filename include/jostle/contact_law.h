@@ -28,6 +28,9 @@ enum contact_trait {
     CONTACT_SMOOTH = 32,     // for any history, no kinks or jumps except at d = 0 and v = 0; varies
                              // with d like a power up to 3, and is linear in v
     CONTACT_BUMPER = 64,     // is soft on purpose
+    CONTACT_TURNS = 128,     // of a link: depends on the turns of the deformation before
+    CONTACT_NEEDS_STEP = 256,  // of a link: history[0] is the length of a step while its end is
+                               // being found, else 0
 };
 
 // Force of a link in contact, positive in compression, and its tangents.
@@ -91,6 +94,13 @@ struct contact_law {
 
     // Updates the history from the committed step to (d, v). NULL if it does not change in contact.
     void (*commit)(const double *constant, double *history, double d, double v);
+
+    // Laws of links only. The rate at which the value history[1] grows under a force [L/T]. NULL:
+    // the force follows from d, v and the committed history.
+    double (*creep)(const double *constant, double force);
+
+    // Recoverable energy [F L] in the committed state at d. NULL: none.
+    double (*stored)(const double *constant, const double *history, double d);
 
     // The value of row `zeta` that delivers exactly the restitution e, 0 < e <= 1, in an isolated
     // impact. NAN: not found. NULL: the law does not take e.

@@ -38,6 +38,7 @@ struct storey_law {
     const char *formula;
     const char *source;
     const char *remarks;  // range, typical parameters, limits; NULL: none
+    const char *example;  // options for its picture, of a storey of 60 MN/m; NULL: no picture
     const struct row *row;
     int n_row;
     int n_constant;

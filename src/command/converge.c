@@ -36,7 +36,7 @@ enum { SHOWN_MAX = 20, LABEL_WIDTH = 23, SHOWN_LEVELS = 3 };
 static const struct printer_column orders[] = {
     COLUMN_F("order", 5, 2),
     COLUMN_G("estimate", 11, 6),
-    {.head = "error bar", .width = 9, .digits = 1, .look = LOOK_E},
+    {.head = "rel. err.", .width = 9, .digits = 1, .look = LOOK_E},
     COLUMN_TEXT("converged", 0)};
 static const struct printer_column of_result[] = {COLUMN_DATA("owner"), COLUMN_DATA("name"),
                                                   COLUMN_DATA("quantity"), COLUMN_DATA("unit")};

@@ -29,7 +29,6 @@ struct request {
     struct suite_options suite;
     enum method method;
     enum printer_form form;
-    int collapse;  // not 0: --collapse
 };
 #define AT(member) offsetof(struct request, member)
 
@@ -76,10 +75,7 @@ static void print_parameters(const struct result *r) {
     const struct fragility *f = &r->fit;
     const char *unit = r->suite->abscissa_units, *blank = unit[0] ? " " : "";
     if (f->outcome == FRAGILITY_FITTED) {
-        printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of "
-               "the dispersion\n",
-               f->median, blank, unit, study_print_g(&r->suite->view->units, unit, f->median).added,
-               f->dispersion, f->log_median_error, f->dispersion_error);
+        study_print_curve(f, unit, &r->suite->view->units);
         return;
     }
     printf("no curve: %s", fragility_reason(f));
@@ -131,9 +127,12 @@ static int print_text(const struct result *r, struct error *e) {
                 1);
     PRINTER_ADD(&t, level_columns);
     putchar('\n');
-    safe_line(stdout, "%s > %.6g%s%s%s%s%s", s->edp.text, r->limit, unit[0] ? " " : "", unit,
-              study_print_g(&s->view->units, s->edp.units, r->limit).added,
-              s->group[r->group][0] ? ", " : "", s->group[r->group]);
+    safe_put(stdout, SAFE_TERMINAL, s->edp.text);
+    if (!edp_is_collapse(&s->edp)) {
+        printf(" > %.6g%s%s%s", r->limit, unit[0] ? " " : "", unit,
+               study_print_g(&s->view->units, s->edp.units, r->limit).added);
+    }
+    safe_line(stdout, "%s%s", s->group[r->group][0] ? ", " : "", s->group[r->group]);
     printer_head(&t);
     for (int j = 0; j < s->n_point; j++) {
         const struct fragility_level *l = &r->level[j];
@@ -309,13 +308,9 @@ static int open_and_fit(struct request *q, const char *path) {
 static int use(void *request, struct arena *a, const struct words *operand) {
     (void)a;
     struct request *q = request;
-    if (q->collapse && (q->suite.request.edp || q->suite.limits)) {
-        return command_usage(&command_fragility,
-                             "--collapse has a demand and a limit; leave out --edp and --limit");
-    }
-    if (q->collapse) {
-        q->suite.request.edp = EDP_COLLAPSE;
-        q->suite.limits = "0";
+    const char *wrong = suite_options_collapse(&q->suite);
+    if (wrong) {
+        return command_usage(&command_fragility, "%s", wrong);
     }
     return q->suite.request.edp && q->suite.limits
                ? open_and_fit(q, operand->word[0])
@@ -327,8 +322,6 @@ static const struct option_row rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
      .doc = "limits of the demand: 20mm, 0.5%, 2MN; default unit: that of the deck"},
-    {"collapse", .kind = OPTION_SET, .at = AT(collapse), .set = 1,
-     .doc = "fits collapse (statement collapse), in place of a demand and a limit"},
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers)"},

@@ -11,7 +11,6 @@
 #include "command/progress.h"
 #include "command/quantity_word.h"
 #include "command/suite_options.h"
-#include "core/arena.h"
 
 static int gap_command(int argc, char **argv);
 
@@ -144,31 +143,11 @@ static int parse_quantity(const char *option, const struct unit_system *u,
                                        option, most, text);
 }
 
-// EDP=VALUE, the EDP by its name in studies.
-static int parse_limit(const struct plan *p, const char *text, struct gap_search_request *q) {
-    const char *equal = strrchr(text, '=');
-    if (!equal) {
-        return command_usage(&command_gap, "--limit takes EDP=VALUE, not '%s'", text);
-    }
-    struct arena *a = p->table->arena;
-    const char *name = arena_text(a, text, (size_t)(equal - text));
-    const struct study_view view = plan_view(p);
-    struct error e;
-    int status = name ? edp_parse(&view, name, a, &q->edp, &e) : error_no_memory(&e);
-    if (status == STATUS_OK) {
-        status = edp_limit(&q->edp, &view.units, equal + 1, &q->limit, &e);
-    }
-    if (status == STATUS_OK) {
-        suite_options_warn_limit(&q->edp, equal + 1, q->limit);
-    }
-    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
-}
-
 static int run_search(const struct plan *p, const struct options *o) {
     struct gap_search_request q;
     const struct unit_system *u = &p->first->deck->units;
     q = (struct gap_search_request){.plan = p, .parameter = o->parameter, .percentile = 100.0};
-    int status = parse_limit(p, o->limit, &q);
+    int status = suite_options_edp_limit(&command_gap, p, o->limit, &q.edp, &q.limit);
     if (status == EXIT_DONE && o->percentile) {
         status =
             parse_quantity("--percentile", u, &dimension_none, o->percentile, 100.0, &q.percentile);

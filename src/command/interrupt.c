@@ -35,7 +35,7 @@ static void note(int number) {
 }
 
 void interrupt_catch(void) {
-    static const int caught[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
+    static const int caught[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1};
     struct sigaction action = {.sa_handler = note, .sa_flags = SA_RESTART}, old;
     sigemptyset(&action.sa_mask);
     for (size_t i = 0; i < sizeof caught / sizeof caught[0]; i++) {

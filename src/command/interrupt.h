@@ -7,10 +7,10 @@
 
 #include "jostle/error.h"
 
-// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU (ulimit -St) are noted. A signal that comes a
-// second or two after the first ends the program at once. A signal that is ignored stays ignored,
-// as nohup and the background jobs of a shell want. Calls of the system that such a signal
-// interrupts go on.
+// From now on SIGINT, SIGTERM, SIGHUP, SIGXCPU (ulimit -St) and SIGUSR1 (sbatch --signal, before a
+// job is killed) are noted. A signal that comes a second or two after the first ends the program at
+// once. A signal that is ignored stays ignored, as nohup and the background jobs of a shell want.
+// Calls of the system that such a signal interrupts go on.
 void interrupt_catch(void);
 
 // The process that the next signal also ends, as the program waits for it; 0: none. A signal noted

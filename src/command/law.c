@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle law: isolated impacts of two bodies under contact laws, compared and fitted.
 #include <math.h>
+#include <string.h>
 
 #include "command/law_print.h"
+#include "command/law_storey.h"
 #include "command/option.h"
 #include "command/picture.h"
 #include "plot/figure.h"
@@ -15,14 +17,18 @@ const struct command command_law = {
     .name = "law",
     .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv|--csv|--json] [--compare LAWS]...\n"
              "                  [--history FILE.tsv] [--plot FILE.png|.svg|.pdf] [--script DIR]\n"
-             "                  [--fit FILE] [--force]",
-    .summary = "computes one isolated impact under a contact law",
+             "                  [--fit FILE] [--force]\n"
+             "       jostle law storey LAW ... -stiffness K -amplitude D\n"
+             "                  [--protocol fema461|sac|FILE] and the options above",
+    .summary = "computes one isolated impact under a contact law, or the loops of a storey law",
     .run = law_command,
 };
 
 struct options {
     struct law_words words;
     struct words compare;
+    bool of_storey;
+    const char *protocol;
     const char *history;
     struct picture_options picture;  // what exists of the history too
     enum printer_form form;
@@ -30,18 +36,25 @@ struct options {
 #define AT(member) offsetof(struct options, member)
 
 static int check(const struct options *o) {
+    const char *kind = o->of_storey ? "storey" : "contact";
     if (o->words.n_word == 0) {
-        return command_usage(&command_law, "a contact law is expected");
+        return command_usage(&command_law, "a %s law is expected", kind);
     }
     if (o->words.word[0][0] == '-') {
-        return command_usage(&command_law, "a contact law is expected before option '%s'",
+        return command_usage(&command_law, "a %s law is expected before option '%s'", kind,
                              o->words.word[0]);
+    }
+    if (o->protocol && !o->of_storey) {
+        return command_usage(&command_law, "--protocol is for storey laws: jostle law storey LAW");
+    }
+    if (o->protocol && o->words.fit) {
+        return command_usage(&command_law, "--fit follows the measured loop; leave out --protocol");
     }
     if (picture_check(&command_law, &o->picture) != EXIT_DONE) {
         return EXIT_INPUT;
     }
     if (o->history && o->words.n_compare > 0) {
-        return command_usage(&command_law, "--history writes one impact; leave out --compare");
+        return command_usage(&command_law, "--history writes one law; leave out --compare");
     }
     return EXIT_DONE;
 }
@@ -58,14 +71,23 @@ static int check_existing(const struct options *o, struct error *e) {
     return STATUS_OK;
 }
 
+// What one of both kinds of laws gives.
+struct law_output {
+    const void *laws;
+    int (*history)(const void *laws, FILE *to);  // returns the exit status
+    int (*draw)(const struct options *o, const void *laws, struct error *e);
+    void (*warn)(const void *laws, FILE *to);
+    int (*print)(const void *laws, enum printer_form form, FILE *to);  // returns the exit status
+};
+
 // Returns the exit status.
-static int write_history(const struct options *o, const struct law_impact *i) {
+static int write_history(const struct options *o, const struct law_output *out) {
     struct partial_file partial;
     struct error e;
     if (partial_file_open(&partial, o->history, o->picture.existing, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    const int status = law_print_history(i, partial.to);
+    const int status = out->history(out->laws, partial.to);
     if (status != EXIT_DONE) {
         partial_file_drop(&partial);
         return status;
@@ -94,7 +116,7 @@ static void subtitle(const struct law_impacts *l, struct texts *t) {
     }
 }
 
-static int write_figure(void *context, const struct figure_files *to, struct error *e) {
+static int write_impacts(void *context, const struct figure_files *to, struct error *e) {
     const struct law_impacts *l = context;
     struct impact_curve curve[IMPACT_FIGURE_CURVES];
     struct texts t = {.title = "Isolated impact"};
@@ -127,7 +149,8 @@ static int write_figure(void *context, const struct figure_files *to, struct err
     return impact_figure_write(&figure, to, e);
 }
 
-static int draw(const struct options *o, struct law_impacts *l, struct error *e) {
+static int draw_impacts(const struct options *o, const void *laws, struct error *e) {
+    const struct law_impacts *l = laws;
     int n = 0;
     for (int i = 0; i < l->n; i++) {
         n += !isnan(l->impact[i].impact.peak_force);
@@ -140,45 +163,126 @@ static int draw(const struct options *o, struct law_impacts *l, struct error *e)
                          IMPACT_FIGURE_CURVES, n);
     }
     const struct picture_request picture = {
-        .options = o->picture, .name = "impact", .write = write_figure, .context = l};
+        .options = o->picture, .name = "impact", .write = write_impacts, .context = (void *)l};
     return picture_make(&picture, e);
 }
 
-static int report(const struct options *o, struct law_impacts *l) {
+static int impact_history(const void *laws, FILE *to) {
+    return law_print_history(&((const struct law_impacts *)laws)->impact[0], to);
+}
+
+static void warn_of_impacts(const void *laws, FILE *to) {
+    law_print_warnings(laws, to);
+}
+
+static int print_impacts(const void *laws, enum printer_form form, FILE *to) {
+    return law_print(laws, form, to);
+}
+
+static int write_loops(void *context, const struct figure_files *to, struct error *e) {
+    const struct law_storeys *l = context;
+    struct loop_curve curve[LOOP_FIGURE_CURVES];
+    struct texts t;
+    snprintf(t.title, sizeof t.title, "Loops of %s",
+             l->n == 1 ? l->storey[0].choice.law->name : "storey laws");
+    snprintf(t.subtitle, sizeof t.subtitle, "%s %s", l->shear ? "measured:" : "protocol",
+             l->protocol);
+    if (l->n == 1) {
+        law_storey_text(&l->storey[0], t.title, sizeof t.title);
+    }
+    for (int i = 0; i < l->n; i++) {
+        curve[i] = (struct loop_curve){l->storey[i].choice.law->name, l->storey[i].point,
+                                       l->storey[i].choice.stiffness};
+    }
+    const struct loop_figure figure = {.title = t.title,
+                                       .subtitle = t.subtitle,
+                                       .version = JOSTLE_VERSION,
+                                       .n_curve = l->n,
+                                       .curve = curve,
+                                       .n = l->n_point,
+                                       .n_part = l->n_part,
+                                       .progress = l->shear ? "sample" : "turn",
+                                       .n_sample = l->n_sample,
+                                       .drift = l->target,
+                                       .shear = l->shear};
+    return loop_figure_write(&figure, to, e);
+}
+
+static int draw_loops(const struct options *o, const void *laws, struct error *e) {
+    const struct law_storeys *l = laws;
+    if (l->n > LOOP_FIGURE_CURVES) {
+        return error_set(e, STATUS_INPUT, "a picture shows at most %d laws, not %d",
+                         LOOP_FIGURE_CURVES, l->n);
+    }
+    const struct picture_request picture = {
+        .options = o->picture, .name = "loops", .write = write_loops, .context = (void *)l};
+    return picture_make(&picture, e);
+}
+
+static int loop_history(const void *laws, FILE *to) {
+    return law_storey_print_path(laws, to);
+}
+
+static void warn_of_loops(const void *laws, FILE *to) {
+    law_storey_warn(laws, to);
+}
+
+static int print_loops(const void *laws, enum printer_form form, FILE *to) {
+    return law_storey_print(laws, form, to);
+}
+
+static int report(const struct options *o, const struct law_output *out) {
     struct error e;
     if (check_existing(o, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     if (o->history) {
-        const int status = write_history(o, &l->impact[0]);
+        const int status = write_history(o, out);
         if (status != EXIT_DONE) {
             return status;
         }
     }
-    if (picture_is_wanted(&o->picture) && draw(o, l, &e) != STATUS_OK) {
+    if (picture_is_wanted(&o->picture) && out->draw(o, out->laws, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    law_print_warnings(l, stderr);
-    return law_print(l, o->form, stdout);
+    out->warn(out->laws, stderr);
+    return out->print(out->laws, o->form, stdout);
+}
+
+static int use_impacts(const struct options *o) {
+    struct law_impacts laws;
+    const struct law_output out = {&laws, impact_history, draw_impacts, warn_of_impacts,
+                                   print_impacts};
+    int status = law_impacts_run(&o->words, &laws);
+    if (status == EXIT_DONE) {
+        status = report(o, &out);
+        law_impacts_free(&laws);
+    }
+    return status;
+}
+
+static int use_loops(const struct options *o) {
+    struct law_storeys laws;
+    const struct law_storey_words words = {o->words, o->protocol};
+    const struct law_output out = {&laws, loop_history, draw_loops, warn_of_loops, print_loops};
+    int status = law_storey_run(&words, &laws);
+    if (status == EXIT_DONE) {
+        status = report(o, &out);
+        law_storey_free(&laws);
+    }
+    return status;
 }
 
 static int use(void *options, struct arena *a, const struct words *operand) {
     (void)a;
     struct options *o = options;
-    struct law_impacts impacts;
-    o->words.word = operand->word;
-    o->words.n_word = operand->n;
+    o->of_storey = operand->n > 0 && strcmp(operand->word[0], "storey") == 0;
+    o->words.word = operand->word + o->of_storey;
+    o->words.n_word = operand->n - o->of_storey;
     o->words.compare = o->compare.word;
     o->words.n_compare = o->compare.n;
-    int status = check(o);
-    if (status == EXIT_DONE) {
-        status = law_impacts_run(&o->words, &impacts);
-    }
-    if (status == EXIT_DONE) {
-        status = report(o, &impacts);
-        law_impacts_free(&impacts);
-    }
-    return status;
+    const int status = check(o);
+    return status != EXIT_DONE ? status : o->of_storey ? use_loops(o) : use_impacts(o);
 }
 
 static int law_command(int argc, char **argv) {
@@ -186,15 +290,21 @@ static int law_command(int argc, char **argv) {
         {"compare", 0, "LAWS", OPTION_WORDS, 0, AT(compare),
          .doc = "computes other laws too: LAW,LAW,... with the options of the first one, or one "
                 "law with its own options, \"LAW -k K ...\"; may be repeated"},
+        {"protocol", 0, "PROTOCOL", OPTION_TEXT, 0, AT(protocol),
+         .doc = "storey laws: fema461, sac, or a file with a column of drifts at which the storey "
+                "turns"},
         {"history", 0, "FILE", OPTION_TEXT, 0, AT(history),
-         .doc = "writes time, penetration, velocity and force"},
+         .doc = "writes time, penetration, velocity and force; of a storey all points"},
         {"plot", 0, "FILE", OPTION_TEXT, 0, AT(picture.output),
-         .doc = "draws the force against time and penetration; extension .png, .svg or .pdf"},
+         .doc = "draws the force against time and penetration, or the loops of storeys; extension "
+                ".png, "
+                ".svg or .pdf"},
         {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
-         .doc = "writes the plot as DIR/impact.gp for gnuplot and its data, DIR/impact.dat"},
+         .doc = "writes the plot as DIR/impact.gp or DIR/loops.gp for gnuplot, and its data"},
         {"fit", 0, "FILE", OPTION_TEXT, 0, AT(words.fit),
          .doc = "finds -k and -zeta from a measured force: two columns, time and force, separated "
-                "by spaces, tabs, commas or semicolons"},
+                "by spaces, tabs, commas or semicolons. Storey laws: finds what is not given from "
+                "deformation and force"},
         {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
          .doc = "overwrites existing files"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
@@ -203,7 +313,11 @@ static int law_command(int argc, char **argv) {
     static const struct option_part parts[] = {
         {.text = "LAW and its options are those of a deck; bare numbers are in SI. `jostle laws` "
                  "lists the laws.\n\n  -m1 M, -m2 M    masses of the bodies; without -m2 the other "
-                 "one is a wall\n  -v V            closing velocity\n"},
+                 "one is a wall\n  -v V            closing velocity\n\nStorey laws, `jostle law "
+                 "storey LAW ...`:\n"
+                 "  -stiffness K    initial stiffness\n  -amplitude D    largest drift of the "
+                 "protocol\n  -find OPTIONS   what --fit finds besides stiffness and required "
+                 "options\n"},
         {.row = rows},
         {.row = printer_rows, .at = AT(form)},
         {.row = option_help},

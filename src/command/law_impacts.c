@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the command line become a deck, a statement `law NAME ...` for each law, so that
-// they are read, and messages point at them, as in a deck.
 #include "command/law_impacts.h"
 
 #include <math.h>
@@ -20,84 +18,6 @@ static const struct row rows[N_ROW] = {
         {"v", ROW_NUMBER, ROW_REQUIRED, {0, 1, -1}, &range_positive, NAN, "approach velocity"},
 };
 
-// A word as a deck would have it: quoted where it would otherwise be split.
-static void append_word(FILE *to, const char *word) {
-    const size_t n = strlen(word);
-    const bool quoted = n == 0 || strpbrk(word, " \t") || word[0] == '#' || word[n - 1] == '\\';
-    const char *quote = quoted ? "\"" : "";
-    fprintf(to, " %s%s%s", quote, word, quote);
-}
-
-// "LAW,LAW" as one statement each; a text with options unchanged.
-static void append_compared(FILE *to, const char *laws) {
-    if (strpbrk(laws, " \t")) {
-        fprintf(to, "law %s\n", laws);
-        return;
-    }
-    const char *at = laws;
-    const char *end;
-    do {
-        end = at + strcspn(at, ",");
-        fprintf(to, "law %.*s\n", (int)(end - at), at);
-        at = end + 1;
-    } while (*end);
-}
-
-static int append_all(const struct law_words *words, FILE *to, struct error *e) {
-    fputs("law", to);
-    for (int i = 0; i < words->n_word; i++) {
-        if (strpbrk(words->word[i], "\r\n")) {
-            return error_set(e, STATUS_INPUT, "a word of the command line has a line end");
-        }
-        append_word(to, words->word[i]);
-    }
-    fputc('\n', to);
-    for (int i = 0; i < words->n_compare; i++) {
-        if (strpbrk(words->compare[i], "\r\n")) {
-            return error_set(e, STATUS_INPUT, "a law to compare with has a line end");
-        }
-        append_compared(to, words->compare[i]);
-    }
-    return STATUS_OK;
-}
-
-// The deck of the command line; *n_law, which is 0 before, counts its statements.
-static int open_deck(const struct law_words *words, struct deck **deck, size_t *n_law,
-                     struct error *e) {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *to = open_memstream(&text, &size);
-    if (!to) {
-        return error_no_memory(e);
-    }
-    int status = append_all(words, to, e);
-    if (fclose(to) != 0 && status == STATUS_OK) {
-        status = error_no_memory(e);
-    }
-    if (status == STATUS_OK) {
-        status = deck_open_text("command line", text, NULL, 0, deck, e);
-    }
-    for (size_t i = 0; i < size; i++) {
-        *n_law += text[i] == '\n';
-    }
-    free(text);
-    return status;
-}
-
-// A statement `law NAME ...` without its first word, so that messages name the law.
-static bool take_name(struct deck *d, struct statement *s) {
-    if (s->n_plain != 2) {
-        const struct word *w = &s->word[s->n_plain > 2 ? 2 : 0];
-        deck_error(d, w, s->n_plain > 2 ? "'%s' is not expected" : "%s needs the name of a law",
-                   w->text);
-        return false;
-    }
-    s->word++;
-    s->n_word--;
-    s->n_plain--;
-    return true;
-}
-
 // True if the option belongs to an estimate of stiffness.
 static bool estimates(const char *key) {
     bool found = strcmp(key, law_choice_rows[LAW_CHOICE_K_FROM].key) == 0;
@@ -109,31 +29,11 @@ static bool estimates(const char *key) {
     return found;
 }
 
-static bool has_key(const struct contact_law *law, const struct word *option) {
-    const char *key = option->text + 1;
+static bool has_key(const void *context, const char *key) {
+    const struct contact_law *law = context;
     return contact_law_row(law, key) >= 0 ||
            (law->exact && strcmp(key, law_choice_rows[LAW_CHOICE_CALIBRATE].key) == 0) ||
            (contact_law_row(law, "k") >= 0 && estimates(key));
-}
-
-// Gives a law without options those of the first that it has too.
-static bool lend_options(struct deck *d, const struct statement *first,
-                         const struct contact_law *law, struct statement *s) {
-    struct word *word = deck_array(d, (size_t)first->n_word, sizeof *word);
-    if (!word) {
-        return false;
-    }
-    word[0] = s->word[0];
-    int n = 1;
-    bool taken = false;
-    for (int i = first->n_plain; i < first->n_word; i++) {
-        taken = deck_is_option(&first->word[i]) ? has_key(law, &first->word[i]) : taken;
-        if (taken) {
-            word[n++] = first->word[i];
-        }
-    }
-    *s = (struct statement){.word = word, .n_word = n, .n_plain = 1};
-    return true;
 }
 
 // Numbers that were lent must mean the same to both laws.
@@ -240,7 +140,7 @@ static bool read_law(struct law_impacts *l, const struct law_words *words, struc
     struct law_impact *i = &l->impact[l->n];
     const bool lent = first && s->n_word == 1;
     const struct contact_law *law = law_choice_find(d, &s->word[0]);
-    if (!law || (lent && !lend_options(d, first, law, s))) {
+    if (!law || (lent && !law_words_lend(d, first, has_key, law, s))) {
         return false;
     }
     law = words->fit ? law_to_fit(d, s, law) : law;
@@ -265,7 +165,8 @@ static void read_laws(struct law_impacts *l, const struct law_words *words) {
     struct statement s;
     bool good = true;
     for (int n = 0; good && deck_next(l->deck, &s); n++) {
-        good = take_name(l->deck, &s) && read_law(l, words, &s, n > 0 ? &first : NULL, own);
+        good =
+            law_words_take_name(l->deck, &s) && read_law(l, words, &s, n > 0 ? &first : NULL, own);
         first = n == 0 ? s : first;
         if (n == 0 && good) {
             l->m1 = own[M1].number[0];
@@ -325,18 +226,14 @@ int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
     size_t n_law = 0;
     struct error e;
     *out = (struct law_impacts){.deck = NULL};
-    if (open_deck(words, &out->deck, &n_law, &e) != STATUS_OK) {
+    if (law_words_open(words, &out->deck, &n_law, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    const struct diagnostics *d = &out->deck->diagnostics;
     out->impact = deck_array(out->deck, n_law, sizeof *out->impact);
     if (out->impact) {
         read_laws(out, words);
     }
-    if (!out->impact || d->n_error > 0) {
-        diagnostics_print(d, stderr, command_colour());
-        error_set(&e, d->out_of_memory ? STATUS_SYSTEM : STATUS_INPUT,
-                  "the command line has %d error%s", d->n_error, d->n_error == 1 ? "" : "s");
+    if (law_words_check(out->deck, &e) != STATUS_OK || !out->impact) {
         return fail(out, &e);
     }
     int status = STATUS_OK;

@@ -4,17 +4,10 @@
 #define JOSTLE_LAW_IMPACTS_H
 
 #include "command/command.h"
+#include "command/law_words.h"
 #include "law/fit.h"
 #include "model/law_choice.h"
 #include "motion/time_series.h"
-
-struct law_words {
-    const char *const *word;  // (n_word) LAW with its options
-    int n_word;
-    const char *const *compare;  // (n_compare) "LAW,LAW" or "LAW -option value ..."
-    int n_compare;
-    const char *fit;  // a measured force; NULL: nothing is fitted
-};
 
 // One law and its impact. Values in SI.
 struct law_impact {

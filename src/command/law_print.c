@@ -202,6 +202,11 @@ void law_print_words(const struct contact_law *law, const double *value, char *t
         if (row->kind == ROW_FILE) {
             used += (size_t)snprintf(text + used, size - used, " -%s (%.0f points)", row->key,
                                      value[r]);
+        } else if (row->kind == ROW_FLAG && !isnan(value[r])) {
+            used += (size_t)snprintf(text + used, size - used, " -%s", row->key);
+        } else if (row->kind == ROW_CHOICE && !isnan(value[r])) {
+            used += (size_t)snprintf(text + used, size - used, " -%s %s", row->key,
+                                     row->range->word[(int)value[r]]);
         } else if (!isnan(value[r])) {
             used += (size_t)snprintf(text + used, size - used, " -%s %.6g", row->key, value[r]);
         }

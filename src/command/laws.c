@@ -6,6 +6,7 @@
 #include "jostle/contact_law.h"
 #include "jostle/storey_law.h"
 #include "law/bilateral.h"
+#include "law/link_law.h"
 #include "law/power.h"
 #include "law/restitution.h"
 #include "law/yield.h"
@@ -57,7 +58,12 @@ static bool shared(const struct row *row) {
 static const struct row yield_rows[] = {YIELD_ROW, HARDENING_ROW};
 
 static bool yields(const struct row *row) {
-    return strcmp(row->key, yield_rows[0].key) == 0 || strcmp(row->key, yield_rows[1].key) == 0;
+    for (size_t i = 0; i < sizeof yield_rows / sizeof yield_rows[0]; i++) {
+        if (strcmp(row->key, yield_rows[i].key) == 0 && row->range == yield_rows[i].range) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // What users need to know about the force besides its formula.
@@ -75,7 +81,7 @@ static void print_contact_law(enum page page, const struct contact_law *law) {
     rows_heading(page, 3, law->name);
     rows_entry(page, "what", law->summary);
     rows_code(page, "force", law->formula);
-    if (law->force && law != &bilateral_law) {
+    if (law->force && contact_law_find(law->name)) {
         print_features(page, law);
     }
     rows_entry(page, "remarks", law->remarks);
@@ -110,6 +116,35 @@ static void print_storey_law(enum page page, const struct storey_law *law) {
     printf("\n");
 }
 
+// A law of links that is no storey law by its own name.
+static void print_link_law(enum page page, const struct link_law *law) {
+    if (law->law) {
+        print_contact_law(page, law->law);
+        return;
+    }
+    rows_heading(page, 3, law->name);
+    rows_entry(page, "what", law->what);
+    rows_print(page, law->row, law->row == law->storey->row ? 0 : law->n_row, NULL);
+    printf("\n");
+}
+
+static void print_link_laws(enum page page) {
+    rows_heading(page, 2, page == PAGE_TEXT ? "Laws of links\n" : "Laws of links");
+    printf("For link -law NAME. Each storey law is a law of links: its shear is the tension of the "
+           "link, its drift\nthe lengthening. A link with a storey law, friction, hook, cable or "
+           "gap has "
+           "these options, with one value\nor one for each link:\n%s",
+           page == PAGE_TEXT ? "\n" : "");
+    rows_print(page, link_law_rows, LINK_ROWS, NULL);
+    printf("\n");
+    for (int i = 0; i < n_link_law; i++) {
+        const struct link_law law = link_law_at(i);
+        if (law.law || law.what) {
+            print_link_law(page, &law);
+        }
+    }
+}
+
 static void print_all(enum page page) {
     if (page == PAGE_MARKDOWN) {
         rows_generated("laws");
@@ -140,8 +175,7 @@ static void print_all(enum page page) {
     for (int i = 0; i < n_storey_law; i++) {
         print_storey_law(page, storey_laws[i]);
     }
-    rows_heading(page, 2, page == PAGE_TEXT ? "The law of link\n" : "The law of `link`");
-    print_contact_law(page, &bilateral_law);
+    print_link_laws(page);
 }
 
 static int unknown(const char *name) {
@@ -155,6 +189,12 @@ static int unknown(const char *name) {
             known[n++] = storey_laws[i]->name;
         }
     }
+    for (int i = 0; i < n_link_law && n < LAWS_MAX; i++) {
+        const struct link_law law = link_law_at(i);
+        if (law.law || law.what) {
+            known[n++] = law.name;
+        }
+    }
     return command_unknown(&command_laws, "law", name, known, n);
 }
 
@@ -165,8 +205,13 @@ static int print(enum page page, const char *name) {
     }
     const struct contact_law *contact = contact_law_find(name);
     const struct storey_law *storey = storey_law_find(name);
-    if (!contact && strcmp(name, bilateral_law.name) == 0) {
-        contact = &bilateral_law;
+    bool found = contact || storey;
+    for (int i = 0; i < n_link_law; i++) {
+        const struct link_law law = link_law_at(i);
+        if ((law.law || law.what) && strcmp(law.name, name) == 0) {
+            print_link_law(page, &law);
+            found = true;
+        }
     }
     if (contact) {
         print_contact_law(page, contact);
@@ -174,7 +219,7 @@ static int print(enum page page, const char *name) {
     if (storey) {
         print_storey_law(page, storey);
     }
-    return contact || storey ? EXIT_DONE : unknown(name);
+    return found ? EXIT_DONE : unknown(name);
 }
 
 static int laws_command(int argc, char **argv) {

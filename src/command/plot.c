@@ -198,6 +198,10 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     q->kind = operand->n == 2 ? operand->word[1] : NULL;
     crash_reading(NULL, q->result);
     const bool study = study_file_is_study(q->result);
+    const char *wrong = suite_options_collapse(&q->study);
+    if (wrong) {
+        return command_usage(&command_plot, "%s", wrong);
+    }
     int status = picture_check(&command_plot, &q->picture);
     if (status == EXIT_DONE) {
         status = choose(q, study);

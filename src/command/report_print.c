@@ -256,15 +256,16 @@ static void print_contacts(struct summary *s) {
     }
 }
 
-static const struct printer_column links[] = {READ("force", 10, force), READ("time", 8, time),
-                                              READ("deformation", 12, length),
-                                              READ("time", 8, time), READ("work", 10, energy)};
+static const struct printer_column links[] = {
+    READ("force", 10, force),    READ("time", 8, time),    READ("deformation", 12, length),
+    READ("time", 8, time),       READ("work", 10, energy), READ("dissip.", 10, energy),
+    READ("residual", 10, length)};
 static bool link_row(struct printer *t, const struct report *r, int i) {
     const struct link_peak *p = &r->link[i].peak;
-    const double value[] = {p->force, p->force_time, p->penetration, p->penetration_time,
-                            p->dissipated};
+    const double value[] = {p->force,      p->force_time, p->penetration, p->penetration_time,
+                            p->dissipated, p->lost,       p->residual};
     printer_text(t, r->link[i].name);
-    printer_numbers(t, value, 5);
+    printer_numbers(t, value, 7);
     return false;
 }
 

@@ -11,7 +11,7 @@ static int show_command(int argc, char **argv);
 
 const struct command command_show = {
     .name = "show",
-    .usage = "FILE.h5 [--tsv|--csv|--json] [--long] [--edp EDP]",
+    .usage = "FILE.h5 [--tsv|--csv|--json] [--long|--wide] [--edp EDP]",
     .summary = "prints the results as tables",
     .run = show_command,
 };
@@ -19,7 +19,7 @@ const struct command command_show = {
 // What the command line asks for.
 struct request {
     enum printer_form form;  // FORM_TEXT: the summary
-    bool longer;
+    bool longer, wide;
     struct words edp;
 };
 #define AT(member) offsetof(struct request, member)
@@ -27,11 +27,12 @@ struct request {
 static int show_of_study(const char *path, const struct request *q) {
     struct error e;
     int status;
-    if (q->longer) {
+    if (q->longer || q->wide) {
         const struct show_demands_request demands = {.form =
                                                          q->form == FORM_TEXT ? FORM_TSV : q->form,
                                                      .edp = q->edp.word,
-                                                     .n_edp = q->edp.n};
+                                                     .n_edp = q->edp.n,
+                                                     .wide = q->wide};
         status = show_demands(path, &demands, stdout, &e);
     } else {
         status =
@@ -46,9 +47,10 @@ static int show_of_run(const char *path, const struct request *q) {
     if (result_open(path, &file, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    if (q->longer) {
+    if (q->longer || q->wide) {
         result_close(file);
-        return command_usage(&command_show, "--long is for studies; %s is one run", path);
+        return command_usage(&command_show, "--%s is for studies; %s is one run",
+                             q->wide ? "wide" : "long", path);
     }
     const struct report *r = result_report(file);
     int status = EXIT_DONE;
@@ -67,8 +69,11 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     (void)a;
     const struct request *q = request;
     const char *path = operand->word[0];
-    if (q->edp.n > 0 && !q->longer) {
-        return command_usage(&command_show, "--edp is for --long");
+    if (q->longer && q->wide) {
+        return command_usage(&command_show, "give --long or --wide, not both");
+    }
+    if (q->edp.n > 0 && !q->longer && !q->wide) {
+        return command_usage(&command_show, "--edp is for --long and --wide");
     }
     crash_reading(NULL, path);
     return study_file_is_study(path) ? show_of_study(path, q) : show_of_run(path, q);
@@ -89,9 +94,13 @@ static int show_command(int argc, char **argv) {
         {"long", .kind = OPTION_TRUE, .at = AT(longer),
          .doc = "for a study, the demands, a line each: parameters, edp, location, value, unit, "
                 "status (done or failed), hit; as TSV, or with --csv or --json"},
+        {"wide", .kind = OPTION_TRUE, .at = AT(wide),
+         .doc = "for a study, a line for each run: run, parameters, status, and a column for each "
+                "demand, such as drift:A:3 [m]; empty for a failed run; as TSV, or with --csv or "
+                "--json"},
         {"edp", 0, "EDP", OPTION_WORDS, 0, AT(edp),
-         .doc = "with --long: one line per run for this demand; may be repeated. 'jostle fragility "
-                "--help' lists the demands"},
+         .doc = "with --long one line per run for this demand, with --wide one column; may be "
+                "repeated. 'jostle fragility --help' lists the demands"},
         {0}};
     static const struct option_part parts[] = {
         {.text = "FILE.h5#7 is run 7 of a study with 'output -histories'.\n\n"},

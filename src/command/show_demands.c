@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The demand parameters of a study in long form: a column for each swept parameter, edp, location,
-// value, unit, status, hit. All that the file has at all their places, or those asked for, a line
-// each. The value of a failed run is empty.
+// The demand parameters of a study: all that the file has at all their places, or those asked for.
+// In long form they have a line each: a column for each swept parameter, edp, location, value,
+// unit, status, hit. In wide form a run has a line: its number, the swept parameters, its status,
+// and a column for each demand. The value of a failed run is empty.
 #include "command/show_study.h"
+
+#include <string.h>
 
 #include "command/study_print.h"
 #include "core/arena.h"
@@ -13,6 +16,7 @@ struct show {
     const struct study_view *view;
     struct printer table;
     enum demand_form form;
+    bool wide;
     const struct edp *edp;  // (n_edp)
     int n_edp;
 };
@@ -32,6 +36,46 @@ static void print_line(struct show *p, const struct study_run *r, const struct e
     printer_text(&p->table, study_print_status(r->outcome));
     printer_sign(&p->table, done ? edp_hit(edp, p->view, at, r->value) : -1);
     printer_line(&p->table);
+}
+
+// Columns of one demand: one, or one for each of its places, "drift:A:3 [m]".
+static int add_columns(struct show *p, const struct edp *edp, struct arena *a, struct error *e) {
+    const int n = p->form == DEMAND_EVERYWHERE ? edp->n_term : 1;
+    for (int i = 0; i < n; i++) {
+        const char *name = edp->quantity->name, *location = edp->term[i].location;
+        const size_t size = strlen(name) + strlen(location) + 2;
+        char *head = arena_alloc(a, size, 1);
+        if (!head) {
+            return error_no_memory(e);
+        }
+        snprintf(head, size, "%s%s%s", name, location[0] ? ":" : "", location);
+        printer_add(
+            &p->table,
+            &(struct printer_column){.key = p->form == DEMAND_EVERYWHERE ? head : edp->text,
+                                     .unit = strcmp(edp->units, "1") != 0 ? edp->units : NULL},
+            1);
+    }
+    return STATUS_OK;
+}
+
+static int take_wide(void *context, const struct study_run *r, struct error *e) {
+    struct show *p = context;
+    (void)e;
+    printer_whole(&p->table, r->number + 1);
+    show_sweeps(&p->table, p->view, r->number);
+    printer_text(&p->table, study_print_status(r->outcome));
+    for (int k = 0; k < p->n_edp && r->outcome->status == STUDY_DONE; k++) {
+        const struct edp *edp = &p->edp[k];
+        int at;
+        if (p->form == DEMAND_REDUCED) {
+            printer_number(&p->table, edp_value(edp, r->value, &at));
+        }
+        for (int i = 0; i < edp->n_term && p->form == DEMAND_EVERYWHERE; i++) {
+            printer_number(&p->table, edp_term_value(edp, i, r->value));
+        }
+    }
+    printer_line(&p->table);
+    return STATUS_OK;
 }
 
 static int take(void *context, const struct study_run *r, struct error *e) {
@@ -69,25 +113,47 @@ static int read_demands(const struct study_view *v, const struct show_demands_re
     return STATUS_OK;
 }
 
-static int show(struct study_file *f, const struct show_demands_request *q, FILE *to,
-                struct error *e) {
+static int add_head(struct show *p, struct arena *a, struct error *e) {
+    static const struct printer_column run[] = {COLUMN_DATA("run")};
+    static const struct printer_column outcome[] = {COLUMN_DATA("status")};
     static const struct printer_column demand[] = {COLUMN_DATA("edp"),    COLUMN_DATA("location"),
                                                    COLUMN_DATA("value"),  COLUMN_DATA("unit"),
                                                    COLUMN_DATA("status"), COLUMN_DATA("hit")};
+    if (p->wide) {
+        PRINTER_ADD(&p->table, run);
+    }
+    show_add_sweeps(&p->table, p->view);
+    if (p->wide) {
+        PRINTER_ADD(&p->table, outcome);
+    } else {
+        PRINTER_ADD(&p->table, demand);
+    }
+    int status = STATUS_OK;
+    for (int k = 0; k < p->n_edp && p->wide && status == STATUS_OK; k++) {
+        status = add_columns(p, &p->edp[k], a, e);
+    }
+    return status;
+}
+
+static int show(struct study_file *f, const struct show_demands_request *q, FILE *to,
+                struct error *e) {
     struct arena *a = arena_create();
     struct edp *edp =
         a ? arena_alloc(a, (size_t)q->n_edp + (size_t)n_edp_quantity, sizeof *edp) : NULL;
     struct show p = {.view = study_file_view(f),
                      .table = {.to = to, .form = q->form},
                      .form = q->n_edp > 0 ? DEMAND_REDUCED : DEMAND_EVERYWHERE,
+                     .wide = q->wide,
                      .edp = edp};
     int status = edp ? read_demands(p.view, q, a, edp, &p.n_edp, e) : error_no_memory(e);
     if (status == STATUS_OK) {
-        show_add_sweeps(&p.table, p.view);
-        PRINTER_ADD(&p.table, demand);
-        printer_head(&p.table);
-        status = printer_end(&p.table, study_file_each(f, take, &p, e), e);
+        status = add_head(&p, a, e);
     }
+    if (status == STATUS_OK) {
+        printer_head(&p.table);
+        status = study_file_each(f, p.wide ? take_wide : take, &p, e);
+    }
+    status = printer_end(&p.table, status, e);
     arena_free(a);
     return status;
 }

@@ -14,6 +14,7 @@ struct show_demands_request {
     enum printer_form form;
     const char *const *edp;  // (n_edp) what is asked for; none: all, at all places
     int n_edp;
+    bool wide;  // a line for each run, a column for each demand; else a line for each demand
 };
 
 // Writes a table of the demand parameters. Errors as of show_study and edp_parse.

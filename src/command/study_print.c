@@ -14,6 +14,13 @@
 // Of the largest values: buildings shown, and the width of names.
 enum { BUILDINGS_MAX = 8, NAME_WIDTH_MIN = 12, NAME_WIDTH_MAX = 33 };
 
+void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u) {
+    printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of the "
+           "dispersion\n",
+           f->median, unit[0] ? " " : "", unit, study_print_g(u, unit, f->median).added,
+           f->dispersion, f->log_median_error, f->dispersion_error);
+}
+
 const char *study_print_status(const struct study_outcome *outcome) {
     switch (outcome->status) {
         case STUDY_DONE:

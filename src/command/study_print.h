@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "jostle/study_file.h"
+#include "study/fragility.h"
 
 // Where a quantity of the envelopes is largest over all runs.
 struct study_peak {
@@ -33,6 +34,9 @@ struct study_g {
     char text[24], added[32];
 };
 struct study_g study_print_g(const struct unit_system *u, const char *units, double value);
+
+// A line with the parameters of a curve that was fitted, the median in `unit`.
+void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u);
 
 // "done", "failed", or "missing": not in the file.
 const char *study_print_status(const struct study_outcome *outcome);

@@ -7,6 +7,8 @@
 #include "core/safe.h"
 
 const struct option_row suite_options_rows[] = {
+    {"collapse", .kind = OPTION_SET, .at = offsetof(struct suite_options, collapse), .set = 1,
+     .doc = "shares of runs that collapse (statement collapse), in place of a demand and a limit"},
     {"over", 0, "NAME", OPTION_TEXT, 0, offsetof(struct suite_options, request.over),
      .doc = "sweeps whose values are samples, as NAME or NAME,NAME (default: record, or the only "
             "sweep of texts, with the sweeps paired with it, and the samples of random sweeps)"},
@@ -26,6 +28,18 @@ void suite_options_print_edps(void) {
     printf("\nIt covers all buildings, contacts or links, or those named: drift:A, drift:A:3 "
            "(storey 3),\n"
            "force:NAME.\n");
+}
+
+const char *suite_options_collapse(struct suite_options *o) {
+    if (!o->collapse) {
+        return NULL;
+    }
+    if (o->request.edp || o->limits) {
+        return "--collapse has a demand and a limit; leave out --edp and --limit";
+    }
+    o->request.edp = EDP_COLLAPSE;
+    o->limits = "0";
+    return NULL;
 }
 
 const struct suite_request *suite_options_request(struct suite_options *o) {
@@ -73,6 +87,26 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
         }
         at += part + 1;
     }
+}
+
+int suite_options_edp_limit(const struct command *c, const struct plan *p, const char *text,
+                            struct edp *edp, double *limit) {
+    const char *equal = strrchr(text, '=');
+    if (!equal) {
+        return command_usage(c, "--limit takes EDP=VALUE, not '%s'", text);
+    }
+    struct arena *a = p->table->arena;
+    const char *name = arena_text(a, text, (size_t)(equal - text));
+    const struct study_view view = plan_view(p);
+    struct error e;
+    int status = name ? edp_parse(&view, name, a, edp, &e) : error_no_memory(&e);
+    if (status == STATUS_OK) {
+        status = edp_limit(edp, &view.units, equal + 1, limit, &e);
+    }
+    if (status == STATUS_OK) {
+        suite_options_warn_limit(edp, equal + 1, *limit);
+    }
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 void suite_options_warn(const struct suite *s) {

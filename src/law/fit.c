@@ -3,10 +3,9 @@
 //
 //     sum over i of (F_i - F(t_i - t0; k, zeta))^2 = min.
 //
-// F is the force of an isolated impact and t0 the instant of closure. The method is the
-// trust-region method of Levenberg and Marquardt (GSL). Jankowski (2005), Earthquake Eng. Struct.
-// Dyn. 34, 595-611, fitted by hand. His normalised error is the square root of this sum over that
-// of F = 0.
+// F is the force of an isolated impact and t0 the instant of closure (least_squares.h). Jankowski
+// (2005), Earthquake Eng. Struct. Dyn. 34, 595-611, fitted by hand. His normalised error is the
+// square root of this sum over that of F = 0.
 //
 // The unknowns are the logarithms of k and zeta, which keeps both positive, and t0 over the
 // duration of the impact. The derivative with respect to t0 follows from the law. The other
@@ -16,152 +15,74 @@
 // jump are left out, because their values depend on sampling and filtering of the record. The sum
 // then jumps when closure or opening passes a sample. So a search holds the set of samples in
 // contact, and searches are repeated over the possible sets.
-//
-// Standard errors assume that the residuals are white noise.
 #include "law/fit.h"
 
 #include <gsl/gsl_blas.h>
-#include <gsl/gsl_multifit_nlinear.h>
 #include <math.h>
+#include <string.h>
 
 #include "law/fit_model.h"
+#include "law/least_squares.h"
 
 enum { K, START, ZETA, N_UNKNOWN_MAX };  // a law without zeta has two unknowns
 
-// The start value of each unknown. It is not 0, so that changes are relative.
-static const double ORIGIN = 1.0;
-static const double TOLERANCE = 1e-10;    // of the unknowns, and of the gradient
-static const double DIFFERENCE = 1e-6;    // of central differences; impacts have errors of 1e-12
-static const double STATIONARY = 1e-6;    // largest cosine between residuals and a derivative
-static const double EXACT = 1e-9;         // share of the peak: residuals below are rounding errors
 static const double BETTER = 1.0 - 1e-6;  // factor of a normalised error: a real improvement
-enum { ITERATIONS_MAX = 200, ROUNDS_MAX = 20 };
+enum { ROUNDS_MAX = 20 };
 
 struct fit {
     struct fit_model model;
-    int n_unknown;
     struct fit_point start;
     double duration;
     const struct fit_samples *held;  // NULL: none
-    gsl_multifit_nlinear_workspace *work;
-    gsl_matrix *covariance;
+    struct least_squares squares;
 };
 
-static struct fit_point point_of(const struct fit *f, const gsl_vector *x) {
+static struct fit_point point_of(const struct fit *f, const double *x) {
     struct fit_point p = f->start;
-    p.k *= exp(gsl_vector_get(x, K) - ORIGIN);
-    p.start += f->duration * (gsl_vector_get(x, START) - ORIGIN);
-    if (f->n_unknown > ZETA) {
-        p.zeta *= exp(gsl_vector_get(x, ZETA) - ORIGIN);
+    p.k *= exp(x[K] - least_squares_origin);
+    p.start += f->duration * (x[START] - least_squares_origin);
+    if (f->squares.n_unknown > ZETA) {
+        p.zeta *= exp(x[ZETA] - least_squares_origin);
     }
     return p;
 }
 
-static int residuals(const gsl_vector *x, void *context, gsl_vector *r) {
+static void predict(void *context, const double *x, double *value) {
     struct fit *f = context;
     const struct fit_point p = point_of(f, x);
     fit_model_predict(&f->model, &p, f->held);
-    for (size_t i = 0; i < f->model.q->n; i++) {
-        gsl_vector_set(r, i, (f->model.force[i] - f->model.q->force[i]) / f->model.peak);
-    }
-    return GSL_SUCCESS;
+    memcpy(value, f->model.force, f->model.q->n * sizeof *value);
 }
 
-// Column `u` of the derivatives by central differences.
-static void difference(struct fit *f, const gsl_vector *x, size_t u, gsl_matrix *derivative) {
-    double at[N_UNKNOWN_MAX];
-    gsl_vector_view moved = gsl_vector_view_array(at, (size_t)f->n_unknown);
-    gsl_vector_view column = gsl_matrix_column(derivative, u);
-    gsl_vector_memcpy(&moved.vector, x);
-    gsl_vector_set_zero(&column.vector);
-    for (int side = -1; side <= 1; side += 2) {
-        gsl_vector_set(&moved.vector, u, gsl_vector_get(x, u) + side * DIFFERENCE);
-        const struct fit_point p = point_of(f, &moved.vector);
-        fit_model_predict(&f->model, &p, f->held);
-        gsl_vector_const_view force = gsl_vector_const_view_array(f->model.force, f->model.q->n);
-        gsl_blas_daxpy(side / (2.0 * DIFFERENCE * f->model.peak), &force.vector, &column.vector);
-    }
-}
-
-static int derivatives(const gsl_vector *x, void *context, gsl_matrix *derivative) {
+static bool derivative(void *context, const double *x, int u, double *column) {
     struct fit *f = context;
+    if (u != START) {
+        return false;
+    }
     const struct fit_point p = point_of(f, x);
     fit_model_predict(&f->model, &p, f->held);
     for (size_t i = 0; i < f->model.q->n; i++) {
-        gsl_matrix_set(derivative, i, START, -f->model.rate[i] * f->duration / f->model.peak);
-    }
-    difference(f, x, K, derivative);
-    if (f->n_unknown > ZETA) {
-        difference(f, x, ZETA, derivative);
-    }
-    return GSL_SUCCESS;
-}
-
-// True if no change of the unknowns makes the residuals smaller: they are orthogonal to all
-// derivatives, or rounding.
-static bool is_stationary(const struct fit *f) {
-    const gsl_vector *residual = gsl_multifit_nlinear_residual(f->work);
-    const gsl_matrix *derivative = gsl_multifit_nlinear_jac(f->work);
-    double norm = gsl_blas_dnrm2(residual);
-    if (norm <= EXACT * sqrt((double)f->model.q->n)) {
-        return true;
-    }
-    for (int u = 0; u < f->n_unknown; u++) {
-        gsl_vector_const_view column = gsl_matrix_const_column(derivative, (size_t)u);
-        double product;
-        gsl_blas_ddot(&column.vector, residual, &product);
-        if (!(fabs(product) <= STATIONARY * gsl_blas_dnrm2(&column.vector) * norm)) {
-            return false;
-        }
+        column[i] = -f->model.rate[i] * f->duration;
     }
     return true;
 }
 
-static double normalised_error(const struct fit *f) {
-    const struct fit_request *q = f->model.q;
-    gsl_vector_const_view measured = gsl_vector_const_view_array(q->force, q->n);
-    return gsl_blas_dnrm2(gsl_multifit_nlinear_residual(f->work)) * f->model.peak /
-           gsl_blas_dnrm2(&measured.vector);
-}
-
 // One search from f->start.
 static int search(struct fit *f, struct fit_result *out, struct error *e) {
-    double first[N_UNKNOWN_MAX] = {ORIGIN, ORIGIN, ORIGIN};
-    gsl_vector_const_view x = gsl_vector_const_view_array(first, (size_t)f->n_unknown);
-    gsl_multifit_nlinear_fdf system = {.f = residuals,
-                                       .df = derivatives,
-                                       .n = f->model.q->n,
-                                       .p = (size_t)f->n_unknown,
-                                       .params = f};
-    int info;
-    int status = gsl_multifit_nlinear_init(&x.vector, &system, f->work);
-    if (status == GSL_SUCCESS) {
-        status = gsl_multifit_nlinear_driver(ITERATIONS_MAX, TOLERANCE, TOLERANCE, 0.0, NULL, NULL,
-                                             &info, f->work);
+    struct least_squares_result found;
+    const int status = least_squares_search(&f->squares, &found, e);
+    if (status != STATUS_OK) {
+        return status;
     }
-    if (status != GSL_SUCCESS && !is_stationary(f)) {
-        return error_set(e, STATUS_FAILED,
-                         "the fit of %s does not converge: the normalised error is %.3g %% after "
-                         "%zu iterations",
-                         f->model.q->law->name, 100.0 * normalised_error(f),
-                         gsl_multifit_nlinear_niter(f->work));
-    }
-    const double degrees = (double)f->model.q->n - f->n_unknown;
-    const double sigma = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(f->work)) / sqrt(degrees);
-    const struct fit_point p = point_of(f, gsl_multifit_nlinear_position(f->work));
-    double error[N_UNKNOWN_MAX] = {0};
-    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(f->work), 0.0, f->covariance);
-    for (int u = 0; u < f->n_unknown; u++) {
-        error[u] = sigma * sqrt(gsl_matrix_get(f->covariance, (size_t)u, (size_t)u));
-    }
+    const struct fit_point p = point_of(f, found.x);
     *out = (struct fit_result){
-        .k = {p.k, p.k * error[K]},
+        .k = {p.k, p.k * found.error[K]},
         .zeta = {NAN, NAN},
-        .start = {p.start, f->duration * error[START]},
-        .normalised_error = normalised_error(f),
+        .start = {p.start, f->duration * found.error[START]},
+        .normalised_error = found.normalised_error,
     };
-    if (f->n_unknown > ZETA) {
-        out->zeta = (struct fit_parameter){p.zeta, p.zeta * error[ZETA]};
+    if (f->squares.n_unknown > ZETA) {
+        out->zeta = (struct fit_parameter){p.zeta, p.zeta * found.error[ZETA]};
     }
     return STATUS_OK;
 }
@@ -255,19 +176,22 @@ static int search_all(struct fit *f, struct fit_result *out, struct error *e) {
 }
 
 int fit_run(const struct fit_request *request, struct fit_result *out, struct error *e) {
-    struct fit f = {.work = NULL};
+    struct fit f = {.held = NULL};
     int status = fit_model_init(request, &f.model, e);
-    f.n_unknown = f.model.damped ? N_UNKNOWN_MAX : ZETA;
     struct fit_result agreed = {.cut = 0.0};
     if (status == STATUS_OK) {
         status = fit_check_impulse(&f.model, &agreed, e);
     }
     if (status == STATUS_OK) {
-        const size_t p = (size_t)f.n_unknown;
-        gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
-        f.work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, f.model.q->n, p);
-        f.covariance = gsl_matrix_alloc(p, p);
-        status = f.work && f.covariance ? STATUS_OK : error_no_memory(e);
+        f.squares = (struct least_squares){.name = request->law->name,
+                                           .n = request->n,
+                                           .n_unknown = f.model.damped ? N_UNKNOWN_MAX : ZETA,
+                                           .measured = request->force,
+                                           .scale = f.model.peak,
+                                           .predict = predict,
+                                           .derivative = derivative,
+                                           .context = &f};
+        status = least_squares_open(&f.squares, e);
     }
     if (status == STATUS_OK) {
         status = fit_start(&f.model, &f.start, &f.duration, e);
@@ -277,12 +201,7 @@ int fit_run(const struct fit_request *request, struct fit_result *out, struct er
         out->restitution = agreed.restitution;
         out->cut = agreed.cut;
     }
-    if (f.work) {
-        gsl_multifit_nlinear_free(f.work);
-    }
-    if (f.covariance) {
-        gsl_matrix_free(f.covariance);
-    }
+    least_squares_close(&f.squares);
     fit_model_free(&f.model);
     return status;
 }

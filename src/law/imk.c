@@ -182,7 +182,7 @@ static void imk_path(const double *c, double *h, const struct imk_view *v) {
         imk_reload(v, local, &path);
     }
     imk_end(v, z, &path);
-    loading_follow(h, path.line, path.n);
+    loading_follow(&imk_rule, h, path.line, path.n);
 }
 
 // beta of a mode for the work of an excursion; notes a capacity that is used up.
@@ -280,7 +280,7 @@ static void imk_arrive(const double *c, double *h) {
 }
 
 const struct loading_rule imk_rule = {
-    .n_history = IMK_HISTORY,
+    .path = IMK_PATH,
     .start = imk_start,
     .turn = imk_turn,
     .enter = imk_enter,

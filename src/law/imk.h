@@ -80,12 +80,13 @@ enum imk_own {
 };
 
 enum imk_history {
-    IMK_OF_RIGHT = LOADING_HISTORY,
+    IMK_OF_RIGHT = LOADING_OWN,
     IMK_OF_LEFT = IMK_OF_RIGHT + IMK_OWN,
     IMK_START_SLOPE = IMK_OF_LEFT + IMK_OWN,  // K0
     IMK_SUM,                                  // S
     IMK_LOST,                                 // 1: a capacity is used up
-    IMK_HISTORY
+    IMK_PATH,
+    IMK_HISTORY = IMK_PATH + LOADING_PATH_SIZE
 };
 
 extern const struct loading_rule imk_rule;

@@ -32,9 +32,10 @@ enum loading_history {
     LOADING_WORK,    // integral of the shear from the last zero shear to the anchor
     LOADING_N,       // number of lines of the path
     LOADING_AT,      // the line with the anchor
-    LOADING_PATH,    // their starts and slopes: drift, shear, slope
-    LOADING_HISTORY = LOADING_PATH + 3 * LOADING_LINES_MAX
+    LOADING_OWN      // the law's own values, then starts and slopes of the lines
 };
+
+enum { LOADING_PATH_SIZE = 3 * LOADING_LINES_MAX };  // drift, shear and slope of each line
 
 // A straight line of a path, from its start to the start of the next line.
 struct loading_line {
@@ -42,7 +43,7 @@ struct loading_line {
 };
 
 struct loading_rule {
-    int n_history;
+    int path;  // place of the lines in the history, its last LOADING_PATH_SIZE values
 
     // Sets SLOPE and the law's own values where a storey yields for the first time.
     void (*start)(const double *constant, double *history);
@@ -60,7 +61,11 @@ struct loading_rule {
 
 // Makes the path of the history: from the anchor along `line`, the last of which has no end, but
 // nowhere steeper than SLOPE: the path goes with SLOPE where the lines are steeper or above it.
-void loading_follow(double *history, const struct loading_line *line, int n);
+void loading_follow(const struct loading_rule *rule, double *history,
+                    const struct loading_line *line, int n);
+
+// The slope of the path at the anchor.
+double loading_path_slope(const struct loading_rule *rule, const double *history);
 
 // respond and stored of the descriptors.
 struct storey_response loading_respond(const struct loading_rule *rule, const double *constant,

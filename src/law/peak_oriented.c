@@ -21,30 +21,14 @@ int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *c
         return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
     }
     memcpy(constant, value, PEAK_ORIENTED_CONSTANTS * sizeof *constant);
+    if (isnan(value[PEAK_ORIENTED_YIELD_LEFT])) {
+        constant[PEAK_ORIENTED_YIELD_LEFT] = value[PEAK_ORIENTED_YIELD];
+    }
     constant[PEAK_ORIENTED_YIELD_DRIFT] =
         value[PEAK_ORIENTED_YIELD] / value[PEAK_ORIENTED_STIFFNESS];
+    constant[PEAK_ORIENTED_YIELD_DRIFT_LEFT] =
+        constant[PEAK_ORIENTED_YIELD_LEFT] / value[PEAK_ORIENTED_STIFFNESS];
     return STATUS_OK;
-}
-
-// Unloading must not cross the origin: otherwise reloading would start beyond its target.
-static double peak_oriented_softening(const double *c, double largest) {
-    double alpha = c[PEAK_ORIENTED_ALPHA];
-    if (alpha == 0.0) {
-        return 0.0;
-    }
-    double share = c[PEAK_ORIENTED_YIELD_DRIFT] / largest;
-    double to_origin = share + c[PEAK_ORIENTED_HARDENING] * (1.0 - share);
-    return 1.0 - fmax(pow(share, alpha), to_origin);
-}
-
-static struct storey_response peak_oriented_backbone(const double *c, double drift) {
-    double k = c[PEAK_ORIENTED_STIFFNESS];
-    double beyond = drift - c[PEAK_ORIENTED_YIELD_DRIFT];
-    if (beyond < 0.0) {
-        return (struct storey_response){k * drift, k};
-    }
-    double hardening = c[PEAK_ORIENTED_HARDENING] * k;
-    return (struct storey_response){c[PEAK_ORIENTED_YIELD] + hardening * beyond, hardening};
 }
 
 // The side to which a storey moves, with drifts and shears counted positive that way.
@@ -52,17 +36,20 @@ struct side {
     const double *constant;
     double sign;
     bool right;
+    double yield, yield_drift;
     double beyond;                  // largest drift minus yield drift
     double unloading;               // unloading stiffness
     double turn_drift, turn_shear;  // point of the last unloading
 };
 
-static struct side peak_oriented_side(const double *c, const double *h, bool right) {
+static inline struct side peak_oriented_side(const double *c, const double *h, bool right) {
     const double sign = right ? 1.0 : -1.0;
     return (struct side){
         .constant = c,
         .sign = sign,
         .right = right,
+        .yield = c[right ? PEAK_ORIENTED_YIELD : PEAK_ORIENTED_YIELD_LEFT],
+        .yield_drift = c[right ? PEAK_ORIENTED_YIELD_DRIFT : PEAK_ORIENTED_YIELD_DRIFT_LEFT],
         .beyond = h[right ? RIGHT : LEFT],
         .unloading =
             c[PEAK_ORIENTED_STIFFNESS] * (1.0 - h[right ? SOFTENING_RIGHT : SOFTENING_LEFT]),
@@ -71,13 +58,35 @@ static struct side peak_oriented_side(const double *c, const double *h, bool rig
     };
 }
 
+// Unloading must not cross the origin: otherwise reloading would start beyond its target.
+static double peak_oriented_softening(const struct side *s, double largest) {
+    const double alpha = s->constant[PEAK_ORIENTED_ALPHA];
+    if (alpha == 0.0) {
+        return 0.0;
+    }
+    const double share = s->yield_drift / largest;
+    const double to_origin = share + s->constant[PEAK_ORIENTED_HARDENING] * (1.0 - share);
+    return 1.0 - fmax(pow(share, alpha), to_origin);
+}
+
+static inline struct storey_response peak_oriented_backbone(const struct side *s, double drift) {
+    const double k = s->constant[PEAK_ORIENTED_STIFFNESS];
+    const double beyond = drift - s->yield_drift;
+    if (beyond < 0.0) {
+        return (struct storey_response){k * drift, k};
+    }
+    const double hardening = s->constant[PEAK_ORIENTED_HARDENING] * k;
+    const double shear = s->yield + hardening * beyond;
+    return shear > 0.0 ? (struct storey_response){shear, hardening} : (struct storey_response){0};
+}
+
 // From the point of unloading on a straight line to the target, then along the backbone.
 static struct storey_response peak_oriented_reload(const struct side *s, double drift) {
-    const double *c = s->constant;
-    const double target = c[PEAK_ORIENTED_YIELD_DRIFT] + (1.0 - c[PEAK_ORIENTED_BETA]) * s->beyond;
-    const double rise = peak_oriented_backbone(c, target).shear - s->turn_shear;
+    const double share = 1.0 - s->constant[PEAK_ORIENTED_BETA];
+    const double target = s->yield_drift + share * s->beyond;
+    const double rise = peak_oriented_backbone(s, target).shear - s->turn_shear;
     const double way = target - s->turn_drift;
-    const struct storey_response r = peak_oriented_backbone(c, drift);
+    const struct storey_response r = peak_oriented_backbone(s, drift);
     double stiffness = s->unloading;
     if (rise < stiffness * way) {
         if (drift >= target) {
@@ -91,13 +100,12 @@ static struct storey_response peak_oriented_reload(const struct side *s, double 
 
 // Stores the end of a path that has reloaded as the point of the last unloading.
 static void peak_oriented_arrive(const struct side *s, double drift, double shear, double *h) {
-    const double beyond = drift - s->constant[PEAK_ORIENTED_YIELD_DRIFT];
+    const double beyond = drift - s->yield_drift;
     h[TURN_DRIFT] = s->sign * drift;
     h[TURN_SHEAR] = s->sign * shear;
     if (beyond > s->beyond) {
         h[s->right ? RIGHT : LEFT] = beyond;
-        h[s->right ? SOFTENING_RIGHT : SOFTENING_LEFT] =
-            peak_oriented_softening(s->constant, drift);
+        h[s->right ? SOFTENING_RIGHT : SOFTENING_LEFT] = peak_oriented_softening(s, drift);
     }
 }
 
@@ -106,7 +114,8 @@ struct storey_response peak_oriented_respond(const double *c, const double *h, d
     if (after && after != h) {
         memcpy(after, h, PEAK_ORIENTED_HISTORY * sizeof *after);
     }
-    if (h[RIGHT] + h[LEFT] == 0.0 && fabs(drift) <= c[PEAK_ORIENTED_YIELD_DRIFT]) {
+    if (h[RIGHT] + h[LEFT] == 0.0 && drift <= c[PEAK_ORIENTED_YIELD_DRIFT] &&
+        -drift <= c[PEAK_ORIENTED_YIELD_DRIFT_LEFT]) {
         return (struct storey_response){c[PEAK_ORIENTED_STIFFNESS] * drift,
                                         c[PEAK_ORIENTED_STIFFNESS]};
     }

@@ -9,24 +9,27 @@
 //
 // A storey that is partly unloaded and loaded again returns along the unloading line (Mahin &
 // Bertero 1976, J. Struct. Div. ASCE 102, 1125-1139), then continues on its former path. Reloading
-// is never stiffer than unloading.
+// is never stiffer than unloading. Each direction may have its own V_y. With R < 0 the backbone
+// ends at V = 0.
 #ifndef JOSTLE_PEAK_ORIENTED_H
 #define JOSTLE_PEAK_ORIENTED_H
 
 #include "jostle/storey_law.h"
 
 enum peak_oriented_constant {
-    PEAK_ORIENTED_STIFFNESS,  // k
-    PEAK_ORIENTED_YIELD,      // V_y
-    PEAK_ORIENTED_HARDENING,  // R
+    PEAK_ORIENTED_STIFFNESS,   // k
+    PEAK_ORIENTED_YIELD,       // V_y
+    PEAK_ORIENTED_YIELD_LEFT,  // of negative drifts
+    PEAK_ORIENTED_HARDENING,   // R
     PEAK_ORIENTED_ALPHA,
     PEAK_ORIENTED_BETA,
     PEAK_ORIENTED_YIELD_DRIFT,  // V_y / k, which peak_oriented_prepare fills in
+    PEAK_ORIENTED_YIELD_DRIFT_LEFT,
     PEAK_ORIENTED_CONSTANTS
 };
 enum { PEAK_ORIENTED_HISTORY = 6 };
 
-// Errors: STATUS_INPUT: the stiffness is missing.
+// A YIELD_LEFT that is NAN becomes YIELD. Errors: STATUS_INPUT: the stiffness is missing.
 int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
                           struct error *e);
 

@@ -93,7 +93,7 @@ static void points_turn(const double *c, double *h) {
                            : points_slope(c, h[POINTS_LARGEST + points_side(h)]);
     const double to_origin = drift > 0.0 ? shear / drift : 0.0;
     // The path may be steeper than the line down from its end, which would make energy.
-    const double path = h[LOADING_PATH + 3 * (int)h[LOADING_AT] + 2];
+    const double path = loading_path_slope(&points_rule, h);
     h[LOADING_SLOPE] = fmin(fmax(fmax(own, path), to_origin), c[LOADING_STIFFNESS]);
 }
 
@@ -132,7 +132,7 @@ static void points_enter(const double *c, double *h) {
         }
     }
     n += points_backbone(c, fmax(z, target), line + n);
-    loading_follow(h, line, n);
+    loading_follow(&points_rule, h, line, n);
 }
 
 static void points_arrive(const double *c, double *h) {
@@ -142,7 +142,7 @@ static void points_arrive(const double *c, double *h) {
 }
 
 const struct loading_rule points_rule = {
-    .n_history = POINTS_HISTORY,
+    .path = POINTS_PATH,
     .start = points_start,
     .turn = points_turn,
     .enter = points_enter,

@@ -17,7 +17,7 @@
 
 #include "law/loading.h"
 
-enum { POINTS_MAX = 4 };
+enum { POINTS_MAX = 6 };
 
 enum points_constant {
     POINTS_N = LOADING_CONSTANTS,
@@ -35,10 +35,11 @@ enum points_constant {
 };
 
 enum points_history {
-    POINTS_LARGEST = LOADING_HISTORY,     // dm to the right, to the left
+    POINTS_LARGEST = LOADING_OWN,         // dm to the right, to the left
     POINTS_COUNTED = POINTS_LARGEST + 2,  // those that have done their damage
     POINTS_ENERGY = POINTS_COUNTED + 2,
-    POINTS_HISTORY
+    POINTS_PATH,
+    POINTS_HISTORY = POINTS_PATH + LOADING_PATH_SIZE
 };
 
 // Sets the backbone from `n` points of drift and shear, with the slope `last` beyond, and the rules

@@ -10,6 +10,8 @@
 
 const struct range yield_hardening_range = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
+const struct range yield_falling_range = {
+    .min = -1.0, .max = 1.0, .max_open = true, .text = ">= -1 and < 1"};
 
 #define STOREY_LAW(descriptor) &descriptor,
 const struct storey_law *const storey_laws[] = {

@@ -6,6 +6,7 @@
 #include "jostle/row.h"
 
 extern const struct range yield_hardening_range;  // >= 0 and < 1
+extern const struct range yield_falling_range;    // >= -1 and < 1
 
 #define YIELD_ROW                                                                                  \
     {                                                                                              \
@@ -17,6 +18,19 @@ extern const struct range yield_hardening_range;  // >= 0 and < 1
     {                                                                                              \
         "hardening", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &yield_hardening_range, NAN,               \
             "ratio of the stiffness after yield to the initial stiffness"                          \
+    }
+
+// Of laws whose strength may fall after yield, if the user gives a negative number.
+#define FALLING_ROW                                                                                \
+    {                                                                                              \
+        "hardening", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &yield_falling_range, NAN,                 \
+            "ratio of the stiffness after yield to the initial stiffness"                          \
+    }
+
+#define YIELD_NEGATIVE_ROW                                                                         \
+    {                                                                                              \
+        "yield-negative", ROW_LIST, 0, OF_FORCE, &range_positive, NAN,                             \
+            "storey shear at first yield of negative drifts (default: -yield)"                     \
     }
 
 #endif

@@ -137,7 +137,7 @@ static bool place_row(struct arena *a, struct link *l, int side, int first) {
         entry[i] =
             (struct link_entry){first + l->row[side].entry[i].dof, l->row[side].entry[i].weight};
     }
-    l->row[side].entry = entry;
+    l->row[side] = (struct link_row){entry ? n : 0, entry};
     l->dof[side] = n > 0 && entry ? entry[0].dof : WALL;
     return entry != NULL;
 }

@@ -4,56 +4,57 @@
 #include <math.h>
 #include <string.h>
 
-#include "deck/reader.h"
-
-const struct storey_law *storey_choice_find(struct builder *b, const struct word *name) {
-    const char *text = deck_text(b->deck, name);
+const struct storey_law *storey_choice_find(struct deck *d, const struct word *name) {
+    const char *text = deck_text(d, name);
     const struct storey_law *law = text ? storey_law_find(text) : NULL;
-    const char **known =
-        text && !law ? arena_alloc(b->arena, (size_t)n_storey_law, sizeof *known) : NULL;
+    const char **known = text && !law ? deck_array(d, (size_t)n_storey_law, sizeof *known) : NULL;
     for (int i = 0; known && i < n_storey_law; i++) {
         known[i] = storey_laws[i]->name;
     }
     if (known) {
-        deck_unknown(b->deck, name, text, "storey law", known, n_storey_law);
+        deck_unknown(d, name, text, "storey law", known, n_storey_law);
     }
     return law;
 }
 
-bool storey_choice_spread(struct builder *b, struct storey_choice *c, int n, const char *owner) {
-    bool good = true;
-    for (int r = 0; r < c->law->n_row; r++) {
-        if (c->given[r].n > 0) {
-            c->value[r] = builder_spread(b, &c->given[r], n, owner);
-            good &= c->value[r] != NULL;
-        }
-        if (c->value[r] && strcmp(c->law->row[r].key, "yield") == 0) {
-            c->yield = c->value[r];
-            c->yield_row = r;
+int storey_choice_row(const struct storey_law *law, const char *key) {
+    for (int r = 0; r < law->n_row; r++) {
+        if (strcmp(law->row[r].key, key) == 0) {
+            return r;
         }
     }
-    return good;
+    return -1;
 }
 
-bool storey_choice_prepare(struct builder *b, const struct word *w, const struct storey_choice *c,
-                           int k, double stiffness, struct storey *out) {
-    double own[STOREY_ROWS_MAX];
-    const struct storey_law *law = c->law;
+bool storey_choice_read(struct deck *d, const struct statement *s, const struct storey_law *law,
+                        const struct row_set *own, const bool *found, struct storey_choice *out) {
+    *out = (struct storey_choice){.law = law, .word = &s->word[0]};
+    struct row row[STOREY_ROWS_MAX];
+    memcpy(row, law->row, (size_t)law->n_row * sizeof *row);
+    for (int r = 0; found && r < law->n_row; r++) {
+        row[r].flags &= found[r] ? ~(unsigned)ROW_REQUIRED : ~0u;
+    }
+    struct row_set set[] = {*own, {row, law->n_row, out->given}};
+    if (!deck_options(d, s, set, 2)) {
+        return false;
+    }
     for (int r = 0; r < law->n_row; r++) {
-        const bool flag = law->row[r].kind == ROW_FLAG && c->given[r].given;
-        own[r] = c->value[r] ? c->value[r][k] : flag ? 1.0 : NAN;
+        const struct argument *a = &out->given[r];
+        if (a->n > 1) {
+            deck_error(d, &a->word[1], "one storey has one -%s", law->row[r].key);
+            return false;
+        }
+        const bool flag = law->row[r].kind == ROW_FLAG && a->given;
+        out->value[r] = a->n > 0 && a->number ? a->number[0] : flag ? 1.0 : NAN;
     }
-    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
-    if (!constant) {
-        return false;
-    }
+    return true;
+}
+
+bool storey_choice_prepare(struct deck *d, struct storey_choice *c) {
     struct error e;
-    if (law->prepare(own, stiffness, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, w, "%s", e.message);
+    if (c->law->prepare(c->value, c->stiffness, c->constant, &e) != STATUS_OK) {
+        deck_error(d, c->word, "%s", e.message);
         return false;
     }
-    out->law = law;
-    out->constant = constant;
-    out->yield = c->yield ? c->yield[k] : (double)INFINITY;
     return true;
 }

@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A storey law with its options: `LAW -yield V -hardening R`. The statements `storey` and `hinges`
-// share it.
+// A storey law with the options of a statement, `LAW -yield V ...`, for one storey.
 #ifndef JOSTLE_STOREY_CHOICE_H
 #define JOSTLE_STOREY_CHOICE_H
 
-#include "model/builder.h"
+#include "jostle/deck.h"
+#include "jostle/storey_law.h"
 
 struct storey_choice {
     const struct storey_law *law;
+    const struct word *word;                 // its name in the statement
     struct argument given[STOREY_ROWS_MAX];  // (law->n_row)
-    double *value[STOREY_ROWS_MAX];          // (n) of each row with numbers; NULL: others
-    double *yield;                           // of the row `yield`; NULL: not given
-    int yield_row;
+    double stiffness;                        // initial
+    double value[STOREY_ROWS_MAX];           // of the rows; NAN: not given
+    double constant[STOREY_CONSTANTS_MAX];
 };
 
 // The law that the word names; NULL after a report that there is none.
-const struct storey_law *storey_choice_find(struct builder *b, const struct word *name);
+const struct storey_law *storey_choice_find(struct deck *d, const struct word *name);
 
-// Takes one value, or one for each of n laws, of each row of the choice. `owner` is as in
-// builder_spread. False after a report.
-bool storey_choice_spread(struct builder *b, struct storey_choice *c, int n, const char *owner);
+// The place of the law's row; -1: it has none of this name.
+int storey_choice_row(const struct storey_law *law, const char *key);
 
-// Law k of them, of this initial stiffness. False after a report at `w`.
-bool storey_choice_prepare(struct builder *b, const struct word *w, const struct storey_choice *c,
-                           int k, double stiffness, struct storey *out);
+// Reads the options of `s`, those of `own` and of the law, and sets the values. Rows for which
+// `found` holds need not be given; NULL: none. False after a report.
+bool storey_choice_read(struct deck *d, const struct statement *s, const struct storey_law *law,
+                        const struct row_set *own, const bool *found, struct storey_choice *out);
+
+// Computes the constants. False after a report at the name of the law.
+bool storey_choice_prepare(struct deck *d, struct storey_choice *c);
 
 #endif

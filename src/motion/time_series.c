@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "motion/time_series.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "core/arena.h"
@@ -8,15 +9,17 @@
 #include "motion/record_format.h"
 #include "motion/table.h"
 
-enum { FILE_SIZE_MAX = 256 << 20, N_COLUMN = TIME_SERIES_COLUMNS };
+enum { FILE_SIZE_MAX = 256 << 20, N_COLUMN = TIME_SERIES_COLUMNS };  // N_COLUMN at most
 
 // A file in progress.
 struct file {
     struct record_text text;
     struct table table;
-    const struct time_series_column *column;  // (N_COLUMN)
-    double unit[N_COLUMN];                    // in SI
-    double *value[N_COLUMN];                  // (table.n_row) in SI
+    const struct time_series_column *column;  // (n_column)
+    int n_column;
+    bool ascends;             // the first column must
+    double unit[N_COLUMN];    // in SI
+    double *value[N_COLUMN];  // (table.n_row) in SI
 };
 
 // A row of the file.
@@ -40,15 +43,16 @@ static int read_caption(struct file *f, struct error *e) {
             continue;
         }
         int c = 0;
-        while (c < N_COLUMN && !dimension_equal(given, f->column[c].dimension)) {
+        while (c < f->n_column && !dimension_equal(given, f->column[c].dimension)) {
             c++;
         }
-        if (c == N_COLUMN) {
+        if (c == f->n_column) {
             struct excerpt shown = lines_excerpt(text);
             return lines_error(e, f->text.path, f->table.caption_line,
-                               "unit '%s' is that of neither %s nor %s", shown.text,
-                               dimension_noun(f->column[0].dimension),
-                               dimension_noun(f->column[1].dimension));
+                               f->n_column == 1 ? "unit '%s' is not that of %s"
+                                                : "unit '%s' is that of neither %s nor %s",
+                               shown.text, dimension_noun(f->column[0].dimension),
+                               dimension_noun(f->column[f->n_column - 1].dimension));
         }
         f->unit[c] = size;
     }
@@ -58,11 +62,11 @@ static int read_caption(struct file *f, struct error *e) {
 static int find_units(struct file *f, struct error *e) {
     struct unit_system si;
     unit_system_init(&si);
-    for (int c = 0; c < N_COLUMN; c++) {
+    for (int c = 0; c < f->n_column; c++) {
         f->unit[c] = f->column[c].unit;
     }
     const int status = read_caption(f, e);
-    for (int c = 0; status == STATUS_OK && c < N_COLUMN; c++) {
+    for (int c = 0; status == STATUS_OK && c < f->n_column; c++) {
         if (f->unit[c] == 0.0) {
             const char *name = f->column[c].name;
             char unit[32];
@@ -77,8 +81,12 @@ static int find_units(struct file *f, struct error *e) {
 }
 
 static int check_columns(const struct file *f, int line, size_t n, struct error *e) {
-    return n == N_COLUMN
-               ? STATUS_OK
+    if (n == (size_t)f->n_column) {
+        return STATUS_OK;
+    }
+    return f->n_column == 1
+               ? lines_error(e, f->text.path, line, "%zu columns; one is read, %s", n,
+                             f->column[0].name)
                : lines_error(e, f->text.path, line, "%zu column%s; two are read, %s and %s", n,
                              n == 1 ? "" : "s", f->column[0].name, f->column[1].name);
 }
@@ -97,7 +105,7 @@ static int check_value(const struct file *f, const struct series_row *r, int c, 
 static int check_order(const struct file *f, const struct series_row *r, struct error *e) {
     const double *time = f->value[0] + r->index;
     const char *name = f->column[0].name;
-    return r->index == 0 || time[0] > time[-1]
+    return !f->ascends || r->index == 0 || time[0] > time[-1]
                ? STATUS_OK
                : error_set(e, STATUS_INPUT, "%s: %s %.9g s after %.9g s; %ss must increase",
                            lines_place_field(&f->text, r->line, r->field[0]).text, name, time[0],
@@ -109,7 +117,7 @@ static int read_row(struct file *f, const struct lines *l, size_t index, struct 
     struct series_row r = {.index = index, .line = l->number};
     struct piece rest = l->line;
     int status = check_columns(f, r.line, lines_count(l->line, f->table.separators), e);
-    for (int c = 0; status == STATUS_OK && c < N_COLUMN; c++) {
+    for (int c = 0; status == STATUS_OK && c < f->n_column; c++) {
         lines_field(&rest, f->table.separators, &r.field[c]);
         const struct number_field field = {&f->text, r.line, f->column[c].name, index + 1,
                                            r.field[c]};
@@ -123,7 +131,7 @@ static int read_row(struct file *f, const struct lines *l, size_t index, struct 
 }
 
 static int read_rows(struct arena *a, struct file *f, struct error *e) {
-    for (int c = 0; c < N_COLUMN; c++) {
+    for (int c = 0; c < f->n_column; c++) {
         f->value[c] = arena_alloc(a, f->table.n_row, sizeof *f->value[c]);
         if (!f->value[c]) {
             return error_no_memory(e);
@@ -157,19 +165,38 @@ static int read_text(struct arena *a, struct file *f, struct error *e) {
     return status == STATUS_OK ? read_rows(a, f, e) : status;
 }
 
-int time_series_read(struct arena *a, const char *path,
-                     const struct time_series_column column[TIME_SERIES_COLUMNS],
-                     struct time_series *out, struct error *e) {
-    struct file f = {.column = column};
+static int read_file(struct arena *a, const char *path, struct file *f, const double **value,
+                     size_t *n_row, struct error *e) {
     struct arena *scratch;
-    int status = record_text_open(path, FILE_SIZE_MAX, &f.text, &scratch, e);
+    int status = record_text_open(path, FILE_SIZE_MAX, &f->text, &scratch, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = read_text(a, &f, e);
-    if (status == STATUS_OK) {
-        *out = (struct time_series){f.table.n_row, f.value[0], f.value[1]};
+    status = read_text(a, f, e);
+    for (int c = 0; status == STATUS_OK && c < f->n_column; c++) {
+        value[c] = f->value[c];
+        *n_row = f->table.n_row;
     }
     arena_free(scratch);
+    return status;
+}
+
+int time_series_columns(struct arena *a, const char *path, const struct time_series_column *column,
+                        int n, const double **value, size_t *n_row, struct error *e) {
+    assert(n >= 1 && n <= N_COLUMN);
+    struct file f = {.column = column, .n_column = n};
+    return read_file(a, path, &f, value, n_row, e);
+}
+
+int time_series_read(struct arena *a, const char *path,
+                     const struct time_series_column column[TIME_SERIES_COLUMNS],
+                     struct time_series *out, struct error *e) {
+    struct file f = {.column = column, .n_column = N_COLUMN, .ascends = true};
+    const double *value[N_COLUMN];
+    size_t n = 0;
+    const int status = read_file(a, path, &f, value, &n, e);
+    if (status == STATUS_OK) {
+        *out = (struct time_series){n, value[0], value[1]};
+    }
     return status;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of two columns with units: a quantity over time or over the period. The first column
-// ascends.
+// Files of one or two columns with units: a quantity over time or over the period, a force over a
+// deformation.
 #ifndef JOSTLE_MOTION_TIME_SERIES_H
 #define JOSTLE_MOTION_TIME_SERIES_H
 
@@ -25,9 +25,14 @@ struct time_series {
     const double *value;  // (n) in SI
 };
 
-// Reads two columns of different dimensions, separated by spaces, tabs, commas or semicolons. The
-// last line above the numbers may give units in brackets: `time [ms], force [kN]`. Errors:
-// STATUS_INPUT with "path:line: cause" or "path:line:column: cause", STATUS_SYSTEM.
+// Reads `n` columns, one or two of different dimensions, separated by spaces, tabs, commas or
+// semicolons, into the arena: value[c] (*n_row) in SI. The last line above the numbers may give
+// units in brackets: `time [ms], force [kN]`. Errors: STATUS_INPUT with "path:line: cause" or
+// "path:line:column: cause", STATUS_SYSTEM.
+int time_series_columns(struct arena *a, const char *path, const struct time_series_column *column,
+                        int n, const double **value, size_t *n_row, struct error *e);
+
+// The same for two columns, the first of which must ascend.
 int time_series_read(struct arena *a, const char *path,
                      const struct time_series_column column[TIME_SERIES_COLUMNS],
                      struct time_series *out, struct error *e);

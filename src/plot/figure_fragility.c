@@ -115,8 +115,13 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     }
     char text[256], limit[96];
     study_limit_text(&v.demand, s, p->limit[0], limit, sizeof limit);
-    snprintf(text, sizeof text, "%s > %s: shares of %d run%s, and lognormal curves", v.demand.name,
-             p->n_limit > 1 ? "limit" : limit, s->n_sample, s->n_sample == 1 ? "" : "s");
+    const bool collapse = edp_is_collapse(&s->edp);
+    snprintf(text, sizeof text, "%s%s%s: shares of %d run%s, and lognormal curves", v.demand.name,
+             collapse ? "" : " > ",
+             collapse         ? ""
+             : p->n_limit > 1 ? "limit"
+                              : limit,
+             s->n_sample, s->n_sample == 1 ? "" : "s");
     study_head(c, s, text);
     write_legend(&v, c);
     const struct axis y = {

@@ -7,6 +7,7 @@
 
 #include "plot/legend.h"
 #include "plot/panel.h"
+#include "plot/scale.h"
 #include "plot/script.h"
 
 enum { SAMPLES_SHOWN = 1500 };  // pairs of a smallest and a largest one
@@ -16,14 +17,7 @@ static const double AROUND = 0.15;
 
 static const char sample_colour[] = "#808080";
 
-// A unit in which values need few digits.
-struct scale {
-    double size;
-    const char *unit;
-};
-static const struct scale forces[] = {{1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {0.0, NULL}};
 static const struct scale times[] = {{1.0, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {0.0, NULL}};
-static const struct scale lengths[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {0.0, NULL}};
 
 // What is shown, in SI.
 struct extent {
@@ -34,18 +28,10 @@ struct scales {
     struct scale force, time, length;
 };
 
-static struct scale scale_for(const struct scale *known, double largest) {
-    int i = 0;
-    while (known[i + 1].unit && largest < known[i].size) {
-        i++;
-    }
-    return known[i];
-}
-
 static struct scales scales_of(const struct extent *x) {
-    return (struct scales){.force = scale_for(forces, fmax(x->force.high, -x->force.low)),
+    return (struct scales){.force = scale_for(scale_forces, fmax(x->force.high, -x->force.low)),
                            .time = scale_for(times, x->time.high - x->time.low),
-                           .length = scale_for(lengths, x->depth.high)};
+                           .length = scale_for(scale_lengths, x->depth.high)};
 }
 
 // The curve from a force of 0 at closure to one of 0 at opening.
@@ -84,11 +70,6 @@ static int write_samples(const struct impact_figure *f, const struct scales *s, 
     return STATUS_OK;
 }
 
-static struct axis axis_of(const char *name, const struct scale *s, struct span span) {
-    return (struct axis){
-        .name = name, .unit = s->unit, .span = {span.low / s->size, span.high / s->size}};
-}
-
 // A panel of the force against `column` of the data.
 static void draw_panel(const struct impact_figure *f, const struct panel *p, int column,
                        struct canvas *c) {
@@ -122,13 +103,13 @@ static void draw_panels(const struct impact_figure *f, const struct extent *x,
     }
     c->area.left += 5.8;
     struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top),
-                      .x = axis_of("time", &s->time, span_with_room(x->time, x->time.low)),
-                      .y = axis_of("contact force", &s->force,
-                                   span_with_room(x->force, x->force.low < 0 ? NAN : 0)),
+                      .x = scale_axis("time", &s->time, span_with_room(x->time, x->time.low)),
+                      .y = scale_axis("contact force", &s->force,
+                                      span_with_room(x->force, x->force.low < 0 ? NAN : 0)),
                       .caption = over_time};
     draw_panel(f, &p, 1, c);
     p.area = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
-    p.x = axis_of("penetration", &s->length, span_with_room(x->depth, 0));
+    p.x = scale_axis("penetration", &s->length, span_with_room(x->depth, 0));
     p.y.name = NULL;
     p.y.kind = AXIS_WITHOUT_NUMBERS;
     p.caption = over_depth;

@@ -6,6 +6,7 @@
 #include "jostle/intensity.h"
 #include "jostle/spectrum.h"
 #include "law/isolated.h"
+#include "law/storey_loop.h"
 #include "motion/target.h"
 #include "plot/figure.h"
 
@@ -54,6 +55,32 @@ struct impact_figure {
 // STATUS_SYSTEM (no memory). Write errors are the caller's.
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e);
+
+// The picture of storeys under a protocol: shear against drift, and energy, plastic deformation and
+// tangent over the turns.
+
+enum { LOOP_FIGURE_CURVES = 7 };
+
+struct loop_curve {
+    const char *name;
+    const struct storey_point *point;  // (n) in SI
+    double stiffness;                  // initial
+};
+
+struct loop_figure {
+    const char *title, *subtitle, *version;
+    int n_curve;  // at most LOOP_FIGURE_CURVES
+    const struct loop_curve *curve;
+    size_t n;                     // points of each curve
+    int n_part;                   // points from one turn to the next
+    const char *progress;         // what the turns are called
+    size_t n_sample;              // of a measured loop; 0: there is none
+    const double *drift, *shear;  // (n_sample)
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending),
+// STATUS_SYSTEM (no memory). Write errors are the caller's.
+int loop_figure_write(const struct loop_figure *f, const struct figure_files *to, struct error *e);
 
 // The picture of a pounding force spectrum: the largest contact force as a colour over the periods
 // of the left and the right structure.

@@ -246,6 +246,10 @@ static const struct column link_peak_column[] = {
          "time of the largest change of length"),
     LINK("work", DOUBLE, peak.dissipated, &dimension_energy,
          "work done on the link, stored or dissipated"),
+    LINK("dissipated", DOUBLE, peak.lost, &dimension_energy,
+         "work that the link does not give back after the end"),
+    LINK("residual_deformation", DOUBLE, peak.residual, &dimension_length,
+         "absolute deformation that remains without force, slack left out"),
 };
 const struct column_table layout_link_peak = TABLE(link_peak_column, report_link);
 

@@ -238,6 +238,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
     force_peaks_flush(&r->forces);
     impacts_finish(&r->impacts, r->now);
     residual_drifts(r->model, r->now, results->residual_drift);
+    residual_links(r->model, r->now, results->link);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;
     *out = results;

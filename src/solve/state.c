@@ -177,10 +177,17 @@ double state_rounding(const struct link *l, const double *x) {
     return 4.0 * DBL_EPSILON * link_size(l, x);
 }
 
+// The deformation of link k that its law gets.
+static double state_depth(const struct state *s, const struct model *m, int k) {
+    return m->link[k].bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
+}
+
 double state_link_force(const struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
-    return l->law->force(l->constant, s->link_history + l->history, d, state_rate(s, m, k)).force;
+    return l->law
+        ->force(l->constant, s->link_history + l->history, state_depth(s, m, k),
+                state_rate(s, m, k))
+        .force;
 }
 
 double state_penetration(const struct state *s, const struct model *m, int k) {
@@ -233,7 +240,7 @@ void state_commit_links(struct state *s, const struct model *m) {
         int k = s->live[i];
         const struct link *l = &m->link[k];
         if (s->link[k].closed && l->law->commit) {
-            l->law->commit(l->constant, s->link_history + l->history, fmax(s->delta[k], 0.0),
+            l->law->commit(l->constant, s->link_history + l->history, state_depth(s, m, k),
                            state_rate(s, m, k));
         }
     }

@@ -46,40 +46,21 @@ static int poll_search(void *context, long n_done, struct error *e) {
     return s->runs.poll ? s->runs.poll(s->runs.context, n_done, e) : STATUS_OK;
 }
 
-// Opens the deck with the parameter at `gap` as the plan of a case, to be given to close_plan.
+// Opens the deck with the parameter at `gap` as the plan of a case, to be given to plan_close_with.
 static int open_plan(const struct search *s, double gap, struct plan *out, struct error *e) {
-    const struct plan *p = s->request->plan;
-    const struct deck *from = p->first->deck;
-    struct deck *deck = NULL;
-    struct model *m = NULL;
+    const struct deck *from = s->request->plan->first->deck;
     // With its unit: a parameter that is no length is refused, not misread.
-    char *text = arena_format(from->arena, "%s=%.17g%s", s->request->parameter, gap,
-                              from->units.length_name);
-    const char **define = arena_alloc(from->arena, (size_t)p->n_define + 1, sizeof *define);
-    if (!text || !define) {
+    const char *define = arena_format(from->arena, "%s=%.17g%s", s->request->parameter, gap,
+                                      from->units.length_name);
+    if (!define) {
         return error_no_memory(e);
     }
-    for (int i = 0; i < p->n_define; i++) {
-        define[i] = p->define[i];
+    const int status = plan_open_with(s->request->plan, define, NULL, out, e);
+    if (status != STATUS_INPUT || out->first) {
+        return status;
     }
-    define[p->n_define] = text;
-    int status = deck_open_text(from->path, from->text, define, p->n_define + 1, &deck, e);
-    if (status == STATUS_OK && (status = model_build(deck, &m, e)) != STATUS_OK) {
-        struct error cause = *e;
-        status = diagnostics_cause(&deck->diagnostics, &cause);
-        deck_free(deck);
-        return error_set(e, status, "at %s = %.6g: %s", s->request->parameter, gap, cause.message);
-    }
-    if (status == STATUS_OK) {
-        *out = (struct plan){
-            .first = m, .define = define, .n_define = p->n_define + 1, .n_run = m->deck->n_run};
-    }
-    return status;
-}
-
-static void close_plan(struct plan *p) {
-    model_free((struct model *)p->first);
-    *p = (struct plan){.first = NULL};
+    const struct error cause = *e;
+    return error_set(e, status, "at %s = %.6g: %s", s->request->parameter, gap, cause.message);
 }
 
 // The case of a gap.
@@ -91,9 +72,6 @@ static int open_case(struct search *s, int i, double gap, struct error *e) {
     const bool open = isinf(gap);
     int status = open_plan(s, open ? s->request->to : gap, &s->plan[i], e);
     s->which[i] = (struct gap_runs_case){.plan = &s->plan[i], .gap = open ? gap : NAN};
-    if (status == STATUS_OK) {
-        status = plan_check_shape(s->request->plan, 0, s->plan[i].first, e);
-    }
     if (status == STATUS_OK && i == 0) {
         s->n_run = s->plan[0].n_run;
     }
@@ -158,7 +136,7 @@ static int look(struct search *s, enum gap_stage stage, const double *gap, int n
         judge(s, i, p);
     }
     for (int i = 0; i < n && s->request->parameter; i++) {
-        close_plan(&s->plan[i]);
+        plan_close_with(&s->plan[i]);
     }
     return status;
 }

@@ -2,6 +2,7 @@
 #include "study/plan.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "jostle/study_merge.h"
@@ -28,6 +29,40 @@ int plan_init(struct plan *p, const struct study_request *q, struct error *e) {
 void plan_close(struct plan *p) {
     study_table_free(p->table);
     report_free(p->report);
+    *p = (struct plan){.first = NULL};
+}
+
+int plan_open_with(const struct plan *p, const char *define, struct record_cache *records,
+                   struct plan *out, struct error *e) {
+    const struct deck *from = p->first->deck;
+    const size_t n = (size_t)p->n_define + 1;
+    const char **all = malloc(n * sizeof *all);
+    struct deck *deck = NULL;
+    struct model *m = NULL;
+    *out = (struct plan){.define = all, .n_define = (int)n};
+    if (!all) {
+        return error_no_memory(e);
+    }
+    for (int i = 0; i < p->n_define; i++) {
+        all[i] = p->define[i];
+    }
+    all[n - 1] = define;
+    int status = deck_open_text(from->path, from->text, all, (int)n, &deck, e);
+    if (status == STATUS_OK && (status = model_build_shared(deck, records, &m, e)) != STATUS_OK) {
+        status = diagnostics_cause(&deck->diagnostics, e);
+        deck_free(deck);
+    }
+    if (status == STATUS_OK) {
+        out->first = m;
+        out->n_run = m->deck->n_run;
+        status = plan_check_shape(p, 0, m, e);
+    }
+    return status;
+}
+
+void plan_close_with(struct plan *p) {
+    model_free((struct model *)p->first);
+    free((void *)p->define);
     *p = (struct plan){.first = NULL};
 }
 
@@ -190,16 +225,23 @@ int plan_check_shape(const struct plan *p, long run, const struct model *m, stru
 
 struct study_view plan_view(const struct plan *p) {
     const struct report *r = p->report;
-    return (struct study_view){.units = r->units,
-                               .table = *p->table,
-                               .n_building = r->n_building,
-                               .building = r->building,
-                               .n_contact = r->n_contact,
-                               .n_link = r->n_link,
-                               .contact = r->contact,
-                               .link = r->link,
-                               .n_column = r->n_column,
-                               .column = r->column};
+    struct study_view v = {.path = p->first->deck->path,
+                           .title = p->first->deck->title,
+                           .units = r->units,
+                           .n_run = p->n_run,
+                           .table = *p->table,
+                           .n_building = r->n_building,
+                           .building = r->building,
+                           .n_contact = r->n_contact,
+                           .n_link = r->n_link,
+                           .contact = r->contact,
+                           .link = r->link,
+                           .n_column = r->n_column,
+                           .column = r->column};
+    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+        v.sweep[v.n_sweep++] = s;
+    }
+    return v;
 }
 
 long study_shard_run(const struct study_shard *s, long i) {

@@ -16,6 +16,14 @@ static const char bilinear[] = "storey B1:all bilinear -yield 4MN -hardening 0.0
     "storey B1:all " law " -yield 4MN -hardening 0.05" options "\nstorey B2:all " law              \
     " -yield 2.5MN -hardening 0.05" options "\n"
 
+#define TRILINEAR                                                                                  \
+    "storey B1:all trilinear -crack 2MN -yield 4MN -cracked 0.3 -hardening 0.05\n"                 \
+    "storey B2:all trilinear -crack 1.3MN -yield 2.5MN -cracked 0.3 -hardening 0.05\n"
+
+#define RAMBERG_OSGOOD                                                                             \
+    "storey B1:all ramberg-osgood -yield 4MN -eta 0.3 -r 7\n"                                      \
+    "storey B2:all ramberg-osgood -yield 2.5MN -eta 0.3 -r 7\n"
+
 // A wall in each building, whose stiffness matrix is full.
 #define WALLS                                                                                      \
     "matrix B1 ../tests/bench/wall8.txt -unit MN/m\n"                                              \
@@ -42,6 +50,22 @@ const struct bench_case bench_cases[] = {
      bench_analysis, 0.0, 300.0},
     {"pair, bouc-wen storeys", 0, 0, NEAR JANKOWSKI, STOREYS("bouc-wen", " -n 2"), 1e-3, 40.0,
      bench_analysis, 0.0, 400.0},
+    {"pair, bouc-wen, pinching", 0, 0, NEAR JANKOWSKI,
+     STOREYS("bouc-wen", " -n 1 -delta-nu 0.02 -zeta-s 0.9"), 1e-3, 40.0, bench_analysis, 0.0,
+     500.0},
+    {"pair, ramberg-osgood storeys", 0, 0, NEAR JANKOWSKI, RAMBERG_OSGOOD, 1e-3, 40.0,
+     bench_analysis, 0.0, 500.0},
+    {"pair, multilinear storeys", 0, 0, NEAR JANKOWSKI,
+     STOREYS("multilinear", " -drift-2 50mm -shear-2 6MN"), 1e-3, 40.0, bench_analysis, 0.0, 500.0},
+    {"pair, trilinear storeys", 0, 0, NEAR JANKOWSKI, TRILINEAR, 1e-3, 40.0, bench_analysis, 0.0,
+     500.0},
+    {"pair, imk storeys", 0, 0, NEAR JANKOWSKI,
+     STOREYS("imk", " -capping 60mm -post-capping -0.1 -gamma-s 100 -gamma-k 100"), 1e-3, 40.0,
+     bench_analysis, 0.0, 500.0},
+    {"pair, flag storeys", 0, 0, NEAR JANKOWSKI, STOREYS("flag", " -b 0.8"), 1e-3, 40.0,
+     bench_analysis, 0.0, 500.0},
+    {"pair, slip storeys", 0, 0, NEAR JANKOWSKI, STOREYS("slip", " -slack 5mm"), 1e-3, 40.0,
+     bench_analysis, 0.0, 500.0},
     {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
      1e-3, 40.0, bench_analysis, 0.0, 90.0},
     {"pair, full matrices", 0, 0, NEAR JANKOWSKI, WALLS, 1e-3, 40.0, bench_analysis, 0.0, 120.0},

@@ -78,6 +78,10 @@ run "$jostle" gap study.deck -D scale=0.6 -D p=8 --limit drift:A=1m --range 0:0.
 expect "gap counts a collapse as exceeded, and finds the gap without" '[ $status -eq 0 ] && grep -qE "^ +0.05 +inf exceeded +1  1 collapsed" "$out" && grep -qE "^gap 0.0[5-9]" "$out"'
 run "$jostle" gap study.deck -D scale=2 -D p=8
 expect "the separation of a building that collapses without contact is not known" '[ $status -eq 1 ] && said "it collapses without contact, at t = "'
+run "$jostle" plot whole.h5 fragility --collapse --im scale -o fragility.svg
+expect "a curve of collapses for each value of the other sweep" '[ $status -eq 0 ] && grep -q ">collapse: shares of " fragility.svg && [ "$(grep -cE ">p = (4|8|12)( .no curve.)?<" fragility.svg)" -eq 3 ]'
+run "$jostle" plot whole.h5 fragility --collapse --edp drift -o twice.svg
+expect "--collapse takes no demand" '[ $status -eq 2 ] && [ ! -e twice.svg ] && said "--collapse has a demand and a limit; leave out --edp and --limit"'
 run "$jostle" plot whole.h5 ida --at p=8 --edp drift:A -o ida.svg
 expect "curves end flat at a collapse" '[ $status -eq 0 ] && grep -q ">collapse<" ida.svg'
 

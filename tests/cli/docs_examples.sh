@@ -62,6 +62,7 @@ for block in blocks:
     exec(re.sub(r"\.plot\(.*?\)", "", block), names)
 END
 "$jostle" show ida.h5 --long --csv >long.csv
+"$jostle" show ida.h5 --wide --edp drift-ratio:A --edp force --csv >wide.csv
 for page in result-file studies ida ground-motions; do
     if ! python3 -c 'import h5py, pandas, xarray' 2>/dev/null; then
         echo "ok $page: its Python # SKIP no h5py, pandas or xarray"

@@ -77,5 +77,6 @@ agree "pounding" spectrum --pounding map.deck --periods 0.5,1
 run "$jostle" run pair.deck -q
 agree "a study" show pair.h5
 agree "its demands" show pair.h5 --long
+agree "its runs" show pair.h5 --wide
 agree "fragility" fragility pair.h5 --edp drift:A --limit 1mm,1m --im gap --at side=A
 agree "fragility by first exceedances" fragility pair.h5 --edp drift:A --limit 1mm,1m --im gap --over side --method ida

@@ -12,7 +12,7 @@ appears() {
 }
 
 two_buildings long.deck 'duration 1000000s'
-for signal in INT TERM HUP; do
+for signal in INT TERM HUP USR1; do
     # A shell makes its background jobs ignore SIGINT.
     env --default-signal=INT "$jostle" run long.deck >"$out" 2>"$err" </dev/null &
     child=$!
@@ -30,7 +30,7 @@ for signal in INT TERM HUP; do
 done
 
 # Signals that were ignored before the program stay ignored, so as not to end background jobs.
-for signal in INT TERM HUP XCPU; do
+for signal in INT TERM HUP XCPU USR1; do
     (trap '' $signal; exec "$jostle" run long.deck) >"$out" 2>"$err" </dev/null &
     child=$!
     appears long.h5.part

@@ -49,8 +49,21 @@ expect "--edp gives one line a run, and where it is largest" '[ "$(wc -l <"$out"
 run "$jostle" show failed.h5 --long
 lines=$(awk -F '\t' '$8 == "failed" && $6 == ""' "$out" | wc -l)
 expect "failed runs have their lines, without values" '[ $status -eq 0 ] && [ "$lines" -gt 20 ] && ! grep -q "	failed$" <(grep -P "\t[0-9.]+\t[^\t]+\tfailed$" "$out")'
+run "$jostle" show whole.h5 --long --edp drift
+cut -f 1-3,6 "$out" | tail -n +2 >drift.tsv
+run "$jostle" show whole.h5 --wide --edp drift --edp impacts:A:1-B:1
+expect "--wide has a line for each run, with its demands side by side" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qxP "run\trecord\tim\twide\tstatus\tdrift \[m\]\timpacts:A:1-B:1" && cmp <(cut -f 2-4,6 "$out" | tail -n +2) drift.tsv'
+run "$jostle" show whole.h5 --long
+awk -F '\t' '$1 ~ /^EL/ && $2 == 4 && $3 == 0 { print $6 }' "$out" | sort >one.txt
+run "$jostle" show whole.h5 --wide
+awk -F '\t' '$2 ~ /^EL/ && $3 == 4 && $4 == 0' "$out" | cut -f 6- | tr '\t' '\n' | sort >other.txt
+expect "without --edp it has every demand at every place" '[ -s one.txt ] && cmp one.txt other.txt && head -n 1 "$out" | grep -qP "\tdrift:B:3 \[m\]\t.*\tdrift-ratio:B:3\t"'
+run "$jostle" show failed.h5 --wide --edp drift
+expect "a failed run has a line without demands" '[ $status -eq 0 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 6 ] && [ "$(grep -cP "\tfailed\t$" "$out")" -eq "$(grep -c "failed" "$out")" ] && grep -q failed "$out"'
+run "$jostle" show whole.h5 --wide --long
+expect "a table is long or wide" '[ $status -eq 2 ] && said "give --long or --wide, not both"'
 run "$jostle" show whole.h5 --edp drift
-expect "--edp needs --long" '[ $status -eq 2 ]'
+expect "--edp needs --long or --wide" '[ $status -eq 2 ]'
 run "$jostle" show whole.h5 --long --edp drfit
 expect "an unknown demand is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "did you mean '"'drift'"'"'
 run "$jostle" show whole.h5 --tsv --csv

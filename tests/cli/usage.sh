@@ -99,7 +99,7 @@ done
 expect "nothing was written" '[ -z "$(ls -A)" ]'
 
 run "$jostle" laws foo
-expect "an unknown law is told with those that exist, each once" '[ $status -eq 2 ] && grep -q "unknown law .foo.; available: stereomechanical, .*, table, elastic, .*slip$" "$err" && [ "$(grep -o bilinear "$err" | wc -l)" -eq 1 ]'
+expect "an unknown law is told with those that exist, each once" '[ $status -eq 2 ] && grep -q "unknown law .foo.; available: stereomechanical, .*, table, elastic, .*gap$" "$err" && [ "$(grep -o bilinear "$err" | wc -l)" -eq 1 ]'
 run "$jostle" deck storey
 expect "deck storey lists the laws of storeys" '[ $status -eq 0 ] && grep -qE "^ +laws +elastic, bilinear, .*, slip;" "$out"'
 run "$jostle" deck contact

@@ -7,7 +7,7 @@ set -u
 folder=${TMPDIR:-/tmp}/verification
 status=0
 
-quick='chopra oscillators vibration impacts rigid energy fragility bar frames'
+quick='chopra buildings oscillators vibration impacts rigid energy fragility bar frames'
 if [ "${JOSTLE_LONG-}" = 1 ]; then
     names=$(cat tests/verification/cases)
 elif [ "${JOSTLE_SANITIZED-}" = 1 ]; then

@@ -167,6 +167,25 @@ static void a_flag_dissipates_its_area(void **state) {
     assert_true(test_storey_go(&s, 0.0, 1) == 0.0);
 }
 
+// Independent solutions of Bouc-Wen storeys that degrade, and that slip.
+static void worn_storeys_have_the_shears_of_an_independent_solution(void **state) {
+    (void)state;
+    static const double target[] = {2, -2, 3, -3, 1, 2.5, -1, 4, -4, 0};
+    static const double n1[] = {0.90611, -0.95422, 0.97470, -0.92161, 0.75262,
+                                0.84502, -0.68722, 0.86579, -0.82137, 0.55888};
+    static const double n2[] = {1.00280, -1.01023, 1.03347, -0.99701, 0.86688,
+                                0.94323, -0.81525, 0.98737, -0.95097, 0.70294};
+    static const double slips[] = {0.92139, -1.00510, 1.07267, -1.07735, 0.61905,
+                                   0.98785, -0.35273, 1.04142, -1.13737, 0.26780};
+#define WORN "yield 1 hardening 0.05 beta 0.5 gamma 0.5 delta-A 0.01 delta-nu 0.02 delta-eta 0.03 "
+    check("bouc-wen", WORN "n 1", target, n1, 10, 5e-6);
+    check("bouc-wen", WORN "n 2", target, n2, 10, 5e-6);
+    check("bouc-wen",
+          "yield 1 hardening 0.05 n 1 beta 0.5 gamma 0.5 q 0.1 zeta-s 0.9 p 0.5 psi 0.2 "
+          "delta-psi 0.01 lambda 0.3",
+          target, slips, 10, 5e-6);
+}
+
 // By hand: k = 1, weak 0.1, slack 0.5: Y = (1 - 0.05) 0.9 = 0.855, yield at 0.5 + 0.95 = 1.45.
 // At 2.45 with the slope 0.2 V = 1.2, and p = (2.45 - 0.5) - (1.2 - 0.245) / 0.9.
 static void a_slipping_storey_catches_later_after_each_yielding(void **state) {
@@ -182,6 +201,122 @@ static void a_slipping_storey_catches_later_after_each_yielding(void **state) {
     assert_near(test_storey_go(&s, -1.0, 1), -0.55, 1e-14);
     assert_near(test_storey_go(&s, 1.0 + p, 1), 0.1 * (1.0 + p) + 0.45, 1e-14);
     assert_near(test_storey_go(&s, 3.45, 1), 1.4, 1e-14);
+}
+
+// By hand, k = 1: yield at 1 to the right and at 0.5 to the left.
+static void directions_may_yield_at_different_shears(void **state) {
+    (void)state;
+#define UNEQUAL "yield 1 yield-negative 0.5 hardening "
+    static const double target[] = {2, -3, -1.5, 0, 4, 3, 1.25, -2, -1.5};
+    static const double kinematic[] = {1, -0.5, 1, 1, 1, 0, -0.5, -0.5, 0};
+    // From (-3, -0.5) up to 0 at -2.5, then to (2, 1) and down from (4, 1) to (-3, -0.5).
+    static const double clough[] = {1, -0.5, 2.0 / 9, 5.0 / 9, 1, 0, -1.75 / 12, -5.0 / 12, 0};
+    check("bilinear", UNEQUAL "0", target, kinematic, 9, 1e-12);
+    check("clough", UNEQUAL "0", target, clough, 8, 1e-12);
+    check("takeda", UNEQUAL "0 alpha 0", target, clough, 8, 1e-12);
+    // A left turn softens by its own drift at yield: k (0.5 / 2)^0.5 = 0.5.
+    struct test_storey s = test_storey_of("takeda", 1.0, UNEQUAL "0 alpha 0.5");
+    test_storey_go(&s, -2.0, 1);
+    assert_near(test_storey_at(&s, -1.5).shear, -0.25, 1e-14);
+    // To the right it has not yielded yet; a line to (1, 1) starts at (-1, 0).
+    assert_near(test_storey_at(&s, 0.0).shear, 0.5, 1e-14);
+}
+
+// By hand: the backbone falls from (1, 1) to 0 at 6.
+static void a_negative_hardening_loses_strength(void **state) {
+    (void)state;
+    static const double target[] = {2, 1, -4, -1, 7, 8, 7.5, 1};
+    static const double clough[] = {0.8, -0.2 / 2.2,      -0.4,         0.8 * 2.6 / 5.6, 0,
+                                    0,   -0.4 * 0.5 / 12, -0.4 * 7 / 12};
+    check("clough", "yield 1 hardening -0.2", target, clough, 8, 1e-12);
+    // Kinematic: the elastic range is 2 wide after each yielding.
+    struct test_storey s = test_storey_of("bilinear", 1.0, "yield 1 hardening -0.2");
+    assert_near(test_storey_go(&s, 2.0, 1), 0.8, 1e-14);
+    assert_near(test_storey_go(&s, 1.0, 1), -0.2, 1e-14);
+    assert_near(test_storey_go(&s, 7.0, 3), -0.2, 1e-14);
+    assert_near(test_storey_at(&s, 5.0).shear, -2.2, 1e-14);
+    assert_near(test_storey_at(&s, 4.0).shear, -2.0, 1e-14);
+}
+
+// One point is a bilinear or Clough storey, two are a trilinear one.
+static void multilinear_storeys_of_few_points_are_known_ones(void **state) {
+    (void)state;
+    static const char *const pair[][4] = {
+        {"bilinear", "yield 1 hardening 0.1", "multilinear", "yield 1 hardening 0.1"},
+        {"bilinear", "yield 1 hardening -0.1", "multilinear", "yield 1 hardening -0.1"},
+        {"clough", "yield 1 hardening 0.1", "multilinear", "yield 1 hardening 0.1 cycle peak"},
+        {"trilinear", LINES "takeda b 0.5", "multilinear",
+         "yield 0.5 drift-2 3.833333333333333 shear-2 1.5 hardening 0.02 cycle peak b 0.5"},
+    };
+    for (size_t k = 0; k < sizeof pair / sizeof pair[0]; k++) {
+        struct test_storey a = test_storey_of(pair[k][0], 1.0, pair[k][1]);
+        struct test_storey b = test_storey_of(pair[k][2], 1.0, pair[k][3]);
+        for (int i = 0; i < 26; i++) {
+            assert_near(test_storey_go(&a, protocol[i], 3), test_storey_go(&b, protocol[i], 5),
+                        1e-12);
+        }
+    }
+}
+
+// By hand: springs of 0.5 that yields at 1, of 0.4 at 3, and of 0.1.
+static void a_kinematic_backbone_is_twice_as_large_after_a_turn(void **state) {
+    (void)state;
+    static const double target[] = {1, 2, 5, 4, 1, -2, -6, 5};
+    static const double want[] = {1, 1.5, 2.2, 1.2, -0.8, -1.9, -2.3, 2.2};
+    check("multilinear", "yield 1 drift-2 3 shear-2 2 hardening 0.1", target, want, 8, 1e-12);
+}
+
+// Falls from (3, 2) to (5, 1), and keeps this.
+static void a_peak_oriented_backbone_may_keep_a_residual_strength(void **state) {
+    (void)state;
+    static const double target[] = {3, 4, 5, 9, 8};
+    static const double want[] = {2, 1.5, 1, 1, 0};
+    struct test_storey s = test_storey_of(
+        "multilinear", 1.0, "yield 1 drift-2 3 shear-2 2 drift-3 5 shear-3 1 cycle peak");
+    for (int i = 0; i < 5; i++) {
+        assert_near(test_storey_go(&s, target[i], 1 + i), want[i], 1e-14);
+    }
+}
+
+// drift = f (1 + eta |f|^(r - 1)) with f = V / V_y; after a turn twice as large.
+static double ramberg_osgood_drift(double f) {
+    return f * (1.0 + 0.2 * pow(fabs(f), 5.5));
+}
+
+static void ramberg_osgood_loops_are_masings(void **state) {
+    (void)state;
+    struct test_storey s = test_storey_of("ramberg-osgood", 2.0, "yield 4 eta 0.2 r 6.5");
+    const double top = 2.0 * ramberg_osgood_drift(1.4), mid = 2.0 * ramberg_osgood_drift(1.2);
+    assert_near(test_storey_go(&s, top, 10), 4.0 * 1.4, 1e-13);
+    // From 1.4 by 2.4 down to f = -1, up by 1.2 and down again: a closed loop within.
+    const double low = top - 2.0 * mid, in = low + 4.0 * ramberg_osgood_drift(0.6);
+    assert_near(test_storey_go(&s, low, 7), -4.0, 1e-12);
+    const double before = test_storey_at(&s, low - 0.3).shear;
+    assert_near(test_storey_go(&s, in, 7), 4.0 * 0.2, 1e-12);
+    assert_near(test_storey_at(&s, low).shear, -4.0, 1e-12);
+    assert_near(test_storey_at(&s, low - 0.3).shear, before, 1e-12);
+    assert_near(test_storey_go(&s, -top, 1), -4.0 * 1.4, 1e-12);
+    const struct test_storey virgin =
+        test_storey_of("ramberg-osgood", 2.0, "yield 4 eta 0.2 r 6.5");
+    assert_near(test_storey_go(&s, -9.0, 1), test_storey_at(&virgin, -9.0).shear, 1e-12);
+}
+
+// More loops within loops than a storey remembers: the shear has no jump and every leg dissipates.
+static void ramberg_osgood_storeys_forget_small_loops_without_a_jump(void **state) {
+    (void)state;
+    struct test_storey s = test_storey_of("ramberg-osgood", 1.0, "yield 1 eta 0.2 r 7");
+    double work = 0.0, shear = 0.0;
+    for (int i = 0; i < 60; i++) {
+        const double d = (i % 2 ? -3.0 : 3.0) * exp(-0.05 * i);
+        work += test_storey_work(&s, d, 4000);
+        assert_true(work - s.law->stored(s.constant, s.history, d) > 0.0);
+    }
+    for (int i = 0; i < 3000; i++) {
+        const double d = s.drift + 2e-3, before = test_storey_at(&s, s.drift).shear;
+        shear = test_storey_go(&s, d, 1);
+        assert_true(shear - before > 0.0 && shear - before <= 2e-3 * (1.0 + 1e-9));
+    }
+    assert_near(shear + 0.2 * pow(shear, 7.0), s.drift, 1e-12);
 }
 
 // Closed cycles of any size give no energy back.
@@ -204,7 +339,7 @@ static void closed_cycles_make_no_energy(void **state) {
         for (int i = 0; i < 4000; i++) {
             seed = seed * 1664525u + 1013904223u;
             const double u = (double)seed / 4294967296.0 - 0.5;
-            work += test_storey_work(&s, i % 5 ? s.drift + u : (i / 400) * u, 100);
+            work += test_storey_work(&s, i % 5 ? s.drift + u : floor(i / 400.0) * u, 100);
             const double now = work - s.law->stored(s.constant, s.history, s.drift);
             // The work errs by the corners within steps.
             assert_true(now >= dissipated - 1e-3);
@@ -219,7 +354,15 @@ int main(void) {
         cmocka_unit_test(trilinear_storeys_have_the_shears_of_an_independent_solution),
         cmocka_unit_test(a_flag_has_the_shears_of_an_independent_solution),
         cmocka_unit_test(a_flag_dissipates_its_area),
+        cmocka_unit_test(worn_storeys_have_the_shears_of_an_independent_solution),
         cmocka_unit_test(a_slipping_storey_catches_later_after_each_yielding),
+        cmocka_unit_test(directions_may_yield_at_different_shears),
+        cmocka_unit_test(a_negative_hardening_loses_strength),
+        cmocka_unit_test(multilinear_storeys_of_few_points_are_known_ones),
+        cmocka_unit_test(a_kinematic_backbone_is_twice_as_large_after_a_turn),
+        cmocka_unit_test(a_peak_oriented_backbone_may_keep_a_residual_strength),
+        cmocka_unit_test(ramberg_osgood_loops_are_masings),
+        cmocka_unit_test(ramberg_osgood_storeys_forget_small_loops_without_a_jump),
         cmocka_unit_test(closed_cycles_make_no_energy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

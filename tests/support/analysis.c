@@ -217,3 +217,17 @@ void analysis_assert_same(const struct model *m, const struct results *got,
     assert_same(&got->residual_peak, &want->residual_peak, sizeof(double), "residuals");
     assert_same(&got->totals, &want->totals, offsetof(struct totals, seconds), "totals");
 }
+
+const char *analysis_el_centro(void) {
+    enum { HEAD = 4 };
+    const char *text = support_read("input/records/ELCENTRO_1940_NS.AT2", NULL);
+    for (int i = 0; i < HEAD; i++) {
+        text = strchr(text, '\n') + 1;
+    }
+    char *series = malloc(strlen(text) + 3);
+    assert_non_null(series);
+    sprintf(series, "0\n%s", text);
+    const char *path = support_write("el_centro.txt", series);
+    free(series);
+    return path;
+}

@@ -32,6 +32,10 @@ void analysis_free(struct analysis *a);
 // Builds the deck `text` and runs it; a run that fails leaves its error in `e` and no results.
 struct analysis analysis_try(const char *text, struct error *e);
 
+// The path of the record of El Centro in g as a series that starts from 0 at t = 0, as independent
+// programs have it; its first value is at t = 0.02 s.
+const char *analysis_el_centro(void);
+
 // Runs three storeys of each law that yields under El Centro, stepped in either way: their largest
 // drifts are to agree to `rtol`.
 void analysis_storey_laws_agree(const char *step, const char *other, double rtol);

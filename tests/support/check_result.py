@@ -27,8 +27,8 @@ CONTACT_ENVELOPE = "force force_time penetration impulse impacts dissipated".spl
 POWERS = {
     (1, 0, 0): "force peak_force storey_shear shear axial V N shear_below shear_above "
                "gravity_load",
-    (0, 1, 0): "displacement drift residual_drift collapse_drift penetration max_penetration "
-               "deformation gap height left_level right_level",
+    (0, 1, 0): "displacement drift residual_drift residual_deformation collapse_drift penetration "
+               "max_penetration deformation gap height left_level right_level",
     (0, 0, 1): "time period t_start t_end duration step",
     (0, 1, -1): "velocity v_approach v_rebound",
     (0, 1, -2): "acceleration",

@@ -25,9 +25,14 @@ sh tests/support/with_block.sh study "$folder/study" <docs/studies.md >"$folder/
 "$jostle" run input/ida.deck -o "$folder/ida.h5" -q --force
 "$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% >"$folder/fragility"
 "$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 >"$folder/hits"
+"$jostle" ida input/ida.deck --limit drift-ratio:A=2% >"$folder/adaptive"
+"$jostle" run input/collapse.deck -o "$folder/collapse.h5" -q --force
+"$jostle" fragility "$folder/collapse.h5" --collapse | grep -e '^collapse' -e '^median' >"$folder/collapse"
 "$jostle" show "$folder/ida.h5" --long --edp drift-ratio:A | sed -n 1,5p >"$folder/long"
 sh tests/support/with_block.sh fragility "$folder/fragility" <docs/ida.md |
     sh tests/support/with_block.sh hits "$folder/hits" |
+    sh tests/support/with_block.sh adaptive "$folder/adaptive" |
+    sh tests/support/with_block.sh collapse "$folder/collapse" |
     sh tests/support/with_block.sh long "$folder/long" >"$folder/ida.md"
 "$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"
 "$jostle" spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:8 >"$folder/pounding"

@@ -79,8 +79,8 @@ static void put_results(struct results *r, struct arena *a, int n_contact) {
     }
     r->link = arena_alloc(a, 3, sizeof *r->link);
     r->impact = arena_alloc(a, 2, sizeof *r->impact);
-    r->link[0] = (struct link_peak){7e5, 0.4, 0.003, 0.41, 900, 55, 2};
-    r->link[1] = (struct link_peak){0, NAN, -0.3, 0.2, 0, 0, 0};
+    r->link[0] = (struct link_peak){7e5, 0.4, 0.003, 0.41, 900, 55, 2, 0, 0};
+    r->link[1] = (struct link_peak){0, NAN, -0.3, 0.2, 0, 0, 0, 0, 0};
     r->impact[0] = (struct impact){.t_start = 0.3,
                                    .t_end = 0.31,
                                    .v_approach = 0.2,

@@ -17,6 +17,12 @@ for deck in multistorey elastoplastic; do
     "$jostle" run "$folder/$deck.deck" -o "$folder/$deck.h5" -q --force
 done
 "$jostle" run input/multistorey.deck -D gap=1m -o "$folder/apart.h5" -q --force
+# The two buildings of collapse.deck under 44 artificial records, and more intensities.
+mkdir -p "$folder/artificial"
+awk -v folder="$folder/artificial" -v n=44 -f tests/support/artificial_records.awk
+sed -e "s|records/|$(cd "$folder" && pwd)/artificial/|" -e 's/range 0.1g 1.5g 15/range 0.05g 1.5g 30/' \
+    input/collapse.deck >"$folder/collapse.deck"
+"$jostle" run "$folder/collapse.deck" -o "$folder/collapse.h5" -q --force
 
 # draw NAME FILE KIND...: the picture NAME, which has its ending.
 draw() {
@@ -36,4 +42,5 @@ draw floor_spectrum.png multistorey spectrum
 draw modes.png multistorey modes
 draw ida.png ida ida
 draw fragility.png ida fragility --edp drift-ratio:A --limit 1%,2%
+draw collapse.png collapse fragility --collapse
 draw response.png gap_study response --edp force --against gap --at pga=3

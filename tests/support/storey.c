@@ -24,7 +24,8 @@ double test_storey_value(const char *key, double hardening) {
     static const struct {
         const char *key;
         double value;
-    } known[] = {{"yield", 1.5e5}, {"crack", 0.7e5}, {"cracked", 0.6}, {"b", 0.9}};
+    } known[] = {{"yield", 1.5e5}, {"crack", 0.7e5}, {"cracked", 0.6},
+                 {"b", 0.9},       {"eta", 0.3},     {"r", 5.0}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         if (strcmp(known[i].key, key) == 0) {
             return known[i].value;

@@ -168,6 +168,10 @@ static const char *const kind[] = {
     TWO "contact A B -gap 5mm -law jankowski -k 1e9N/m^1.5 -e 0.65\n",
     TWO "contact A B -gap 5mm -law kelvin-voigt -k 1e8 -e 0.65\nlink A:4 B:4 -dashpot 50kN*s/m\n"
         "damping A modal 5%\n",
+    TWO "contact A B -gap 5mm -law linear -k 1e8\nlink A:3 A:4 -law imk -stiffness 50MN/m "
+        "-yield 200kN -hardening 5% -capping 9mm -post-capping -0.1 -tension-only\n"
+        "link A:2 B:2 -law maxwell -stiffness 50MN/m -dashpot 900kN*s^0.5/m^0.5 -exponent 0.5\n"
+        "link A:1 B:1 -law friction -stiffness 50MN/m -slip 50kN -slack 2mm\n",
     TWO "contact A B -gap 5mm -law wang -k 1e8 -zeta 1e8 -residual 0.4\n",
     TWO "contact A B -gap 5mm -law stereomechanical -e 0.4\n"
         "contact wall A -gap 0 -law stereomechanical -e 0\n",

@@ -2,27 +2,10 @@
 // Buildings whose foundations sway and rock.
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "support/analysis.h"
 #include "support/support.h"
-
-// The record of El Centro as a series that starts from 0 at t = 0, as the independent programs have
-// it; its first value is at t = 0.02 s.
-static const char *el_centro(void) {
-    enum { HEAD = 4 };
-    const char *text = support_read("input/records/ELCENTRO_1940_NS.AT2", NULL);
-    for (int i = 0; i < HEAD; i++) {
-        text = strchr(text, '\n') + 1;
-    }
-    char *series = malloc(strlen(text) + 3);
-    assert_non_null(series);
-    sprintf(series, "0\n%s", text);
-    const char *path = support_write("el_centro.txt", series);
-    free(series);
-    return path;
-}
 
 static const char left[] =
     "building A -floors 4 -mass 120t -stiffness 240MN/m 220MN/m 180MN/m 140MN/m -height 3.2m\n"
@@ -50,7 +33,7 @@ static void one_building_is_that_of_an_independent_program(void **state) {
         struct analysis a =
             analysis_of("units N m s\n%sground record %s -format series -dt 0.02 -unit g\n"
                         "duration 31.18\n%s",
-                        left, el_centro(), step[s]);
+                        left, analysis_el_centro(), step[s]);
         const struct results *r = a.results;
         for (int i = 0; i < 4; i++) {
             assert_close(r->peak[PEAK_DISPLACEMENT][i], displacement[i], rtol[s]);
@@ -79,7 +62,7 @@ static void two_buildings_hit_each_other(void **state) {
         "units N m s\n%s%scontact A B -gap 20mm -law komodromos -k 300MN/m -zeta 0.1359\n"
         "ground record %s -format series -dt 0.02 -unit g -scale 1.5\nduration 31.18\n"
         "step fixed 50us",
-        left, right, el_centro());
+        left, right, analysis_el_centro());
     const struct results *r = a.results;
     for (int i = 0; i < 4; i++) {
         assert_close(r->link[i].force, force[i], 2e-3);
@@ -138,8 +121,8 @@ static void a_stiff_foundation_is_the_fixed_base(void **state) {
         "step fixed 1ms\n%s";
     (void)state;
     struct analysis a[2] = {
-        analysis_of(deck, el_centro(), ""),
-        analysis_of(deck, el_centro(),
+        analysis_of(deck, analysis_el_centro(), ""),
+        analysis_of(deck, analysis_el_centro(),
                     "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
     };
     for (int i = 0; i < 3; i++) {
@@ -192,8 +175,8 @@ static void levels_of_other_buildings_stay_where_they_are(void **state) {
         "duration 6\nstep fixed 0.5ms\n%s";
     (void)state;
     struct analysis a[2] = {
-        analysis_of(deck, el_centro(), ""),
-        analysis_of(deck, el_centro(),
+        analysis_of(deck, analysis_el_centro(), ""),
+        analysis_of(deck, analysis_el_centro(),
                     "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
     };
     assert_int_equal(a[0].model->n_contact, 4);  // A@2.5m, B@3m, A@5m, B@6m

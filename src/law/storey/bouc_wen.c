@@ -13,6 +13,8 @@
 // method integrates from the committed point in steps of 0.02 d_y. A step ends at z = 0, where the
 // slope has a kink. The error is below 1e-8 V_y for n = 3 and below 2e-6 V_y for all n up to 20.
 //
+// wen.h has degradation and pinching.
+//
 // The tangent is dz/d drift at the end. With beta >= |gamma| neither m nor P is negative, and loops
 // create no energy (Erlicher & Point 2004). If beta + gamma = 1, the strength of the yielding part
 // is (1 - R) V_y.
@@ -20,28 +22,37 @@
 #include <stdbool.h>
 
 #include "law/lists.h"
+#include "law/wen.h"
 #include "law/yield.h"
 
-enum { YIELD, HARDENING, N, BETA, GAMMA, N_ROW };
 enum {
-    BACK,
-    STRENGTH,
-    PER_DRIFT,  // 1 / d_y
-    SLOPE,      // slope of the yielding part at z = 0
-    EXPONENT,
-    PLUS,   // gamma + beta
-    MINUS,  // gamma - beta
-    ROOT_OF_PLUS,
-    ROOT_OF_MINUS,  // root of -MINUS
-    N_CONSTANT
+    YIELD,
+    HARDENING,
+    N,
+    BETA,
+    GAMMA,
+    DELTA_A,
+    DELTA_NU,
+    DELTA_ETA,
+    ZETA_S,
+    Q,
+    P,
+    PSI,
+    DELTA_PSI,
+    LAMBDA,
+    N_ROW
 };
-enum { DRIFT, Z, N_HISTORY };
 
-static const double STEP = 0.02;    // step of the drift, in units of d_y
 static const double SHORT = 2e-3;   // square of a step, in units of d_y^2: below, a series
 static const double ENOUGH = 60.0;  // drift in units of d_y after which z is constant
 
 static const struct range exponent_range = {.min = 1.0, .max = 20.0, .text = ">= 1 and <= 20"};
+
+static const struct range zeta_range = {
+    .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
+
+#define WEAR_ROW(key, range, fallback, doc)                                                        \
+    { key, ROW_NUMBER, 0, OF_NONE, range, fallback, doc }
 
 static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
@@ -50,6 +61,17 @@ static const struct row rows[N_ROW] = {
     [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &range_positive, 0.5, "shape of the loops"},
     [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, NULL, 0.5,
                "shape of the loops; its size is at most beta"},
+    [DELTA_A] = WEAR_ROW("delta-A", &range_non_negative, 0.0, "loss of A per unit of e"),
+    [DELTA_NU] = WEAR_ROW("delta-nu", &range_non_negative, 0.0,
+                          "loss of strength: growth of nu per unit of e"),
+    [DELTA_ETA] = WEAR_ROW("delta-eta", &range_non_negative, 0.0,
+                           "loss of stiffness: growth of eta per unit of e"),
+    [ZETA_S] = WEAR_ROW("zeta-s", &zeta_range, 0.0, "share of slip in the end; 0: no pinching"),
+    [Q] = WEAR_ROW("q", &zeta_range, 0.0, "shear at which it slips, over the strength"),
+    [P] = WEAR_ROW("p", &range_non_negative, 1.0, "how fast pinching begins, per unit of e"),
+    [PSI] = WEAR_ROW("psi", &range_positive, 0.2, "width of the slip at first"),
+    [DELTA_PSI] = WEAR_ROW("delta-psi", &range_non_negative, 0.0, "its growth per unit of e"),
+    [LAMBDA] = WEAR_ROW("lambda", &range_positive, 0.5, "width of the slip at zeta1 = 0, over psi"),
 };
 
 static int bouc_wen_prepare(const double *value, double stiffness, double *constant,
@@ -64,23 +86,22 @@ static int bouc_wen_prepare(const double *value, double stiffness, double *const
                          value[GAMMA], value[BETA]);
     }
     double r = value[HARDENING];
-    constant[BACK] = r * stiffness;
-    constant[STRENGTH] = (1.0 - r) * value[YIELD];
-    constant[PER_DRIFT] = stiffness / value[YIELD];
-    constant[SLOPE] = constant[STRENGTH] * constant[PER_DRIFT];
-    constant[EXPONENT] = value[N];
-    constant[PLUS] = value[GAMMA] + value[BETA];
-    constant[MINUS] = value[GAMMA] - value[BETA];
-    constant[ROOT_OF_PLUS] = sqrt(constant[PLUS]);
-    constant[ROOT_OF_MINUS] = sqrt(-constant[MINUS]);
+    constant[WEN_BACK] = r * stiffness;
+    constant[WEN_STRENGTH] = (1.0 - r) * value[YIELD];
+    constant[WEN_PER_DRIFT] = stiffness / value[YIELD];
+    constant[WEN_SLOPE] = constant[WEN_STRENGTH] * constant[WEN_PER_DRIFT];
+    constant[WEN_EXPONENT] = value[N];
+    constant[WEN_PLUS] = value[GAMMA] + value[BETA];
+    constant[WEN_MINUS] = value[GAMMA] - value[BETA];
+    constant[WEN_ROOT_OF_PLUS] = sqrt(constant[WEN_PLUS]);
+    constant[WEN_ROOT_OF_MINUS] = sqrt(-constant[WEN_MINUS]);
+    constant[WEN_YIELDING] = 1.0 - r;
+    constant[WEN_DEGRADES] = value[DELTA_A] > 0.0 || value[DELTA_NU] > 0.0 ||
+                             value[DELTA_ETA] > 0.0 || value[ZETA_S] > 0.0;
+    for (int i = DELTA_A; i < N_ROW; i++) {
+        constant[WEN_WEAR + i - DELTA_A] = value[i];
+    }
     return STATUS_OK;
-}
-
-// dz/ds along the drift s in units of d_y; z counts positive in the direction of the drift.
-static inline double slope(const double *c, double z) {
-    const double n = c[EXPONENT];
-    const double power = n == 2.0 ? z * z : n == 1.0 ? fabs(z) : pow(fabs(z), n);
-    return 1.0 - power * (z > 0.0 ? c[PLUS] : c[MINUS]);
 }
 
 // n = 1, on one side of z = 0: dz/ds = 1 - p z, where p is P or m.
@@ -90,7 +111,7 @@ static double relax(double p, double z, double s) {
 
 static double advance_linear(const double *c, double z, double s) {
     if (z < 0.0) {
-        const double m = -c[MINUS];
+        const double m = -c[WEN_MINUS];
         const double beyond = s - (m > 0.0 ? log1p(-m * z) / m : -z);  // z = 0
         if (beyond < 0.0) {
             return relax(m, z, s);
@@ -98,7 +119,7 @@ static double advance_linear(const double *c, double z, double s) {
         s = beyond;
         z = 0.0;
     }
-    return relax(c[PLUS], z, s);
+    return relax(c[WEN_PLUS], z, s);
 }
 
 // tanh(root s) / root for p = root^2, tan(root s) / root for p = -root^2, and s for p = 0. Most
@@ -120,7 +141,7 @@ static inline double saturate(double p, double root, double z, double s) {
 
 static inline double advance_squared(const double *c, double z, double s) {
     if (z < 0.0) {
-        const double p = c[MINUS], root = c[ROOT_OF_MINUS];
+        const double p = c[WEN_MINUS], root = c[WEN_ROOT_OF_MINUS];
         const double beyond = s - (p < 0.0 ? atan(-z * root) / root : -z);  // z = 0
         if (beyond < 0.0) {
             return p < 0.0 ? saturate(p, root, z, s) : beyond;
@@ -128,20 +149,20 @@ static inline double advance_squared(const double *c, double z, double s) {
         s = beyond;
         z = 0.0;
     }
-    return saturate(c[PLUS], c[ROOT_OF_PLUS], z, s);
+    return saturate(c[WEN_PLUS], c[WEN_ROOT_OF_PLUS], z, s);
 }
 
 static double runge_kutta(const double *c, double z, double h) {
-    double k1 = slope(c, z);
-    double k2 = slope(c, z + h / 2.0 * k1);
-    double k3 = slope(c, z + h / 2.0 * k2);
-    double k4 = slope(c, z + h * k3);
+    double k1 = wen_slope(c, z);
+    double k2 = wen_slope(c, z + h / 2.0 * k1);
+    double k3 = wen_slope(c, z + h / 2.0 * k2);
+    double k4 = wen_slope(c, z + h * k3);
     return z + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
 }
 
 // The drift from z < 0 to z = 0, as the integral of dz / slope by Simpson's rule.
 static double way_to_zero(const double *c, double z) {
-    return -z / 6.0 * (1.0 / slope(c, z) + 4.0 / slope(c, z / 2.0) + 1.0);
+    return -z / 6.0 * (1.0 / wen_slope(c, z) + 4.0 / wen_slope(c, z / 2.0) + 1.0);
 }
 
 // z after the drift s through z = 0, where the slope has a kink.
@@ -152,58 +173,79 @@ static double through_zero(const double *c, double z, double h) {
 
 // z after the drift s >= 0 from z.
 static double advance(const double *c, double z, double s) {
-    if (c[EXPONENT] == 1.0) {
+    if (c[WEN_EXPONENT] == 1.0) {
         return advance_linear(c, z, s);
     }
     double left = fmin(s, ENOUGH);
-    for (; left > STEP; left -= STEP) {
-        z = through_zero(c, z, STEP);
+    for (; left > WEN_STEP; left -= WEN_STEP) {
+        z = through_zero(c, z, WEN_STEP);
     }
     return through_zero(c, z, left);
 }
 
 // z at a drift in the direction of the way there, which *sign tells.
 static inline double z_at(const double *c, const double *h, double drift, double *sign) {
-    const double s = (drift - h[DRIFT]) * c[PER_DRIFT];
+    const double s = (drift - h[WEN_DRIFT]) * c[WEN_PER_DRIFT];
     *sign = copysign(1.0, s);
-    const double z = *sign * h[Z];
-    return c[EXPONENT] == 2.0 ? advance_squared(c, z, fabs(s)) : advance(c, z, fabs(s));
+    const double z = *sign * h[WEN_Z];
+    return c[WEN_EXPONENT] == 2.0 ? advance_squared(c, z, fabs(s)) : advance(c, z, fabs(s));
 }
 
 static struct storey_response bouc_wen_respond(const double *c, const double *h, double drift,
                                                double *after) {
+    if (c[WEN_DEGRADES] != 0.0) {
+        return wen_worn_respond(c, h, drift, after);
+    }
     double sign;
     const double z = z_at(c, h, drift, &sign);
     if (after) {
-        after[Z] = sign * z;
-        after[DRIFT] = drift;
+        after[WEN_Z] = sign * z;
+        after[WEN_DRIFT] = drift;
     }
     return (struct storey_response){
-        .shear = c[BACK] * drift + c[STRENGTH] * (sign * z),
-        .tangent = c[BACK] + c[SLOPE] * slope(c, z),
+        .shear = c[WEN_BACK] * drift + c[WEN_STRENGTH] * (sign * z),
+        .tangent = c[WEN_BACK] + c[WEN_SLOPE] * wen_slope(c, z),
     };
 }
 
 // Energy of the elastic spring, plus the energy of the other one in unloading at its initial
 // stiffness.
 static double bouc_wen_stored(const double *c, const double *h, double drift) {
+    if (c[WEN_DEGRADES] != 0.0) {
+        return wen_worn_stored(c, h, drift);
+    }
     double sign;
     double z = z_at(c, h, drift, &sign);
-    return (c[BACK] * drift * drift + c[STRENGTH] / c[PER_DRIFT] * z * z) / 2.0;
+    return (c[WEN_BACK] * drift * drift + c[WEN_STRENGTH] / c[WEN_PER_DRIFT] * z * z) / 2.0;
 }
 
 const struct storey_law storey_bouc_wen = {
     .name = "bouc-wen",
-    .summary = "smooth yielding",
+    .summary = "smooth yielding; degradation and pinching",
     .formula = "V = R k drift + (1 - R) V_y z, d_y dz/d drift = 1 - |z|^n (gamma + beta sgn(z d "
                "drift)), d_y = V_y / k",
     .source =
         "Bouc (1967), Proc. 4th Conf. Nonlinear Oscillation, Prague; Wen (1976), J. Eng. Mech. "
-        "Div. ASCE 102, 249-263",
+        "Div. ASCE 102, 249-263; degradation: Baber & Wen (1981), J. Eng. Mech. Div. ASCE 107, "
+        "1069-1087; pinching: Baber & Noori (1985), J. Eng. Mech. ASCE 111, 1010-1026, in the form "
+        "of "
+        "Foliente (1995), J. Struct. Eng. 121, 1013-1022",
+    .remarks =
+        "e is the work of the yielding part over V_y d_y. dz is multiplied by h / eta, A takes the "
+        "place of 1 and nu multiplies gamma and beta; h = 1 - zeta1 exp(-((z sgn(d drift) - q z_u) "
+        "/ "
+        "zeta2)^2), zeta1 = zeta-s (1 - exp(-p e)), zeta2 = (psi + delta-psi e) (lambda + zeta1). "
+        "Typical for timber: n 1 to 3, beta 0.5 to 0.9, zeta-s 0.7 to 0.98, q 0 to 0.3, p 0.1 to "
+        "2, "
+        "psi 0.1 to 0.5, lambda 0.1 to 0.8. Small loops at V > 0 let the shear relax and drifts "
+        "creep. A tangent near 0 (zeta-s near 1) and narrow slips (psi lambda < 0.02) need short "
+        "steps",
+    .example = "-yield 600kN -hardening 0.05 -n 1 -delta-nu 0.02 -delta-eta 0.02 "
+               "-zeta-s 0.9 -q 0.1",
     .row = rows,
     .n_row = N_ROW,
-    .n_constant = N_CONSTANT,
-    .n_history = N_HISTORY,
+    .n_constant = WEN_CONSTANTS,
+    .n_history = WEN_HISTORY,
     .prepare = bouc_wen_prepare,
     .respond = bouc_wen_respond,
     .stored = bouc_wen_stored,

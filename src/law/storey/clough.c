@@ -6,9 +6,13 @@
 #include "law/peak_oriented.h"
 #include "law/yield.h"
 
-enum { YIELD, HARDENING, N_ROW };
+enum { YIELD, HARDENING, YIELD_NEGATIVE, N_ROW };
 
-static const struct row rows[N_ROW] = {[YIELD] = YIELD_ROW, [HARDENING] = HARDENING_ROW};
+static const struct row rows[N_ROW] = {
+    [YIELD] = YIELD_ROW,
+    [HARDENING] = FALLING_ROW,
+    [YIELD_NEGATIVE] = YIELD_NEGATIVE_ROW,
+};
 
 static int clough_prepare(const double *value, double stiffness, double *constant,
                           struct error *e) {
@@ -16,6 +20,7 @@ static int clough_prepare(const double *value, double stiffness, double *constan
         [PEAK_ORIENTED_STIFFNESS] = stiffness,
         [PEAK_ORIENTED_YIELD] = value[YIELD],
         [PEAK_ORIENTED_HARDENING] = value[HARDENING],
+        [PEAK_ORIENTED_YIELD_LEFT] = value[YIELD_NEGATIVE],
     };
     return peak_oriented_prepare(own, constant, e);
 }
@@ -27,6 +32,8 @@ const struct storey_law storey_clough = {
                "so far in that direction, on the backbone V_y + R k (drift - d_y)",
     .source = "Clough & Johnston (1966), Proc. Japan Earthquake Eng. Symposium, 227-232; partial "
               "unloading as Mahin & Bertero (1976), J. Struct. Div. ASCE 102, 1125-1139",
+    .remarks = "With a negative hardening the backbone falls to V = 0 and stays there",
+    .example = "-yield 600kN -hardening 0.05",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = PEAK_ORIENTED_CONSTANTS,

@@ -73,6 +73,7 @@ const struct storey_law storey_flag = {
         "for post-tensioned rocking walls and frames, shape memory alloys and ring springs. "
         "Typical: hardening 0.02 to 0.2, b 0.3 to 0.9. b = 0 is elastic with two slopes. The "
         "tendons neither yield nor break: check the largest drift",
+    .example = "-yield 600kN -hardening 0.05 -b 0.8",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -244,6 +244,8 @@ const struct storey_law storey_imk = {
         "The "
         "rules are those of programs of the authors' group; where programs disagree, an option has "
         "the other rule",
+    .example = "-yield 600kN -hardening 0.03 -capping 40mm -post-capping -0.1 "
+               "-residual 0.2 -cycle pinched -gamma-s 80 -gamma-c 80 -gamma-a 80 -gamma-k 80",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = IMK_CONSTANTS,

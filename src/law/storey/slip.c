@@ -93,6 +93,7 @@ const struct storey_law storey_slip = {
         "with a hook that has caught: with a slack, first steps and modes have k, the storey "
         "has W k. hardening must be >= weak. Typical: weak 0.01 to 0.1, hardening 0.05 to 0.1. "
         "A storey that slips freely back and forth dissipates nothing",
+    .example = "-yield 600kN -hardening 0.1 -slack 4mm",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

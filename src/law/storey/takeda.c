@@ -8,24 +8,28 @@
 #include "law/peak_oriented.h"
 #include "law/yield.h"
 
-enum { YIELD, HARDENING, ALPHA, BETA, N_ROW };
+enum { YIELD, HARDENING, ALPHA, BETA, YIELD_NEGATIVE, N_ROW };
 
 static const struct range share = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
 
 static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
-    [HARDENING] = HARDENING_ROW,
+    [HARDENING] = FALLING_ROW,
     [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_NONE, &share, 0.4, "exponent of the unloading stiffness"},
     [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &share, 0.0, "reloading aims at D - beta (D - d_y)"},
+    [YIELD_NEGATIVE] = YIELD_NEGATIVE_ROW,
 };
 
 static int takeda_prepare(const double *value, double stiffness, double *constant,
                           struct error *e) {
     const double own[PEAK_ORIENTED_CONSTANTS] = {
-        [PEAK_ORIENTED_STIFFNESS] = stiffness,        [PEAK_ORIENTED_YIELD] = value[YIELD],
-        [PEAK_ORIENTED_HARDENING] = value[HARDENING], [PEAK_ORIENTED_ALPHA] = value[ALPHA],
+        [PEAK_ORIENTED_STIFFNESS] = stiffness,
+        [PEAK_ORIENTED_YIELD] = value[YIELD],
+        [PEAK_ORIENTED_HARDENING] = value[HARDENING],
+        [PEAK_ORIENTED_ALPHA] = value[ALPHA],
         [PEAK_ORIENTED_BETA] = value[BETA],
+        [PEAK_ORIENTED_YIELD_LEFT] = value[YIELD_NEGATIVE],
     };
     return peak_oriented_prepare(own, constant, e);
 }
@@ -38,6 +42,8 @@ const struct storey_law storey_takeda = {
                "stiffer than the unloading; D is the largest drift so far in that direction",
     .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
               "of Otani (1974), Univ. Illinois SRS 413",
+    .remarks = "With a negative hardening the backbone falls to V = 0 and stays there",
+    .example = "-yield 600kN -hardening 0.05 -alpha 0.4 -beta 0.2",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = PEAK_ORIENTED_CONSTANTS,

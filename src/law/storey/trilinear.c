@@ -27,8 +27,6 @@ enum {
 
 static const struct range share_range = {
     .min = 0.0, .max = 1.0, .min_open = true, .max_open = true, .text = "> 0 and < 1"};
-static const struct range falling_range = {
-    .min = -1.0, .max = 1.0, .max_open = true, .text = ">= -1 and < 1"};
 static const struct range pinch_range = {
     .min = 0.0, .max = 1.0, .min_open = true, .text = "> 0 and <= 1"};
 
@@ -38,8 +36,7 @@ static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
     [CRACKED] = {"cracked", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &share_range, NAN,
                  "stiffness between cracking and yield over initial stiffness"},
-    [HARDENING] = {"hardening", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &falling_range, NAN,
-                   "stiffness after yield over initial stiffness"},
+    [HARDENING] = FALLING_ROW,
     [ORIGIN] = {"origin", ROW_FLAG, 0, OF_NONE, NULL, NAN,
                 "unloads and reloads through the origin"},
     [PEAK] = {"peak", ROW_FLAG, 0, OF_NONE, NULL, NAN,
@@ -132,6 +129,8 @@ const struct storey_law storey_trilinear = {
                "cracked 0.2 to 0.5, hardening 0.01 to 0.05, takeda with b 0.3 to 0.5, pinch-drift "
                "0.5 and pinch-shear 0.25 with strong pinching. A negative hardening leads to zero "
                "shear. Damage moves the target out; it does not lower the backbone",
+    .example = "-crack 250kN -yield 600kN -cracked 0.3 -hardening 0.03 -takeda "
+               "-pinch-drift 0.5 -pinch-shear 0.3",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = POINTS_CONSTANTS,

@@ -3,6 +3,7 @@
 
 #include "deck/reader.h"
 #include "model/storey_choice.h"
+#include "model/storey_spread.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -43,7 +44,7 @@ static bool warn_yield(struct builder *b, const struct word *w, const char *buil
 
 // Warns about the first storey that yields early.
 static void warn_yields(struct builder *b, const struct building_draft *d,
-                        const struct selection *floors, const struct storey_choice *c) {
+                        const struct selection *floors, const struct storey_spread *c) {
     bool warned = false;
     for (int k = 0; c->yield && !warned && k < floors->n_floor; k++) {
         const int i = floors->floor[k] - 1;
@@ -53,11 +54,11 @@ static void warn_yields(struct builder *b, const struct building_draft *d,
 }
 
 static void assign(struct builder *b, const struct statement *s, const struct selection *floors,
-                   const struct argument *own, struct storey_choice *c) {
+                   const struct argument *own, struct storey_spread *c) {
     struct building_draft *d = builder_draft(b, floors->building);
     double *stiffness = NULL;
     bool good = d->stiffness != NULL;
-    good &= storey_choice_spread(b, c, floors->n_floor, "storeys");
+    good &= storey_spread_take(b, c, floors->n_floor, "storeys");
     if (own[STIFFNESS].given) {
         stiffness = builder_spread(b, &own[STIFFNESS], floors->n_floor, "storeys");
         good &= stiffness != NULL;
@@ -74,7 +75,7 @@ static void assign(struct builder *b, const struct statement *s, const struct se
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }
-        good = good && storey_choice_prepare(b, &s->word[1], c, k, d->stiffness[i], &d->storey[i]);
+        good = good && storey_spread_prepare(b, &s->word[1], c, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
         warn_yields(b, d, floors, c);
@@ -87,7 +88,7 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    struct storey_choice c = {.law = storey_choice_find(b, &s->word[2])};
+    struct storey_spread c = {.law = storey_choice_find(b->deck, &s->word[2])};
     if (!c.law) {
         return;
     }

@@ -21,6 +21,9 @@ void peaks_finish(struct results *r, const struct model *m);
 // to zero, or no memory.
 void residual_drifts(const struct model *m, const struct state *s, double *out);
 
+// The same for bilateral links: what they have lost, and their residual deformations.
+void residual_links(const struct model *m, const struct state *s, struct link_peak *link);
+
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
 

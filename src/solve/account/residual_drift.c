@@ -3,6 +3,8 @@
 // reached straight from their history, so that this drift is a root of the shear, on the side to
 // which it pulls.
 //
+// So it is with a link that has a storey law. The damper of Maxwell's law stays where it is.
+//
 // The storeys of a building with parts come to rest together: Newton's method finds the drifts at
 // which all shears are 0, from the histories at the end of the analysis and without velocities.
 #include <assert.h>
@@ -14,6 +16,7 @@
 
 #include "core/arena.h"
 #include "core/root.h"
+#include "law/link_law.h"
 #include "model/foundation.h"
 #include "model/parts.h"
 #include "model/storey_force.h"
@@ -44,6 +47,25 @@ static double residual_drift_unload(struct unloading u, double stiffness, double
     }
     const double low = fmin(drift, drift + way), high = fmax(drift, drift + way);
     return shear == 0.0 ? drift : root_find(residual_drift_shear, &u, low, high, DBL_EPSILON);
+}
+
+void residual_links(const struct model *m, const struct state *s, struct link_peak *link) {
+    for (int k = m->n_contact; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        const double *history = s->link_history + l->history;
+        const double stored =
+            l->law->stored ? l->law->stored(l->constant, history, s->delta[k]) : 0.0;
+        link[k].lost = link[k].dissipated - stored;
+        if (l->law->creep) {
+            link[k].residual = fabs(history[1]);
+        } else if (l->law->traits & CONTACT_TURNS) {
+            const struct link_storey of = link_law_storey(l->constant, history);
+            const struct storey storey = {.law = of.law, .constant = of.constant};
+            const struct unloading u = {&storey, of.history};
+            link[k].residual =
+                fabs(residual_drift_unload(u, l->constant[LINK_STIFFNESS], of.deformation));
+        }
+    }
 }
 
 // A building with parts, its shears and their tangent at rest.

@@ -42,6 +42,9 @@ enum { PULLING_SWEEPS = 25 };
 // is at rest: the law is linear over such a step, and average acceleration preserves its energy.
 static const double AT_REST = 0.1;
 
+// A step is too long for a link that softens by more than this share of the effective stiffness.
+static const double SOFTEST = -0.5;
+
 // Velocity relative to the largest of any floor so far.
 static const double NEGLIGIBLE = 1e-5;
 
@@ -120,6 +123,13 @@ static bool contact_judge(struct work *w, const struct state *now, const struct 
            contact_is_slow(w, now, was_closed ? v0 : next->link[k].v_close);
 }
 
+// Has the force of a link at d one solution, also where the link softens? With the other links held
+// it has one if 1 + beta h^2 S dF/dd > 0.
+static bool contact_is_unique(const struct work *w, const struct link_scratch *p, double d) {
+    return !(p->law->traits & CONTACT_TURNS) ||
+           w->b * p->flexibility * p->law->force(p->constant, p->history, d, 0.0).dfdd >= SOFTEST;
+}
+
 // A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
 // gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
 // impacts make nonsense of a run. True if the trial step from `now` to `next` resolves the contact,
@@ -134,11 +144,10 @@ static bool contact_resolves(struct work *w, const struct state *now, const stru
         p->resolved->step = w->h;
         return true;
     }
-    if (p->bilateral || p->law->rebound || contact_judge(w, now, next, p, x, d)) {
-        return true;
-    }
-    w->memory->unresolved = p->index;
-    return false;
+    const bool resolved = p->bilateral ? contact_is_unique(w, p, d)
+                                       : p->law->rebound || contact_judge(w, now, next, p, x, d);
+    w->memory->unresolved = resolved ? w->memory->unresolved : p->index;
+    return resolved;
 }
 
 // Would another sweep change next to nothing? One of Newton steps measures that against the largest

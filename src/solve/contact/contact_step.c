@@ -29,6 +29,9 @@ static inline void contact_carry_on(struct work *w, const struct state *now, str
         memcpy(history, now->link_history + p->link->history,
                (size_t)p->law->n_history * sizeof *history);
         p->history = history;
+        if (p->law->traits & CONTACT_NEEDS_STEP) {
+            history[0] = w->h;
+        }
     }
     if (p->law->rebound) {
         p->v_rest = rest_velocity(now, w->model, w->h, k);

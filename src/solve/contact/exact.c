@@ -96,11 +96,22 @@ static double exact_bracket_below(const struct equation *e, double low) {
     return low;
 }
 
+// An end of the bracket above `high` > 0, where a link softens: its force grows as it gives way.
+static double exact_bracket_above(const struct equation *e, double high) {
+    while (exact_residual(e, high) < 0.0) {
+        high *= 2.0;
+    }
+    return high;
+}
+
 // The root that is no more than `top`, which bounds it from above.
 static double exact_root(const struct equation *e, double top, double guess) {
     double f = exact_law(e, 0.0).force;
-    return f >= 0.0 ? exact_search(e, 0.0, fmin(top, f), guess)
-                    : exact_search(e, exact_bracket_below(e, f), 0.0, guess);
+    if (f < 0.0) {
+        return exact_search(e, exact_bracket_below(e, f), 0.0, guess);
+    }
+    const bool softens = e->link->law->traits & CONTACT_TURNS;
+    return exact_search(e, 0.0, softens ? exact_bracket_above(e, f) : fmin(top, f), guess);
 }
 
 double exact_excess(const struct equation *e, double force) {

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/arena.h"
+#include "law/bilateral.h"
 #include "model/foundation.h"
 #include "solve/dormand_prince/dp.h"
 #include "solve/forcing.h"
@@ -236,8 +237,8 @@ static int dp_stuck(const struct dp *p, int k, struct error *e) {
 // Does a force begin with an infinite slope there? That of a contact may (d^(1/4)), and that of a
 // damper with an event at v = 0 does.
 static bool dp_is_steep(const struct dp *p, const struct dp_event *event) {
-    bool turns = event->kind == DP_TURN && p->model->link[event->index].bilateral;
-    return event->kind == DP_CLOSE || turns;
+    const struct link *l = event->kind == DP_TURN ? &p->model->link[event->index] : NULL;
+    return event->kind == DP_CLOSE || (l && bilateral_is_steep(l->law, l->constant));
 }
 
 // Lets p->event happen at `now`, and begins again from there. STATUS_SYSTEM: no memory;

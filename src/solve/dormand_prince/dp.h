@@ -49,6 +49,7 @@ enum dp_row {
 // The equations of motion on the present branches.
 struct dp_system {
     struct forcing forcing;
+    bool creeps;             // some law of a link has a state of its own
     bool special;            // is there more than linear floors on one ground, and links?
     double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
     double *mobility;        // [1/M] (n_dof) 1 / m
@@ -69,7 +70,8 @@ struct dp_system {
 // The system at one instant. Links are those live in the state at the start of the step.
 struct dp_link_rates {
     struct contact_response response;
-    double power;  // [F L/T] of its force
+    double power;        // [F L/T] of its force
+    double creep, flow;  // [L] [L/T] struct contact_law.creep: the value that grows, and its rate
 };
 struct dp_rates {
     double *u, *v;                 // [L] [L/T] (n_dof)
@@ -250,6 +252,10 @@ void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r)
 void dp_rates_move(const struct dp *p, double x, int building);
 void dp_rates_within(struct dp *p, double x, int building);
 
+// Response and flow of live link number i, from r->creep; and the creep at place x of the step.
+void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_link_rates *r);
+double dp_rates_creep(const struct dp *p, int i, double x);
+
 // The storey shears of the parts of building `g` at displacements u and velocities v (n_dof), an
 // array (n_floor): p->system.part_shear, at the drifts part_drift. The history is one of states,
 // `after` becomes that at the end, or is NULL.
@@ -361,11 +367,8 @@ double dp_motion_noise(const struct dp *p, int k);
 void dp_motion_reach(struct dp *p);
 
 // dp_events.c: what ends a step before its time.
-
-// Puts the first event in the step into p->event.
+// Puts the first event in the step into p->event. Takes the step again so that it ends there.
 void dp_events_first(struct dp *p);
-
-// Takes the step again so that it ends at p->event.
 void dp_events_locate(struct dp *p);
 
 // Is it one of a storey? Else it is one of a link.

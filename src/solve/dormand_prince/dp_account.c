@@ -58,7 +58,7 @@ static void dp_integrate(const struct dp *p, const double *time, struct energy_a
 // of such a law gives 0 but for the rule. NAN: it does depend.
 static double dp_elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
-    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0) {
+    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0 || p->model->link[k].law->creep) {
         return NAN;
     }
     double start = p->now.delta[k];
@@ -111,8 +111,19 @@ static void dp_row_links(const struct dp *p, const struct dp_rates *rates, struc
         row->link[k].closed = p->now.link[k].closed;
         row->link[k].force = 0.0;
     }
+    memcpy(row->link_history, p->now.link_history,
+           (size_t)m->n_link_history * sizeof *row->link_history);
     for (int i = 0; i < p->now.n_live; i++) {
-        row->link[p->now.live[i]].force = rates->link[i].response.force;
+        const int k = p->now.live[i];
+        const struct link *l = &m->link[k];
+        double *history = row->link_history + l->history;
+        row->link[k].force = rates->link[i].response.force;
+        if (l->law->creep) {
+            history[1] = rates->link[i].creep;
+        } else if (l->bilateral && l->law->commit) {
+            const double rate = dp_system_across(l, m, rates->v, rates->ground.v);
+            l->law->commit(l->constant, history, row->delta[k], rate);
+        }
     }
 }
 

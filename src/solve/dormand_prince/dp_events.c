@@ -266,7 +266,7 @@ void dp_events_first(struct dp *p) {
         }
     }
     for (int k = p->model->n_contact; k < p->model->n_link; k++) {
-        if (p->system.phase[k] != PHASE_ANY) {
+        if (p->system.phase[k] != PHASE_ANY || p->model->link[k].law->kink) {
             dp_take_earlier(p, dp_link_event(p, k));
         }
     }

@@ -146,6 +146,22 @@ FLOORS_CLONES static void dp_rates(const struct dp *p, double ground, ptrdiff_t 
     dp_take_floors(0, &known, p->system.row, ground, first, end, r);
 }
 
+// The states of links at a stage, or with error_sums their errors.
+static double dp_creep(const struct dp *p, const struct sums *sums, int link) {
+    double sum = 0.0;
+    for (int j = 0; j < sums->n; j++) {
+        const int stage = sums->terms == BUT_SECOND && j > 0 ? j + 1 : j;
+        sum += sums->v[j] * p->stage[stage]->link[link].flow;
+    }
+    return p->h * sum;
+}
+
+static void dp_creep_to(const struct dp *p, const struct sums *sums, struct dp_rates *r) {
+    for (int i = 0; i < p->now.n_live; i++) {
+        r->link[i].creep = p->stage[0]->link[i].creep + dp_creep(p, sums, i);
+    }
+}
+
 // Stage number s of the step, at time t.
 LANES_INLINE void dp_take_stage(struct dp *p, int s, double t, ptrdiff_t count) {
     const struct sums *sums = &stage_sums[s];
@@ -156,6 +172,9 @@ LANES_INLINE void dp_take_stage(struct dp *p, int s, double t, ptrdiff_t count) 
         .sums = sums, .a = a, .u0 = p->now.u, .v0 = p->now.v, .to = node[s] * p->h, .h = p->h};
     double ground = dp_rates_ground(p, t, r);
     dp_take_floors(sums->n, &stage, p->system.row, ground, 0, count, r);
+    if (p->system.creeps) {
+        dp_creep_to(p, sums, r);
+    }
     if (p->system.special || p->now.n_live > 0) {
         dp_rates_add(p, t, DP_ALL, r);
     }
@@ -209,6 +228,10 @@ FLOORS_CLONES static double dp_largest_error(const struct dp *p) {
     }
     double error;
     memcpy(&error, most, sizeof error);
+    for (int i = 0; p->system.creeps && p->scales.most_u > 0.0 && i < p->now.n_live; i++) {
+        const double of_link = fabs(dp_creep(p, &error_sums, i)) / p->scales.most_u;
+        error = of_link > error || isnan(of_link) ? of_link : error;
+    }
     return error;
 }
 

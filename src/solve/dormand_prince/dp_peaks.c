@@ -262,14 +262,29 @@ static double dp_motion_bend(const struct polynomial *p, double x) {
     return 2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]));
 }
 
+// The force of link number i of the live ones at (d, v) with the acceleration a, and the rate of
+// the force. `creep` is that of its law, which may have none.
+static double dp_link_force(const struct dp *p, int i, double d, double v, double a, double creep,
+                            double *rate) {
+    struct dp_link_rates r = {.creep = creep};
+    if (p->model->link[p->now.live[i]].law->creep) {
+        dp_rates_creeping(p, i, d, v, &r);
+    } else {
+        r.response = dp_system_response(p, p->now.live[i], d, v);
+    }
+    *rate = r.response.dfdd * (v - r.flow) + r.response.dfdv * a;
+    return r.response.force;
+}
+
 // The force of link number i of the live ones where its rate changes its sign inside the step, and
 // when; the one at the end where it does not.
 static double dp_inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
-    const struct dp_rates *first = p->stage[0], *last = p->stage[DP_STAGES - 1];
+    const struct dp_link_rates *first = &p->stage[0]->link[i];
+    const struct dp_link_rates *last = &p->stage[DP_STAGES - 1]->link[i];
     const double start =
-        first->link[i].response.dfdd * m->v[0] + first->link[i].response.dfdv * m->a[0];
-    double rate = last->link[i].response.dfdd * m->v[1] + last->link[i].response.dfdv * m->a[1];
-    double force = last->link[i].response.force;
+        first->response.dfdd * (m->v[0] - first->flow) + first->response.dfdv * m->a[0];
+    double rate = last->response.dfdd * (m->v[1] - last->flow) + last->response.dfdv * m->a[1];
+    double force = last->response.force;
     *time = p->next.time;
     if (start * rate >= 0.0 || dp_is_instant(p)) {
         return force;
@@ -278,10 +293,9 @@ static double dp_inner_force(const struct dp *p, int i, const struct motion *m, 
     struct root at = {.high = 1.0};
     while (at.high - at.low > PLACED) {
         const double x = root_middle(&at), v = dp_motion_slope(&path, x) / m->h;
-        const struct contact_response r =
-            dp_system_response(p, p->now.live[i], dp_motion_value(&path, x), v);
-        rate = r.dfdd * v + r.dfdv * (dp_motion_bend(&path, x) / (m->h * m->h));
-        force = r.force;
+        const double a = dp_motion_bend(&path, x) / (m->h * m->h);
+        const double d = dp_motion_value(&path, x);
+        force = dp_link_force(p, i, d, v, a, dp_rates_creep(p, i, x), &rate);
         *time = p->now.time + x * m->h;
         root_halve(&at, start * rate > 0.0);
     }

@@ -113,6 +113,22 @@ static void dp_push_link(const struct dp_system *s, const struct link *l, double
     }
 }
 
+void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_link_rates *r) {
+    const struct link *l = &p->model->link[p->now.live[i]];
+    const double history[] = {0.0, r->creep, 0.0};
+    r->response = l->law->force(l->constant, history, d, v);
+    r->flow = l->law->creep(l->constant, r->response.force);
+}
+
+double dp_rates_creep(const struct dp *p, int i, double x) {
+    const struct dp_link_rates *first = &p->stage[0]->link[i];
+    const struct dp_link_rates *last = &p->stage[DP_STAGES - 1]->link[i];
+    const double rise = last->creep - first->creep;
+    const double start = p->h * first->flow, end = p->h * last->flow;
+    const double bend = 3.0 * rise - 2.0 * start - end, turn = start + end - 2.0 * rise;
+    return first->creep + x * (start + x * (bend + x * turn));
+}
+
 // Link number i of the live ones.
 static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
     const struct model *m = p->model;
@@ -120,10 +136,17 @@ static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
     const struct link *l = &m->link[k];
     const double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
     const double rate = dp_system_across(l, m, r->v, r->ground.v);
-    const struct contact_response response = dp_system_response(p, k, d, rate);
-    dp_push_link(&p->system, l, response.force, r->a);
-    r->input += response.force * state_ground_gap(l, m, r->ground.v);
-    r->link[i] = (struct dp_link_rates){response, response.force * rate};
+    struct dp_link_rates *own = &r->link[i];
+    if (l->law->creep) {
+        own->creep = p->h == 0.0 ? p->now.link_history[l->history + 1] : own->creep;
+        dp_rates_creeping(p, i, d, rate, own);
+    } else {
+        *own = (struct dp_link_rates){.response = dp_system_response(p, k, d, rate)};
+    }
+    const double force = own->response.force;
+    own->power = force * rate;
+    dp_push_link(&p->system, l, force, r->a);
+    r->input += force * state_ground_gap(l, m, r->ground.v);
 }
 
 void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r) {
@@ -196,6 +219,9 @@ void dp_rates_within(struct dp *p, double x, int building) {
         if ((of[0] == building || of[1] == building) && other != WALL) {
             dp_rates_move(p, x, other);
         }
+    }
+    for (int n = 0; p->system.creeps && n < p->now.n_live; n++) {
+        p->stage[1]->link[n].creep = dp_rates_creep(p, n, x);
     }
     dp_rates_at(p, p->now.time + x * p->h, building, p->stage[1]);
 }

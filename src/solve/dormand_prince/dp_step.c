@@ -16,11 +16,13 @@
 
 #include "core/arena.h"
 #include "core/number.h"
+#include "law/bilateral.h"
 #include "solve/dormand_prince/dp.h"
 
 static const double SAFETY = 0.9;
 static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
-static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
+static const double CREEPING = 2.0, CREEPING_SHARE = 1e-3;  // the method is stable up to 3.3
+static const double NEGLIGIBLE = 1e-4;                      // less than (SAFETY / GROW_MOST)^5
 
 // The bits of a number are nearly its logarithm. With this offset they err as much to both sides.
 static const int64_t NEAREST = -60 * (INT64_C(1) << 52) / 1000;
@@ -82,6 +84,17 @@ bool dp_step_alloc(struct dp *p, struct arena *a) {
     return !arena_failed(a);
 }
 
+// The longest step for the state of live link n, whose spring k relaxes at the rate k dw/dF. The
+// force is taken to be at least that of the spring at a small displacement.
+static double dp_creeping_step(const struct dp *p, int n) {
+    const struct link *l = &p->model->link[p->now.live[n]];
+    const struct contact_response *r = &p->stage[0]->link[n].response;
+    const double force = fmax(fabs(r->force), CREEPING_SHARE * r->dfdd * p->scales.most_u);
+    const double change =
+        l->law->creep(l->constant, 2.0 * force) - l->law->creep(l->constant, force);
+    return change > 0.0 ? CREEPING * force / (r->dfdd * change) : INFINITY;
+}
+
 // Adds the stiffness and the dashpot of live link n to the sums at its floors. A contact's
 // stiffness is that of its law at v = 0: at closure the slope in d of a force that depends on d and
 // v may be infinite.
@@ -90,7 +103,10 @@ static void dp_add_link(struct dp *p, int n) {
     const int k = p->now.live[n];
     const struct link *l = &p->model->link[k];
     const struct dp_rates *r = p->stage[0];
-    const bool unbounded = l->bilateral && p->system.phase[k] != PHASE_ANY;
+    const bool unbounded = bilateral_is_steep(l->law, l->constant);
+    if (l->law->creep) {
+        f->longest = number_min(f->longest, dp_creeping_step(p, n));
+    }
     const double dfdd = l->bilateral ? r->link[n].response.dfdd
                                      : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
     for (int end = 0; end < 2; end++) {

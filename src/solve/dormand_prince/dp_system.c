@@ -7,6 +7,7 @@
 // are left to the error control.
 #include <math.h>
 
+#include "law/bilateral.h"
 #include "model/storey_force.h"
 #include "solve/dormand_prince/dp.h"
 
@@ -127,7 +128,8 @@ static void dp_start_floor(struct dp *p, int k, int floor) {
 
 static enum phase dp_start_phase(const struct dp *p, int k) {
     const struct link *l = &p->model->link[k];
-    if (l->bilateral && isfinite(l->law->force(l->constant, NULL, 0.0, 0.0).dfdv)) {
+    if (l->bilateral && !(l->law->traits & CONTACT_TURNS) &&
+        !bilateral_is_steep(l->law, l->constant)) {
         return PHASE_ANY;
     }
     return state_rate(&p->now, p->model, k) < 0.0 ? PHASE_RELEASE : PHASE_APPROACH;
@@ -145,6 +147,7 @@ void dp_system_start(struct dp *p) {
     s->special = m->n_ground > 1 || m->chain.full_damping || s->n_inelastic > 0 || m->n_load > 0;
     for (int k = 0; k < m->n_link; k++) {
         s->phase[k] = dp_start_phase(p, k);
+        s->creeps |= m->link[k].law->creep != NULL;
     }
 }
 
@@ -161,6 +164,12 @@ void dp_system_commit(struct dp *p) {
         const struct building *g = &m->building[k];
         if (!g->elastic && g->n_part > 0) {
             dp_rates_parts(p, g, now->storey_history, now->u, now->v, now->storey_history);
+        }
+    }
+    for (int i = 0; s->creeps && i < now->n_live; i++) {
+        const struct link *l = &m->link[now->live[i]];
+        if (l->law->creep) {
+            now->link_history[l->history + 1] = p->stage[0]->link[i].creep;
         }
     }
     state_commit_links(now, m);

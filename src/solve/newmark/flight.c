@@ -52,11 +52,6 @@ static void flight_group_contacts(struct flight *f) {
 // number, and not with its square.
 enum { LINKS_MAX = 100 };
 
-// Is the force of a bilateral link k d + c v?
-static bool flight_is_linear(const struct link *l) {
-    return l->constant[BILATERAL_DASHPOT] == 0.0 || l->constant[BILATERAL_EXPONENT] == 1.0;
-}
-
 // Have all contacts a law of force, and floors at their ends? Are all links linear and few, all
 // storeys of straight lines, and buildings with full matrices elastic? Floors of linked buildings
 // must be in one block, as they are solved for together. Limits of drift are seen as ends of lines.
@@ -66,8 +61,8 @@ static bool flight_is_possible(const struct model *m, const struct floors *floor
                     (n_link == 0 || floors->n_block == 1) && !(m->collapse && state_is_linear(m));
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        possible =
-            possible && (l->bilateral ? flight_is_linear(l) : !l->law->rebound && link_is_plain(l));
+        possible = possible && (l->bilateral ? bilateral_is_linear(l->law, l->constant)
+                                             : !l->law->rebound && link_is_plain(l));
     }
     for (int i = 0; i < m->n_dof; i++) {
         // The shear of a line less P-delta would have other last bits.

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle ida: the intensity at which each record first brings a demand beyond a limit, or a
+// building down, by as few runs as the tolerance needs.
+#include <math.h>
+
+#include "command/deck_command.h"
+#include "command/ida_print.h"
+#include "command/interrupt.h"
+#include "command/progress.h"
+#include "command/quantity_word.h"
+#include "command/suite_options.h"
+
+static int ida_command(int argc, char **argv);
+
+const struct command command_ida = {
+    .name = "ida",
+    .usage = "DECK --limit EDP=VALUE|--collapse [--im NAME] [--over NAME] [--range FROM:TO]\n"
+             "                  [--factor F] [--tolerance T] [--points] [-D NAME=VALUE]...\n"
+             "                  [-j THREADS] [--tsv|--csv|--json]",
+    .summary = "finds the intensities at which records exceed a limit",
+    .run = ida_command,
+};
+
+static const char explanation[] =
+    "\nThe intensity is a sweep of numbers of the deck; its other sweeps are records and groups. "
+    "For each record\nthe search multiplies the intensity by the factor until the limit is "
+    "exceeded, and "
+    "then halves the\nlogarithmic interval until it is as narrow as the tolerance. The demand need "
+    "not "
+    "grow with the intensity,\nso a search can miss an exceedance between two intensities: a "
+    "smaller "
+    "factor misses fewer. A lognormal\ncurve is fitted to the intensities found (Baker 2015). The "
+    "command writes no file. Exit status 1: runs\nhave failed, or some record never exceeds the "
+    "limit.\n";
+
+struct options {
+    struct load_request load;
+    int n_thread;
+    enum printer_form form;
+    int collapse, points;
+    const char *limit, *im, *over, *range, *factor, *tolerance;
+};
+#define AT(member) offsetof(struct options, member)
+
+static const double FACTOR = 1.3, TOLERANCE = 0.01;  // the defaults
+
+// EXIT_DONE, or 1 after a message where a sample has no intensity.
+static int judge(const struct ida_print *p) {
+    long n_failed = 0, n_never = 0, first = -1;
+    for (long run = 0; run < p->found->n; run++) {
+        const enum fragility_crossing crossing = p->found->each[run].crossing;
+        n_never += crossing == CROSSING_ABOVE;
+        n_failed += crossing == CROSSING_NO_RUNS;
+        first = crossing == CROSSING_NO_RUNS && first < 0 ? run : first;
+    }
+    struct error e;
+    struct plan_text t;
+    if (n_failed > 0) {
+        error_set(&e, STATUS_FAILED, "%ld of %ld searches failed, the first: %s: %s", n_failed,
+                  p->found->n, plan_describe(&p->found->plan, first, &t),
+                  p->found->each[first].failure);
+        return command_fail(&e);
+    }
+    if (n_never > 0) {
+        error_set(&e, STATUS_FAILED,
+                  "%ld of %ld searches never exceed the limit; search further with --range",
+                  n_never, p->found->n);
+        return command_fail(&e);
+    }
+    return EXIT_DONE;
+}
+
+// "FROM:TO", else the smallest and the largest value of the sweep.
+static int parse_range(const struct options *o, const struct unit_system *u, const struct sweep *s,
+                       struct capacity_request *q) {
+    q->from = q->to = s->number[0];
+    for (int i = 1; i < s->n; i++) {
+        q->from = fmin(q->from, s->number[i]);
+        q->to = fmax(q->to, s->number[i]);
+    }
+    if (o->range) {
+        const char *at = quantity_word(o->range, u, &s->dimension, BARE_ALLOWED, &q->from);
+        at =
+            at && *at == ':' ? quantity_word(at + 1, u, &s->dimension, BARE_ALLOWED, &q->to) : NULL;
+        if (!at || *at) {
+            return command_usage(&command_ida, "--range takes FROM:TO, two values of %s, not '%s'",
+                                 s->name, o->range);
+        }
+    }
+    return q->from > 0.0 && q->from < q->to
+               ? EXIT_DONE
+               : command_usage(
+                     &command_ida,
+                     "%s from %g to %g is no range to search; give --range FROM:TO with 0 "
+                     "< FROM < TO",
+                     s->name, q->from, q->to);
+}
+
+static int parse_number(const struct unit_system *u, const char *option, const char *text,
+                        double least, double *out) {
+    const char *end = quantity_word(text, u, &dimension_none, BARE_ALLOWED, out);
+    return end && !*end && *out > least && isfinite(*out)
+               ? EXIT_DONE
+               : command_usage(&command_ida, "%s takes a number > %g, not '%s'", option, least,
+                               text);
+}
+
+static int search(const struct options *o, const struct plan *plan, const struct roles *roles,
+                  const struct study_view *view, struct capacity_request *q) {
+    struct capacities found;
+    struct progress progress;
+    struct error e;
+    q->poll = progress_poll;
+    q->context = &progress;
+    const long n_sample = plan->n_run / view->sweep[roles->abscissa]->n;
+    progress_start(&progress, (double)n_sample, "records");
+    int status = capacity_search(q, &found, &e);
+    progress_end(&progress);
+    struct ida_print p = {
+        .request = q,
+        .found = &found,
+        .view = view,
+        .roles = roles,
+        .table = {.to = stdout, .form = o->form, .units = &view->units, .at_head = UNITS_BELOW}};
+    if (status == STATUS_OK) {
+        status = o->points ? ida_print_points(&p, &e) : ida_print_samples(&p, &e);
+    }
+    status = status == STATUS_OK ? judge(&p) : command_fail(&e);
+    capacity_close(&found);
+    return status;
+}
+
+static int prepare(const struct options *o, const struct plan *plan) {
+    const struct study_view view = plan_view(plan);
+    const struct suite_request wanted = {.abscissa = o->im, .over = o->over};
+    struct roles roles;
+    struct error e;
+    char unit[64] = "";
+    if (roles_find(&view, &wanted, &roles, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    const struct sweep *s = roles.along;
+    if (!s->number || s->along || s->random || s != view.sweep[roles.abscissa]) {
+        return command_usage(&command_ida, "--im %s: it has to be a sweep of numbers of its own",
+                             s->name);
+    }
+    if (s->known) {
+        unit_text(&view.units, s->dimension, unit, sizeof unit);
+    }
+    struct capacity_request q = {.plan = plan,
+                                 .intensity = s->name,
+                                 .unit = unit_suffix(unit),
+                                 .factor = FACTOR,
+                                 .tolerance = TOLERANCE,
+                                 .n_thread = o->n_thread};
+    int status = suite_options_edp_limit(
+        &command_ida, plan, o->collapse ? EDP_COLLAPSE "=0" : o->limit, &q.edp, &q.limit);
+    status = status == EXIT_DONE ? parse_range(o, &view.units, s, &q) : status;
+    if (status == EXIT_DONE && o->factor) {
+        status = parse_number(&view.units, "--factor", o->factor, 1.0, &q.factor);
+    }
+    if (status == EXIT_DONE && o->tolerance) {
+        status = parse_number(&view.units, "--tolerance", o->tolerance, 0.0, &q.tolerance);
+    }
+    if (status == EXIT_DONE && capacity_runs(&q) > CAPACITY_POINTS_MAX) {
+        status = command_usage(&command_ida,
+                               "more than %d runs for one record; take a larger --factor or "
+                               "--tolerance",
+                               CAPACITY_POINTS_MAX);
+    }
+    return status == EXIT_DONE ? search(o, plan, &roles, &view, &q) : status;
+}
+
+static int run_deck(void *options, const struct model *m) {
+    const struct options *o = options;
+    const struct study_request request = {.first = m,
+                                          .define = o->load.define.word,
+                                          .n_define = o->load.define.n,
+                                          .result = {.version = JOSTLE_VERSION}};
+    struct plan plan;
+    struct error e;
+    if (deck_command_check_study(m, &e) != STATUS_OK ||
+        plan_init(&plan, &request, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    interrupt_catch();
+    const int status = prepare(o, &plan);
+    plan_close(&plan);
+    return status;
+}
+
+static int settle(void *options) {
+    const struct options *o = options;
+    return !o->limit == !o->collapse
+               ? command_usage(&command_ida, "give --limit EDP=VALUE or --collapse")
+               : EXIT_DONE;
+}
+
+static int ida_command(int argc, char **argv) {
+    static const struct option_row rows[] = {
+        DECK_DEFINE_ROW,
+        DECK_THREADS_ROW(AT(n_thread), "threads, default: all cores"),
+        {"limit", 0, "EDP=VALUE", OPTION_TEXT, 0, AT(limit),
+         .doc = "the demand and its limit: drift-ratio:A=2%, force=2MN; default unit: that of the "
+                "deck; jostle fragility --help lists the demands"},
+        {"collapse", .kind = OPTION_SET, .at = AT(collapse), .set = 1,
+         .doc = "collapse (statement collapse), in place of a demand and a limit"},
+        {"im", 0, "NAME", OPTION_TEXT, 0, AT(im),
+         .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale)"},
+        {"over", 0, "NAME", OPTION_TEXT, 0, AT(over),
+         .doc = "sweeps whose values are samples, as NAME or NAME,NAME (default: record, or the "
+                "only sweep of texts, and the samples of random sweeps)"},
+        {"range", 0, "FROM:TO", OPTION_TEXT, 0, AT(range),
+         .doc = "intensities to search; default: from the smallest to the largest of the sweep"},
+        {"factor", 0, "F", OPTION_TEXT, 0, AT(factor),
+         .doc = "factor from one intensity to the next of the search upwards; default: 1.3"},
+        {"tolerance", 0, "T", OPTION_TEXT, 0, AT(tolerance),
+         .doc = "relative width of the interval that the search ends in; default: 1%"},
+        {"points", .kind = OPTION_SET, .at = AT(points), .set = 1,
+         .doc = "prints every run in place of the intensities found"},
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "a table separated by tabs, with the median and dispersion of each group"},
+        {0}};
+    static const struct option_part parts[] = {{.row = rows},
+                                               {.row = printer_rows, .at = AT(form)},
+                                               {.row = option_help},
+                                               {.text = explanation},
+                                               {0}};
+    static const struct deck_command c = {&command_ida, parts, settle, run_deck};
+    struct options o = {.n_thread = deck_command_threads()};
+    return deck_command_run(&c, argc, argv, &o.load);
+}

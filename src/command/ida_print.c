@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/ida_print.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/study_print.h"
+#include "core/safe.h"
+
+// The run with these values of all sweeps but the intensity: sample `sample` of group `group`.
+static long run_of(const struct ida_print *p, int group, int sample) {
+    const struct study_view *v = p->view;
+    int choice[STUDY_SWEEPS_MAX] = {0};
+    for (int i = v->n_sweep - 1; i >= 0; i--) {
+        int *rest = p->roles->role[i] == ROLE_SAMPLE  ? &sample
+                    : p->roles->role[i] == ROLE_GROUP ? &group
+                                                      : NULL;
+        if (rest) {
+            choice[i] = *rest % v->sweep[i]->n;
+            *rest /= v->sweep[i]->n;
+        }
+    }
+    long run = 0;
+    for (int i = 0; i < v->n_sweep; i++) {
+        run = i == p->roles->abscissa ? run : run * v->sweep[i]->n + choice[i];
+    }
+    return run;
+}
+
+static void add_sweeps(struct ida_print *p) {
+    for (int i = 0; i < p->view->n_sweep; i++) {
+        for (const struct sweep *s = p->view->sweep[i]; s && i != p->roles->abscissa;
+             s = s->along) {
+            printer_add(&p->table,
+                        &(struct printer_column){.head = s->name,
+                                                 .key = s->name,
+                                                 .width = s->number ? 12 : -24,
+                                                 .digits = 6,
+                                                 .look = s->number ? LOOK_G : LOOK_TAIL},
+                        1);
+        }
+    }
+}
+
+static void print_sweeps(struct ida_print *p, long run) {
+    int choice[STUDY_SWEEPS_MAX];
+    plan_choose(&p->found->plan, run, choice);
+    for (int i = 0; i < p->view->n_sweep; i++) {
+        if (i != p->roles->abscissa) {
+            printer_sweep(&p->table, p->view->sweep[i], choice[i]);
+        }
+    }
+}
+
+static const char *outcome_of(const struct capacity *c) {
+    static const char *const text[] = {[CROSSING_AT] = "found",
+                                       [CROSSING_ABOVE] = "never exceeded",
+                                       [CROSSING_BELOW] = "always exceeded",
+                                       [CROSSING_NO_RUNS] = "failed"};
+    return text[c->crossing];
+}
+
+// Fits the samples of a group.
+static int fit_group(const struct ida_print *p, int group, struct fragility *fit, struct error *e) {
+    const int n = roles_count(p->view, p->roles, ROLE_SAMPLE);
+    struct fragility_record *record = malloc((size_t)n * sizeof *record);
+    if (!record) {
+        return error_no_memory(e);
+    }
+    for (int k = 0; k < n; k++) {
+        record[k] = capacity_record(p->request, &p->found->each[run_of(p, group, k)]);
+    }
+    const int status = fragility_fit_records(record, n, fit, e);
+    free(record);
+    return status;
+}
+
+static void print_sample(struct ida_print *p, long run, const struct fragility *fit) {
+    const struct capacity *c = &p->found->each[run];
+    struct printer *t = &p->table;
+    print_sweeps(p, run);
+    printer_number(t, c->below);
+    printer_number(t, c->above);
+    printer_number(t, c->value);
+    printer_whole(t, c->n_point);
+    printer_text(t, outcome_of(c));
+    printer_text(t, p->request->edp.text);
+    printer_number(t, p->request->limit);
+    printer_number(t, fit->median);
+    printer_number(t, fit->dispersion);
+    printer_line(t);
+}
+
+static void print_fit(const struct ida_print *p, int group, const struct fragility *f) {
+    const char *comma = "";
+    int choice[STUDY_SWEEPS_MAX];
+    plan_choose(&p->found->plan, run_of(p, group, 0), choice);
+    for (int i = 0; i < p->view->n_sweep; i++) {
+        const struct sweep *s = p->view->sweep[i];
+        if (p->roles->role[i] == ROLE_GROUP) {
+            printf("%s", comma);
+            safe_put(stdout, SAFE_TERMINAL, s->name);
+            printf(s->number ? " = %.6g" : " = ", s->number ? s->number[choice[i]] : 0.0);
+            safe_put(stdout, SAFE_TERMINAL, s->number ? "" : s->label[choice[i]]);
+            comma = ", ";
+        }
+    }
+    printf("%s", comma[0] ? ": " : "");
+    if (f->outcome != FRAGILITY_FITTED) {
+        printf("no curve: %s\n", fragility_reason(f));
+        return;
+    }
+    study_print_curve(f, p->request->unit, &p->view->units);
+}
+
+static int print_groups(struct ida_print *p, int n_group, struct fragility *fit, struct error *e) {
+    const char *im = p->view->sweep[p->roles->abscissa]->name;
+    const char *unit = p->request->unit[0] ? p->request->unit : NULL;
+    const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
+    const int n_sample = roles_count(p->view, p->roles, ROLE_SAMPLE);
+    struct printer_column columns[] = {
+        {.head = "below", .key = "below", .unit = unit, .width = 12, .digits = 5},
+        {.head = "above", .key = "above", .unit = unit, .width = 12, .digits = 5},
+        {.head = "demand", .key = "demand", .unit = edp_unit, .width = 12, .digits = 5},
+        {.head = "runs", .key = "runs", .width = 6},
+        {.head = "outcome", .key = "outcome", .width = -16},
+        COLUMN_DATA("edp"),
+        {.key = "limit", .unit = edp_unit},
+        {.key = "median", .unit = unit},
+        {.key = "dispersion"}};
+    add_sweeps(p);
+    PRINTER_ADD(&p->table, columns);
+    if (p->table.form == FORM_TEXT) {
+        safe_line(stdout, "intensities of %s at which %s first exceeds its limit", im,
+                  p->request->edp.text);
+    }
+    printer_head(&p->table);
+    int status = STATUS_OK;
+    for (int g = 0; g < n_group && status == STATUS_OK; g++) {
+        status = fit_group(p, g, &fit[g], e);
+        for (int k = 0; k < n_sample && status == STATUS_OK; k++) {
+            print_sample(p, run_of(p, g, k), &fit[g]);
+        }
+    }
+    status = printer_end(&p->table, status, e);
+    for (int g = 0; g < n_group && status == STATUS_OK && p->table.form == FORM_TEXT; g++) {
+        print_fit(p, g, &fit[g]);
+    }
+    return status;
+}
+
+int ida_print_samples(struct ida_print *p, struct error *e) {
+    const int n_group = roles_count(p->view, p->roles, ROLE_GROUP);
+    struct fragility *fit = calloc((size_t)n_group, sizeof *fit);
+    if (!fit) {
+        return error_no_memory(e);
+    }
+    const int status = print_groups(p, n_group, fit, e);
+    free(fit);
+    return status;
+}
+
+int ida_print_points(struct ida_print *p, struct error *e) {
+    const char *unit = p->request->unit[0] ? p->request->unit : NULL;
+    const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
+    struct printer_column columns[] = {
+        {.head = p->request->intensity,
+         .key = p->request->intensity,
+         .unit = unit,
+         .width = 16,
+         .digits = 6},
+        {.head = "demand", .key = "demand", .unit = edp_unit, .width = 16, .digits = 6},
+        {.head = "exceeded", .key = "exceeded", .width = 10}};
+    add_sweeps(p);
+    PRINTER_ADD(&p->table, columns);
+    printer_head(&p->table);
+    for (long run = 0; run < p->found->n; run++) {
+        const struct capacity *c = &p->found->each[run];
+        for (int i = 0; i < c->n_point; i++) {
+            print_sweeps(p, run);
+            printer_number(&p->table, c->point[i].intensity);
+            printer_number(&p->table, c->point[i].value);
+            printer_whole(&p->table, c->point[i].exceeded);
+            printer_line(&p->table);
+        }
+    }
+    return printer_end(&p->table, STATUS_OK, e);
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef JOSTLE_IDA_PRINT_H
+#define JOSTLE_IDA_PRINT_H
+
+#include "command/printer.h"
+#include "study/capacity.h"
+#include "study/roles.h"
+
+// What is printed.
+struct ida_print {
+    const struct capacity_request *request;
+    const struct capacities *found;
+    const struct study_view *view;
+    const struct roles *roles;
+    struct printer table;
+};
+
+// The intensity found for each sample, and the curve of each group.
+int ida_print_samples(struct ida_print *p, struct error *e);
+
+// Every run, for curves.
+int ida_print_points(struct ida_print *p, struct error *e);
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/law_storey.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "law/protocol.h"
+#include "motion/time_series.h"
+
+enum { STIFFNESS, AMPLITUDE, FIND, N_ROW };
+enum { N_SHARED = 1 };  // rows of all laws: STIFFNESS
+
+static const struct row rows[N_ROW] = {
+    [STIFFNESS] = {"stiffness", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN,
+                   "initial stiffness of the storey"},
+    [AMPLITUDE] = {"amplitude", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN,
+                   "largest drift of the protocol"},
+    [FIND] = {"find", ROW_TEXTS, 0, OF_NONE, NULL, NAN, "further options that --fit finds"},
+};
+
+enum { PARTS = 60, STEPS = 100, SAMPLE_STEPS = 20 };
+
+static bool has_key(const void *law, const char *key) {
+    return storey_choice_row(law, key) >= 0 || strcmp(key, rows[STIFFNESS].key) == 0;
+}
+
+// Which rows a fit finds: the stiffness and required numbers that are not given, and those of
+// -find. False after a report.
+static bool choose_found(struct deck *d, const struct statement *s, const struct storey_law *law,
+                         bool *found, struct law_storey *out) {
+    int n_find, n;
+    const struct word *find = deck_option(s, rows[FIND].key, &n_find);
+    if (!deck_option(s, rows[STIFFNESS].key, &n)) {
+        out->found[out->n_found++] = STOREY_FIT_STIFFNESS;
+    }
+    for (int r = 0; r < law->n_row; r++) {
+        const bool required = law->row[r].flags & ROW_REQUIRED;
+        found[r] = required && !deck_option(s, law->row[r].key, &n);
+    }
+    for (int i = 0; find && i < n_find; i++) {
+        const int r = storey_choice_row(law, find[i].text);
+        const enum row_kind kind = r >= 0 ? law->row[r].kind : ROW_TEXT;
+        if (kind != ROW_NUMBER && kind != ROW_LIST) {
+            deck_error(d, &find[i], "%s has no number -%s that could be found", law->name,
+                       find[i].text);
+            return false;
+        }
+        found[r] = true;
+    }
+    for (int r = 0; r < law->n_row; r++) {
+        if (found[r]) {
+            out->found[out->n_found++] = r;
+        }
+    }
+    if (out->n_found == 0) {
+        deck_error(d, &s->word[0], "all options of %s are given: --fit has nothing to find",
+                   law->name);
+    }
+    return out->n_found > 0;
+}
+
+// Reads one law; `first` is the statement of the first one, NULL for itself.
+static bool read_law(struct law_storeys *l, const struct law_words *words, struct statement *s,
+                     const struct statement *first, struct argument *own) {
+    struct deck *d = l->deck;
+    struct law_storey *at = &l->storey[l->n];
+    bool found[STOREY_ROWS_MAX];
+    struct row row[N_ROW];
+    const struct storey_law *law = storey_choice_find(d, &s->word[0]);
+    if (!law || (first && s->n_word == 1 && !law_words_lend(d, first, has_key, law, s)) ||
+        (words->fit && !choose_found(d, s, law, found, at))) {
+        return false;
+    }
+    memcpy(row, rows, sizeof row);
+    if (words->fit || first) {
+        row[STIFFNESS].flags = 0;
+    }
+    const struct row_set set = {row, first ? N_SHARED : N_ROW, own};
+    if (!storey_choice_read(d, s, law, &set, words->fit ? found : NULL, &at->choice)) {
+        return false;
+    }
+    const struct argument *stiffness = &own[STIFFNESS];
+    at->choice.stiffness = stiffness->n > 0       ? stiffness->number[0]
+                           : first && !words->fit ? l->storey[0].choice.stiffness
+                                                  : NAN;
+    l->n++;
+    return words->fit || storey_choice_prepare(d, &at->choice);
+}
+
+// The targets of the protocol called `name`, or those of the file.
+static int find_targets(struct law_storeys *l, const char *name, double amplitude,
+                        struct error *e) {
+    const struct protocol *p = NULL;
+    for (int i = 0; i < n_protocol; i++) {
+        p = strcmp(protocols[i].name, name) == 0 ? &protocols[i] : p;
+    }
+    l->protocol = name;
+    if (p) {
+        double *target = deck_array(l->deck, PROTOCOL_TARGETS_MAX, sizeof *target);
+        l->target = target;
+        if (isnan(amplitude)) {
+            return error_set(e, STATUS_INPUT, "protocol %s needs -amplitude: %s", name,
+                             rows[AMPLITUDE].doc);
+        }
+        if (!target) {
+            return error_no_memory(e);
+        }
+        l->n_target = (size_t)protocol_targets(p, amplitude, target);
+        return STATUS_OK;
+    }
+    const struct time_series_column column = {
+        .name = "drift", .dimension = dimension_length, .unit = 1.0};
+    int status = time_series_columns(l->deck->arena, name, &column, 1, &l->target, &l->n_target, e);
+    double largest = 0.0;
+    for (size_t i = 0; status == STATUS_OK && i < l->n_target; i++) {
+        largest = fmax(largest, fabs(l->target[i]));
+    }
+    double *scaled = status == STATUS_OK && !isnan(amplitude)
+                         ? deck_array(l->deck, l->n_target, sizeof *scaled)
+                         : NULL;
+    for (size_t i = 0; scaled && i < l->n_target; i++) {
+        scaled[i] = largest > 0.0 ? l->target[i] / largest * amplitude : 0.0;
+    }
+    l->target = scaled ? scaled : l->target;
+    return status;
+}
+
+static int read_loop(struct law_storeys *l, const char *path, struct error *e) {
+    const struct time_series_column column[] = {
+        {.name = "deformation", .dimension = dimension_length, .unit = 1.0},
+        {.name = "force", .dimension = dimension_force, .unit = 1.0},
+    };
+    const double *value[2] = {0};
+    const int status = time_series_columns(l->deck->arena, path, column, 2, value, &l->n_sample, e);
+    l->protocol = path;
+    l->target = value[0];
+    l->shear = value[1];
+    l->n_target = l->n_sample;
+    return status;
+}
+
+static int fit(struct law_storeys *l, struct law_storey *s, struct error *e) {
+    const struct storey_fit_request q = {.law = s->choice.law,
+                                         .value = s->choice.value,
+                                         .stiffness = s->choice.stiffness,
+                                         .row = s->found,
+                                         .n_row = s->n_found,
+                                         .n = l->n_sample,
+                                         .drift = l->target,
+                                         .shear = l->shear};
+    const int status = storey_fit_run(&q, &s->fit, e);
+    if (status == STATUS_OK) {
+        memcpy(s->choice.value, s->fit.value, sizeof s->choice.value);
+        s->choice.stiffness = s->fit.stiffness;
+        return s->choice.law->prepare(s->choice.value, s->choice.stiffness, s->choice.constant, e);
+    }
+    return status;
+}
+
+static int run(struct law_storeys *l, struct law_storey *s, struct error *e) {
+    const struct storey_path path = {.law = s->choice.law,
+                                     .constant = s->choice.constant,
+                                     .stiffness = s->choice.stiffness,
+                                     .target = l->target,
+                                     .n_target = l->n_target,
+                                     .n_part = l->n_part,
+                                     .n_step = l->shear ? SAMPLE_STEPS : STEPS};
+    s->point = deck_array(l->deck, l->n_point, sizeof *s->point);
+    if (!s->point) {
+        return error_no_memory(e);
+    }
+    storey_loop_run(&path, s->point);
+    return STATUS_OK;
+}
+
+static void read_laws(struct law_storeys *l, const struct law_words *words, double *amplitude) {
+    struct argument own[N_ROW] = {0};
+    struct statement first = {.n_word = 0};
+    struct statement s;
+    bool good = true;
+    for (int n = 0; good && deck_next(l->deck, &s); n++) {
+        struct argument shared[N_SHARED] = {0};
+        good = law_words_take_name(l->deck, &s) &&
+               read_law(l, words, &s, n > 0 ? &first : NULL, n > 0 ? shared : own);
+        first = n == 0 ? s : first;
+    }
+    *amplitude = own[AMPLITUDE].n > 0 ? own[AMPLITUDE].number[0] : NAN;
+}
+
+static int run_all(struct law_storeys *l, const struct law_storey_words *words, double amplitude,
+                   struct error *e) {
+    const char *name = words->protocol ? words->protocol : protocols[0].name;
+    int status =
+        words->laws.fit ? read_loop(l, words->laws.fit, e) : find_targets(l, name, amplitude, e);
+    l->n_part = words->laws.fit ? 1 : PARTS;
+    l->n_point = l->n_target * (size_t)l->n_part + 1;
+    for (int i = 0; i < l->n && status == STATUS_OK; i++) {
+        status = words->laws.fit ? fit(l, &l->storey[i], e) : STATUS_OK;
+        status = status == STATUS_OK ? run(l, &l->storey[i], e) : status;
+    }
+    return status;
+}
+
+int law_storey_run(const struct law_storey_words *words, struct law_storeys *out) {
+    size_t n_law = 0;
+    struct error e;
+    double amplitude = NAN;
+    *out = (struct law_storeys){.deck = NULL};
+    int status = law_words_open(&words->laws, &out->deck, &n_law, &e);
+    if (status == STATUS_OK) {
+        out->storey = deck_array(out->deck, n_law, sizeof *out->storey);
+        if (out->storey) {
+            read_laws(out, &words->laws, &amplitude);
+        }
+        status = law_words_check(out->deck, &e);
+    }
+    if (status == STATUS_OK && out->storey) {
+        status = run_all(out, words, amplitude, &e);
+    }
+    if (status != STATUS_OK) {
+        law_storey_free(out);
+        return command_fail(&e);
+    }
+    return EXIT_DONE;
+}
+
+void law_storey_free(struct law_storeys *l) {
+    deck_free(l->deck);
+    l->deck = NULL;
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the words of `jostle law storey` say, and the loops they ask for.
+#ifndef JOSTLE_LAW_STOREY_H
+#define JOSTLE_LAW_STOREY_H
+
+#include "command/command.h"
+#include "command/law_words.h"
+#include "command/printer.h"
+#include "law/storey_fit.h"
+#include "law/storey_loop.h"
+#include "model/storey_choice.h"
+
+struct law_storey_words {
+    struct law_words laws;
+    const char *protocol;  // a file or the name of a protocol; NULL: the first one
+};
+
+// One law and its path. Values in SI.
+struct law_storey {
+    struct storey_choice choice;
+    struct storey_point *point;  // (n_point)
+    // Where a loop was measured:
+    int found[STOREY_ROWS_MAX + 1];  // (n_found) rows, or STOREY_FIT_STIFFNESS
+    int n_found;
+    struct storey_fit_result fit;
+};
+
+struct law_storeys {
+    struct deck *deck;  // owns what is below
+    struct law_storey *storey;
+    int n;
+    const char *protocol;
+    const double *target;  // (n_target) drifts
+    size_t n_target;
+    int n_part;      // points from one target to the next
+    size_t n_point;  // n_target n_part + 1
+    size_t n_sample;
+    const double *shear;  // (n_sample) measured at the targets; NULL: none were
+};
+
+// Reads the laws and runs them. Returns EXIT_DONE or, after a message, the exit status.
+int law_storey_run(const struct law_storey_words *words, struct law_storeys *out);
+void law_storey_free(struct law_storeys *l);
+
+// A law and the options given or found, "bilinear -yield 6e+05 -stiffness 6e+07", cut where `text`
+// ends.
+void law_storey_text(const struct law_storey *s, char *text, size_t size);
+
+// Warnings of a fit: parameters that the loop does not determine.
+void law_storey_warn(const struct law_storeys *l, FILE *to);
+
+// Text is for readers: largest values, and a table of the turns of each law. Data has a line for
+// each law and turn; of a fit, one for each parameter. Returns EXIT_DONE or, after a message, the
+// exit status.
+int law_storey_print(const struct law_storeys *l, enum printer_form form, FILE *to);
+
+// All points of the first law as TSV. Returns as law_storey_print.
+int law_storey_print_path(const struct law_storeys *l, FILE *to);
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/legend.h"
+#include "plot/panel.h"
+#include "plot/pictures.h"
+#include "plot/scale.h"
+#include "plot/script.h"
+
+static const char sample_colour[] = "#808080";
+
+// What is shown, in SI; the tangent over the initial stiffness.
+struct extent {
+    struct span drift, shear, energy, plastic, tangent;
+};
+
+struct scales {
+    struct scale drift, shear, energy;
+};
+
+static double tangent_of(const struct loop_curve *c, const struct storey_point *p) {
+    return c->stiffness > 0.0 ? p->tangent / c->stiffness : 0.0;
+}
+
+static struct extent extent_of(const struct loop_figure *f) {
+    struct extent x = {span_none, span_none, span_none, span_none, span_none};
+    for (int c = 0; c < f->n_curve; c++) {
+        for (size_t i = 0; i < f->n; i++) {
+            const struct storey_point *p = &f->curve[c].point[i];
+            span_add(&x.drift, p->drift);
+            span_add(&x.shear, p->shear);
+            span_add(&x.energy, p->dissipated);
+            span_add(&x.plastic, p->plastic);
+            span_add(&x.tangent, tangent_of(&f->curve[c], p));
+        }
+    }
+    for (size_t i = 0; i < f->n_sample; i++) {
+        span_add(&x.drift, f->drift[i]);
+        span_add(&x.shear, f->shear[i]);
+    }
+    return x;
+}
+
+static double largest(struct span s) {
+    return fmax(s.high, -s.low);
+}
+
+static void write_curve(const struct loop_figure *f, int c, const struct scales *s, FILE *to) {
+    fprintf(to, "$curve%d << EOD\n# turn drift shear energy plastic tangent\n", c);
+    for (size_t i = 0; i < f->n; i++) {
+        const struct storey_point *p = &f->curve[c].point[i];
+        fprintf(to, "%.6g %.6g %.6g %.6g %.6g %.6g\n", (double)i / f->n_part,
+                p->drift / s->drift.size, p->shear / s->shear.size, p->dissipated / s->energy.size,
+                p->plastic / s->drift.size, tangent_of(&f->curve[c], p));
+    }
+    fprintf(to, "EOD\n");
+}
+
+static void write_samples(const struct loop_figure *f, const struct scales *s, FILE *to) {
+    fprintf(to, "$measured << EOD\n# drift shear\n");
+    for (size_t i = 0; i < f->n_sample; i++) {
+        fprintf(to, "%.6g %.6g\n", f->drift[i] / s->drift.size, f->shear[i] / s->shear.size);
+    }
+    fprintf(to, "EOD\n");
+}
+
+// A panel of columns `x` and `y` of the data.
+static void draw_panel(const struct loop_figure *f, const struct panel *p, int x, int y,
+                       struct canvas *c) {
+    panel_open(c, p);
+    fprintf(c->to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\n");
+    if (f->n_sample > 0 && x == 2) {
+        panel_series(c, panel_points(sample_colour, POINT_DISC, 0.5), "$measured using 1:2");
+    }
+    for (int k = 0; k < f->n_curve; k++) {
+        panel_series(c, panel_line(script_colour[k], 0), "$curve%d using %d:%d", k, x, y);
+    }
+    panel_close(c);
+}
+
+static void draw_panels(const struct loop_figure *f, const struct extent *x, const struct scales *s,
+                        struct canvas *c) {
+    const struct scale number = {1.0, ""};
+    const struct span turns = {0.0, (double)(f->n - 1) / f->n_part};
+    struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.55, 0, 1), 6.0, 1.0, 3.2, 0.7),
+                      .x = scale_axis("drift", &s->drift, span_with_room(x->drift, NAN)),
+                      .y = scale_axis("shear", &s->shear, span_with_room(x->shear, NAN))};
+    draw_panel(f, &p, 2, 3, c);
+    const struct axis axis[] = {
+        scale_axis("dissipated", &s->energy, span_with_room(x->energy, x->energy.low)),
+        scale_axis("plastic", &s->drift, span_with_room(x->plastic, NAN)),
+        scale_axis("tangent / k", &number, span_with_room(x->tangent, NAN)),
+    };
+    for (int i = 0; i < 3; i++) {
+        const bool last = i == 2;
+        const struct area part = canvas_part(c, 0.55, 1, (2 - i) / 3.0 * 0.9 + (last ? 0 : 0.1),
+                                             (3 - i) / 3.0 * 0.9 + 0.1);
+        p.area = canvas_inset(part, 6.0, 0.5, last ? 3.2 : 0.6, 0.7);
+        p.x = scale_axis(last ? f->progress : NULL, &number, turns);
+        p.x.kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS;
+        p.y = axis[i];
+        draw_panel(f, &p, 1, 4 + i, c);
+    }
+}
+
+int loop_figure_write(const struct loop_figure *f, const struct figure_files *to, struct error *e) {
+    assert(f->n_curve <= LOOP_FIGURE_CURVES);
+    struct unit_system si;
+    unit_system_init(&si);
+    const struct figure_head head = {
+        .name = "loops", .doc = "storeys under a protocol", .version = f->version, .units = &si};
+    const struct extent x = extent_of(f);
+    const struct scales s = {.drift = scale_for(scale_lengths, largest(x.drift)),
+                             .shear = scale_for(scale_forces, largest(x.shear)),
+                             .energy = scale_for(scale_energies, largest(x.energy))};
+    struct canvas canvas;
+    const int status = figure_open(&head, to, &canvas, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    for (int c = 0; c < f->n_curve; c++) {
+        write_curve(f, c, &s, to->data);
+    }
+    if (f->n_sample > 0) {
+        write_samples(f, &s, to->data);
+    }
+    canvas_head(&canvas, f->title, f->subtitle);
+    if (f->n_curve + (f->n_sample > 0) != 1) {
+        struct legend l = {0};
+        for (int k = 0; k < f->n_curve; k++) {
+            legend_add(&l, panel_line(script_colour[k], 0), f->curve[k].name, "");
+        }
+        if (f->n_sample > 0) {
+            legend_add(&l, panel_points(sample_colour, POINT_DISC, 0.8), "measured", "");
+        }
+        legend_write(&l, &canvas);
+    }
+    draw_panels(f, &x, &s, &canvas);
+    figure_close(&canvas);
+    return STATUS_OK;
+}

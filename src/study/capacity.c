@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/capacity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "motion/record_cache.h"
+#include "study/trial.h"
+#include "study/workers.h"
+
+struct search {
+    const struct capacity_request *request;
+    struct capacities *out;
+    struct record_cache *records;
+};
+
+// One sample while it is searched.
+struct job {
+    const struct search *search;
+    struct workers *workers;
+    struct capacity *capacity;
+    long run;
+    double *all;   // (n_value) of a run
+    double value;  // the demand of the last run
+};
+
+int capacity_runs(const struct capacity_request *q) {
+    const double hunt = ceil(log(q->to / q->from) / log(q->factor)) + 1.0;
+    const double halvings = ceil(log2(log(q->factor) / log1p(q->tolerance)));
+    return (int)fmin(hunt + fmax(halvings, 0.0) + 1.0, CAPACITY_POINTS_MAX + 1.0);
+}
+
+static int poll_job(void *context, double time, struct error *e) {
+    const struct job *job = context;
+    (void)time;
+    return workers_stopped(job->workers) ? error_set(e, STATUS_SYSTEM, "the runs have ended")
+                                         : STATUS_OK;
+}
+
+static int use_model(void *context, const struct model *m, struct study_outcome *outcome,
+                     struct error *e) {
+    struct job *job = context;
+    const struct edp *edp = &job->search->request->edp;
+    const struct trial_watch watch = {.poll = poll_job, .context = job};
+    struct results *results;
+    int at = 0, status = trial_analyse(m, &watch, outcome, &results, e);
+    if (status != STATUS_OK || !results) {
+        return status;
+    }
+    status = trial_values(m, results, job->all, e);
+    if (status == STATUS_OK) {
+        job->value = edp_value(edp, job->all, &at);
+    }
+    // Beyond a collapse there are no demands; that of a building counts as above every limit.
+    if (status == STATUS_OK && results->collapse.happened &&
+        edp->quantity->owner == EDP_OF_BUILDING) {
+        job->value = INFINITY;
+    }
+    results_free(results);
+    return status == STATUS_OK && isnan(job->value) ? edp_absent(edp, at, e) : status;
+}
+
+static void fail(struct capacity *c, const struct capacity_request *q, double intensity,
+                 const char *why) {
+    c->crossing = CROSSING_NO_RUNS;
+    snprintf(c->failure, sizeof c->failure, "at %s = %.6g: %s", q->intensity, intensity, why);
+}
+
+// Runs the sample at an intensity and adds the point. *exceeded; a run that fails ends the search.
+static int look(struct job *job, double intensity, bool *exceeded, struct error *e) {
+    const struct search *s = job->search;
+    const struct capacity_request *q = s->request;
+    const struct trial_watch watch = {.records = s->records};
+    struct capacity *c = job->capacity;
+    struct study_outcome outcome;
+    struct plan plan;
+    char define[256];
+    snprintf(define, sizeof define, "%s=%.17g%s", q->intensity, intensity, q->unit);
+    int status = plan_open_with(q->plan, define, s->records, &plan, e);
+    if (status == STATUS_INPUT && !plan.first) {  // the deck is wrong at this intensity
+        fail(c, q, intensity, e->message);
+        plan_close_with(&plan);
+        return STATUS_OK;
+    }
+    if (status == STATUS_OK && plan.n_run != s->out->n) {
+        status =
+            error_set(e, STATUS_INPUT, "'%s' changes the number of runs of the deck", q->intensity);
+    }
+    if (status == STATUS_OK) {
+        status = trial_build(&plan, job->run, &watch, use_model, job, &outcome, e);
+    }
+    plan_close_with(&plan);
+    if (status == STATUS_OK && outcome.status == STUDY_FAILED) {
+        fail(c, q, intensity, outcome.message);
+    } else if (status == STATUS_OK) {
+        *exceeded = job->value > q->limit;
+        c->point[c->n_point++] = (struct capacity_point){intensity, job->value, *exceeded};
+        *(*exceeded ? &c->above : &c->below) = intensity;
+        c->value = *exceeded ? c->value : job->value;
+    }
+    return status;
+}
+
+// Upwards from the lowest intensity.
+static int hunt(struct job *job, struct error *e) {
+    const struct capacity_request *q = job->search->request;
+    struct capacity *c = job->capacity;
+    bool exceeded = false;
+    double at = q->from;
+    for (;;) {
+        const int status = look(job, at, &exceeded, e);
+        if (status != STATUS_OK || c->failure[0]) {
+            return status;
+        }
+        if (exceeded || at >= q->to) {
+            break;
+        }
+        // The last factor may be a little larger, so that no short one follows it.
+        at = at * q->factor * (1.0 + 1e-9) < q->to ? at * q->factor : q->to;
+    }
+    c->crossing = !exceeded ? CROSSING_ABOVE : isnan(c->below) ? CROSSING_BELOW : CROSSING_AT;
+    return STATUS_OK;
+}
+
+static int bisect(struct job *job, struct error *e) {
+    const struct capacity_request *q = job->search->request;
+    struct capacity *c = job->capacity;
+    int status = STATUS_OK;
+    bool exceeded;
+    while (status == STATUS_OK && c->crossing == CROSSING_AT &&
+           c->above / c->below > 1.0 + q->tolerance && c->n_point < CAPACITY_POINTS_MAX) {
+        status = look(job, sqrt(c->below * c->above), &exceeded, e);
+    }
+    return status;
+}
+
+static int do_job(void *context, struct workers *workers, long number, void *scratch,
+                  struct error *e) {
+    const struct search *s = context;
+    struct job job = {.search = s,
+                      .workers = workers,
+                      .capacity = &s->out->each[number],
+                      .run = number,
+                      .all = scratch};
+    *job.capacity = (struct capacity){.below = NAN, .above = NAN, .value = NAN};
+    const int status = hunt(&job, e);
+    return status == STATUS_OK ? bisect(&job, e) : status;
+}
+
+static int poll_search(void *context, struct workers *workers, long n_done, struct error *e) {
+    const struct capacity_request *q = ((const struct search *)context)->request;
+    (void)workers;
+    return q->poll ? q->poll(q->context, n_done, e) : STATUS_OK;
+}
+
+int capacity_search(const struct capacity_request *q, struct capacities *out, struct error *e) {
+    struct search s = {.request = q, .out = out};
+    char define[256];
+    *out = (struct capacities){.n = 0};
+    snprintf(define, sizeof define, "%s=%.17g%s", q->intensity, q->from, q->unit);
+    int status = plan_open_with(q->plan, define, NULL, &out->plan, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    out->n = out->plan.n_run;
+    out->each = calloc((size_t)out->n, sizeof *out->each);
+    s.records = record_cache_create(RECORD_CACHE_BYTES);
+    const struct workers_request request = {
+        .n_thread = out->n < q->n_thread ? (int)out->n : q->n_thread,
+        .scratch = (q->plan->table->n_value + 1) * sizeof(double),
+        .n_job = out->n,
+        .work = do_job,
+        .poll = poll_search,
+        .context = &s};
+    status = out->each && s.records ? workers_run(&request, e) : error_no_memory(e);
+    record_cache_free(s.records);
+    return status;
+}
+
+void capacity_close(struct capacities *c) {
+    plan_close_with(&c->plan);
+    free(c->each);
+    *c = (struct capacities){.n = 0};
+}
+
+struct fragility_record capacity_record(const struct capacity_request *q,
+                                        const struct capacity *c) {
+    return (struct fragility_record){c->crossing, c->crossing == CROSSING_AT
+                                                      ? sqrt(c->below * c->above)
+                                                  : c->crossing == CROSSING_ABOVE ? q->to
+                                                                                  : q->from};
+}

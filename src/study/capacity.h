@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Adaptive incremental dynamic analysis: for each sample the intensity at which a demand first
+// exceeds a limit, by few runs. The search hunts upwards by a constant factor until the limit is
+// exceeded, then bisects the logarithm of the intensity (after Vamvatsikos & Cornell 2002,
+// Earthquake Engng Struct. Dyn. 31, 491-514, and 2004, Earthquake Spectra 20, 523-553). A demand
+// need not grow with the intensity: an exceedance between two intensities of the hunt, neither of
+// which exceeds the limit, is not seen.
+#ifndef JOSTLE_CAPACITY_H
+#define JOSTLE_CAPACITY_H
+
+#include "study/edp.h"
+#include "study/fragility.h"
+#include "study/plan.h"
+
+enum { CAPACITY_POINTS_MAX = 200 };  // runs of one sample
+
+struct capacity_request {
+    const struct plan *plan;  // made by plan_init
+    const char *intensity;    // sweep of its deck
+    const char *unit;         // of its values, "m/s^2"; "" for pure numbers
+    struct edp edp;           // of the values of the plan
+    double limit;             // in its units
+    double from, to;          // intensities of the hunt, 0 < from < to
+    double factor;            // > 1, of the hunt; capacity_hunt says how many runs it may take
+    double tolerance;         // > 0: ends the bisection where both sides are so near, relatively
+    int n_thread;
+    // Called every 0.1 s; a result other than 0 ends the runs with that status. NULL: never.
+    int (*poll)(void *context, long n_done, struct error *e);
+    void *context;
+};
+
+struct capacity_point {
+    double intensity;
+    double value;   // of the demand; infinite: a collapse that exceeds every limit
+    bool exceeded;  // value > limit
+};
+
+// One sample. `crossing`: CROSSING_AT between `below` and `above`; CROSSING_ABOVE: not exceeded up
+// to `to`; CROSSING_BELOW: exceeded at `from`; CROSSING_NO_RUNS: a run failed, and `failure` says
+// why.
+struct capacity {
+    int n_point;
+    struct capacity_point point[CAPACITY_POINTS_MAX];  // in the order in which they were run
+    enum fragility_crossing crossing;
+    double below, above;                    // intensities; NAN: there is none
+    double value;                           // demand at `below`; NAN
+    char failure[STUDY_MESSAGE_MAX + 300];  // with the intensity
+};
+
+struct capacities {
+    long n;                 // samples: the runs of the deck at one intensity
+    struct capacity *each;  // (n)
+    struct plan plan;       // of these runs, at `from`
+};
+
+// The most runs that a sample can take; > CAPACITY_POINTS_MAX: the request is refused.
+int capacity_runs(const struct capacity_request *q);
+
+// Searches all samples; the results do not depend on the number of threads. *out must be given to
+// capacity_close, whatever happens. Errors: STATUS_INPUT (the deck has an error at an intensity, or
+// another shape; a run without a value of the demand), STATUS_SYSTEM, or what poll returned.
+int capacity_search(const struct capacity_request *q, struct capacities *out, struct error *e);
+void capacity_close(struct capacities *c);
+
+// The crossing of a sample for fragility_fit_records: the geometric mean of both sides.
+struct fragility_record capacity_record(const struct capacity_request *q, const struct capacity *c);
+
+#endif

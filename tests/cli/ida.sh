@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# jostle ida: the intensity at which each record exceeds a limit, by few runs.
+. tests/support/cli.sh
+
+# An elastic oscillator: its demand is proportional to the intensity.
+cat >linear.deck <<'END'
+units kN m s
+sweep record values 1.3 2.1 4
+sweep im values 0.1 0.2 3
+sweep mass values 1 2
+building A -floors 1 -mass $mass -stiffness 100
+damping A rayleigh 5%
+ground sine -amplitude ${im * record * 1m/s^2} -frequency $record -cycles 3
+step fixed 5ms
+END
+"$jostle" run linear.deck -q -D im=1 -o unit.h5
+"$jostle" show unit.h5 --wide --edp drift | cut -f 2,3,5 >unit.tsv
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --tsv
+expect "a search of each sample ends with 0" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 7 ] && head -n 1 "$out" | grep -qxP "record\tmass\tbelow\tabove\tdemand \[m\]\truns\toutcome\tedp\tlimit \[m\]\tmedian\tdispersion"'
+expect "the demand reaches the limit between both intensities" 'awk -F "\t" "
+    NR == FNR { unit[\$1, \$2] = \$3; next }
+    FNR > 1 { n++; u = unit[\$1, \$2]; if (!(u > 0 && \$3 * u <= 0.02 && \$4 * u > 0.02 && \$4 < 1.0011 * \$3 && \$5 <= 0.02 && \$5 > 0.01998)) bad = 1 }
+    END { exit bad || n != 6 }" <(tail -n +2 unit.tsv) "$out"'
+awk -F '\t' 'NR > 1 && $2 == 2 { x = (log($3) + log($4)) / 2; n++; s += x; q += x * x } END { printf "%.9g\t%.9g\n", exp(s / n), sqrt((q - s * s / n) / (n - 1)) }' "$out" >fit.tsv
+expect "the curve is that of the mean and the scatter of the logarithms" 'awk -F "\t" "NR == FNR { m = \$1; d = \$2; next } FNR > 1 && \$2 == 2 { n++; if (\$10 / m > 1 + 1e-8 || m / \$10 > 1 + 1e-8 || \$11 / d > 1 + 1e-6 || d / \$11 > 1 + 1e-6) bad = 1 } END { exit bad || n != 3 }" fit.tsv "$out"'
+cp "$out" one.tsv
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --tsv -j 3
+expect "threads change nothing" 'cmp one.tsv "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --points --tsv
+expect "--points has every run" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq "$(awk -F "\t" "NR > 1 { n += \$6 } END { print n + 1 }" one.tsv)" ] && awk -F "\t" "FNR > 1 && (\$4 > 0.02) != \$5 { bad = 1 } END { exit bad }" "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --over record --range 0.2:0.4
+expect "what is exceeded from the lowest intensity on, or never, is told" '[ $status -eq 1 ] && grep -q "always exceeded" "$out" && grep -q "never exceeded" "$out" && said "searches never exceed the limit; search further with --range"'
+expect "text has the curve of each group" '[ "$(grep -c "^mass = [12]: " "$out")" -eq 2 ]'
+
+# The pair under many records: the same median as a fine grid, by a tenth of its runs.
+mkdir records
+awk -v folder=records -v n=44 -f "$root/tests/support/artificial_records.awk"
+cat >pair.deck <<'END'
+units kN m s
+sweep record files "records/*.AT2"
+sweep sa range 0.1m/s^2 20m/s^2 200
+building A -floors 1 -mass 100t -stiffness 4MN/m -height 3m
+building B -floors 1 -mass 80t -stiffness 9MN/m -height 3m
+damping A rayleigh 5%
+damping B rayleigh 5%
+contact A B -gap 20mm -law linear -k 100MN/m
+ground record $record -sa $sa -building A
+step fixed 5ms
+END
+run "$jostle" ida pair.deck --limit drift-ratio:A=2% --tsv
+expect "the pair is searched" '[ $status -eq 0 ]'
+runs=$(awk -F '\t' 'NR > 1 { n += $5 } END { print n }' "$out")
+median=$(awk -F '\t' 'NR == 2 { print $9 }' "$out")
+"$jostle" run pair.deck -q
+grid=$("$jostle" fragility pair.h5 --edp drift-ratio:A --limit 2% --method ida --tsv | awk -F '\t' 'NR == 2 { print $9 }')
+expect "its median is that of a grid of 200 intensities within 1 %, by a tenth of the runs" 'awk "BEGIN { exit !($median / $grid < 1.01 && $grid / $median < 1.01 && $runs <= 880 && $runs > 300) }"'
+
+cp pair.deck wrong.deck
+sed -i 's/^building A.*/building A -floors 1 -mass 100t -stiffness ${4MN\/m * (2.5m\/s^2 - sa) \/ 1m*1s^2} -height 3m/' wrong.deck
+run "$jostle" ida wrong.deck --limit drift-ratio:A=50% --range 1:20
+expect "a search that fails is told with its run" '[ $status -eq 1 ] && said "44 of 44 searches failed, the first: run 1 (record = 01): at sa = 2.8561: wrong.deck:4:"'
+
+run "$jostle" ida linear.deck
+expect "a limit or a collapse is needed" '[ $status -eq 2 ] && said "give --limit EDP=VALUE or --collapse"'
+run "$jostle" ida linear.deck --limit drift
+expect "a limit has a value" '[ $status -eq 2 ] && said "--limit takes EDP=VALUE, not '"'drift'"'"'
+run "$jostle" ida pair.deck --limit drift=1 --im record
+expect "the intensity is a sweep of its own" '[ $status -eq 2 ] && said "--im record: it has to be a sweep of numbers of its own"'
+run "$jostle" ida linear.deck --limit drift=1 --range 2:1
+expect "a range has two ends" '[ $status -eq 2 ] && said "im from 2 to 1 is no range to search"'
+run "$jostle" ida linear.deck --limit drift=1 --factor 1
+expect "a factor is larger than 1" '[ $status -eq 2 ] && said "--factor takes a number > 1, not '"'1'"'"'
+run "$jostle" ida linear.deck --limit drift=1 --factor 1.0001
+expect "a search has not too many runs" '[ $status -eq 2 ] && said "more than 200 runs for one record"'
+run "$jostle" ida linear.deck --limit drfit=1
+expect "an unknown demand is refused" '[ $status -eq 2 ] && said "did you mean '"'drift'"'"'
