@@ -237,8 +237,14 @@ static int add_all_members(struct reading *r, struct error *e) {
     if (r->out->n_term > 0) {
         return STATUS_OK;
     }
-    return any ? error_set(e, STATUS_INPUT, "%s: no building has such a member", r->text)
-               : error_set(e, STATUS_INPUT, "%s: no building has a frame or a wall", r->text);
+    bool members = false;
+    for (int i = 0; i < v->n_building; i++) {
+        members |= v->building[i].n_member > 0;
+    }
+    return error_set(e, STATUS_INPUT, "%s: no building has %s", r->text,
+                     any       ? "such a member"
+                     : members ? "hinges"  // which all other quantities do not need
+                               : "a frame or a wall");
 }
 
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
