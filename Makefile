@@ -168,10 +168,15 @@ check-long: $(PROGRAM) $(LIBRARY) $(TESTS) $(LONG)
 	    bash tests/support/run_tests.sh \
 	    $(B)/log $(TESTS) $(LONG) $(SCRIPTS) $(LONG_SCRIPTS)
 
+# Scripts that only run again what others do, to compare pages, pictures and links: they take a
+# third of the time, and sanitizers find nothing in them.
+PAGES = docs_current docs_examples picture_numbers suites link layers verification
+
 asan: setup  ## the tests under the address and undefined-behaviour sanitizers
 	@ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/support/lsan.supp:print_suppressions=0 \
-	    JOSTLE_SANITIZED=1 $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g'
+	    JOSTLE_SANITIZED=1 $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g' \
+	    EXCEPT='$(PAGES:%=tests/cli/%.sh)'
 
 coverage: setup  ## the tests, and the share of lines of each file that they run
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null || :
@@ -263,7 +268,8 @@ check-format: setup-lint  ## fail if `make format` would change a file
 .PHONY: docs
 docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
-	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg
+	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg \
+	    docs/pictures/storey_comparison.svg
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/law-command.md \
 	    $(B)/docs/contact-values.md $(B)/docs/ground-motions.md $(B)/docs/studies.md \
 	    $(B)/docs/ida.md $(B)/docs/gap.md docs

@@ -66,7 +66,7 @@ _jostle_value() {
 
 _jostle() {
     local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]}
-    local help options before name i n=0 operands
+    local help options before name i n=0 operands form
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
         _jostle_words "$word" "$(_jostle_names "$("$program" --help 2>/dev/null)") --help --version"
@@ -90,7 +90,11 @@ _jostle() {
         ;;
     esac
     # Operands stand in the usage in front of the options; the last one may be repeated.
-    operands=$(sed -n "1s/^usage: jostle $command //p" <<<"$help" | sed 's/ \[\{0,1\}-.*//; s/[][]//g; s/\.\.\.//')
+    # A second line of the usage is another form, which begins with a word of its own.
+    form=$(sed -n "2,/^$/s/^ *jostle $command //p" <<<"$help")
+    operands=$(sed -n "1s/^usage: jostle $command //p" <<<"$help")
+    [ "$COMP_CWORD" -eq 2 ] || [ "${COMP_WORDS[2]}" != "${form%% *}" ] || operands=$form
+    operands=$(sed 's/ \[\{0,1\}-.*//; s/[][]//g; s/\.\.\.//' <<<"$operands")
     for ((i = 2; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
         -*) awk -v option="${COMP_WORDS[i]}" '$1 == option && $2 { found = 1 } END { exit !found }' \
@@ -103,6 +107,9 @@ _jostle() {
     [ "$n" -lt $# ] || n=$(($# - 1))
     shift "$n"
     _jostle_value "$word" "${1-}" "$program" "$help"
+    if [ "$n" -eq 0 ] && [ -n "$form" ] && [[ ${form%% *} == "$word"* ]]; then
+        COMPREPLY+=("${form%% *}")
+    fi
 }
 
 complete -F _jostle jostle

@@ -26,6 +26,16 @@ struct foundation {
     double sway_dashpot, rocking_dashpot;  // [F T/L] [F L T]
 };
 
+// What a foundation does: it sways [L], it rocks (clockwise), and its springs hold it by a force
+// [F] and a moment [F L], without its dashpots.
+enum foundation_quantity {
+    FOUNDATION_SWAY,
+    FOUNDATION_ROCKING,
+    FOUNDATION_FORCE,
+    FOUNDATION_MOMENT,
+    FOUNDATION_QUANTITIES
+};
+
 // A building: shear storeys, and parts that couple them. Floors are numbered from 1; array index 0
 // is floor 1, storey i is below floor i.
 struct building {
@@ -138,7 +148,7 @@ struct link {
     const struct word *word;  // that names it in its statement, for messages
 };
 
-// Forces in one of the columns that are struck together, elastic: shears are the force to the right
+// Forces in one of the columns that are struck together: shears are the force to the right
 // on the upper end of a part, moments act on ends and are positive counterclockwise.
 enum column_force {
     COLUMN_SHEAR_BELOW,   // [F] of the part below the struck point
@@ -152,7 +162,7 @@ enum column_force {
 // A column that is struck between the floors of its storey. The struck point has a mass and one
 // degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
 // the floors below and above: the column is clamped in both, and the rotation of its point has no
-// inertia. The storey keeps the stiffness of all its columns.
+// inertia. The spring may have a law. The storey keeps the stiffness of all its columns.
 struct struck_column {
     const char *name;
     int building;      // index into model.building
@@ -169,7 +179,9 @@ struct struck_column {
     double n;          // columns that are struck together
     double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
     int dof[3];  // the struck point, the floor above, the floor below; WALL: the ground
-    double force[COLUMN_FORCE_COUNT][3];  // [F/L] or [F] for unit displacements of these
+    double force[COLUMN_FORCE_COUNT][3];   // [F/L] or [F] for unit displacements of these
+    bool yields;                           // the spring has a law, and the forces also have
+    double by_spring[COLUMN_FORCE_COUNT];  // 1 or [L] for its unit force; 0: elastic
 };
 
 // The ground acceleration under some buildings: the sum of the signals.

@@ -103,6 +103,7 @@
 #define report_create jostle_report_create
 #define report_floor_was_hit jostle_report_floor_was_hit
 #define report_force_names jostle_report_force_names
+#define report_foundation_names jostle_report_foundation_names
 #define report_free jostle_report_free
 #define report_hit_name jostle_report_hit_name
 #define report_hit_note jostle_report_hit_note
@@ -160,9 +161,9 @@
 #define study_table_find jostle_study_table_find
 #define study_table_free jostle_study_table_free
 #define study_table_read jostle_study_table_read
+#define study_view_building jostle_study_view_building
 #define study_view_choice jostle_study_view_choice
 #define study_view_hit jostle_study_view_hit
-#define study_view_members jostle_study_view_members
 #define study_view_run jostle_study_view_run
 #define sweep_named jostle_sweep_named
 #define unit_convert jostle_unit_convert

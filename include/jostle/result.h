@@ -46,24 +46,32 @@ struct report_share {
     const double *shear, *shear_time;  // [F] [T] (n_floor) largest absolute storey shears
 };
 
+// What the foundation of a building has done: largest absolute values and their times (enum
+// foundation_quantity).
+struct report_foundation {
+    double size[FOUNDATION_QUANTITIES], time[FOUNDATION_QUANTITIES];
+};
+extern const char *const report_foundation_names[];  // (FOUNDATION_QUANTITIES)
+
 // One building of a report. Arrays (n_floor) in the deck's units; floor 1 first.
 struct report_building {
     const char *name;
     int n_floor;
-    const double *mass;                   // [M]
-    const double *stiffness;              // [F/L]
-    const double *height;                 // [L] 0 where not given
-    const double *period;                 // [T] of the building alone, elastic, longest first
-    const double *axial, *theta;          // [F] and 1, as in struct building; NULL: no P-delta
-    const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
-    const double *peak_time[PEAK_COUNT];  // [T]
-    const double *residual_drift;         // [L] of the storeys; NULL: none can yield
-    int n_member, n_share;                // shares: 0 where one alone resists
-    struct report_member *member;         // (n_member)
-    struct report_share *share;           // (n_share)
-    bool extremes;                        // those of members are known, not only the sizes
-    bool hinged;                          // its members have rotations besides
-    const char *path, *parts;             // of its group in the file, and of its shares
+    const double *mass;                    // [M]
+    const double *stiffness;               // [F/L]
+    const double *height;                  // [L] 0 where not given
+    const double *period;                  // [T] of the building alone, elastic, longest first
+    const double *axial, *theta;           // [F] and 1, as in struct building; NULL: no P-delta
+    const double *peak[PEAK_COUNT];        // largest absolute values; NULL before the run
+    const double *peak_time[PEAK_COUNT];   // [T]
+    const double *residual_drift;          // [L] of the storeys; NULL: none can yield
+    int n_member, n_share;                 // shares: 0 where one alone resists
+    struct report_member *member;          // (n_member)
+    struct report_share *share;            // (n_share)
+    struct report_foundation *foundation;  // NULL: it has none
+    bool extremes;                         // those of members are known, not only the sizes
+    bool hinged;                           // its members have rotations besides
+    const char *path, *parts;              // of its group in the file, and of its shares
 };
 
 // A contact or a bilateral link of a report.

@@ -145,9 +145,9 @@ struct study_view {
 int study_view_hit(const struct study_view *v, const struct study_item *item, size_t i,
                    const double *value);
 
-// The building whose members have the values of `item`; NULL: it is no item of members.
-const struct report_building *study_view_members(const struct study_view *v,
-                                                 const struct study_item *item);
+// The building whose "members" or "foundation" have the values of `item`; NULL: others have.
+const struct report_building *study_view_building(const struct study_view *v,
+                                                  const struct study_item *item, const char *owner);
 
 // True if the file at `path` is the complete result of a study.
 bool study_file_is_study(const char *path);

@@ -93,12 +93,10 @@ static int report(struct survey *s, struct error *e) {
 }
 
 int check_study(const struct load_request *load, const struct model *first) {
-    const struct study_request request = {
-        .first = first, .define = load->define.word, .n_define = load->define.n};
     struct plan plan;
     struct survey survey;
     struct error e;
-    if (plan_init(&plan, &request, &e) != STATUS_OK) {
+    if (deck_command_plan(load, first, &plan, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     int status = survey_run(&survey, &plan, &e);

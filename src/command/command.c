@@ -63,7 +63,7 @@ int command_usage(const struct command *c, const char *format, ...) {
 
 int command_unknown(const struct command *c, const char *what, const char *word,
                     const char *const *known, int n) {
-    char list[512];
+    char list[1024];
     const char *near = text_nearest(word, known, n);
     if (near) {
         return command_usage(c, "unknown %s '%s'; did you mean '%s'?", what, word, near);

@@ -73,7 +73,8 @@ static void print_language(enum page page, const struct deck_statement *s) {
 }
 
 static bool names_storey_law(const struct statement_kind *kind) {
-    return strcmp(kind->name, "storey") == 0 || strcmp(kind->name, "hinges") == 0;
+    return strcmp(kind->name, "storey") == 0 || strcmp(kind->name, "hinges") == 0 ||
+           strcmp(kind->name, "column") == 0;
 }
 
 static void print_kind(enum page page, const struct statement_kind *kind) {

@@ -22,6 +22,15 @@ static int guide(const struct model *m, const struct load_request *request, stru
     return status == STATUS_OK && estimates ? damping_find(m, true, &most, e) : status;
 }
 
+int deck_command_plan(const struct load_request *request, const struct model *m, struct plan *out,
+                      struct error *e) {
+    const struct study_request q = {.first = m,
+                                    .define = request->define.word,
+                                    .n_define = request->define.n,
+                                    .result = {.version = JOSTLE_VERSION}};
+    return plan_init(out, &q, e);
+}
+
 int deck_command_load(const struct load_request *request, struct model **out) {
     struct error e;
     struct deck *deck = NULL;

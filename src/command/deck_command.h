@@ -6,6 +6,7 @@
 
 #include "command/option.h"
 #include "model/guidance.h"
+#include "study/plan.h"
 
 // What commands that read a deck share: the options for it, and the model with its messages
 // printed.
@@ -25,6 +26,11 @@ int deck_command_load(const struct load_request *request, struct model **out);
 
 // STATUS_INPUT if the deck of the model is not a study.
 int deck_command_check_study(const struct model *m, struct error *e);
+
+// The plan of the runs of the deck, for commands that write no file; to be given to plan_close.
+// Errors as of plan_init.
+int deck_command_plan(const struct load_request *request, const struct model *m, struct plan *out,
+                      struct error *e);
 
 // Rows of -D, of a request that begins with a struct load_request, and of -j.
 #define DECK_DEFINE_ROW                                                                            \

@@ -186,17 +186,13 @@ static int run_search(const struct plan *p, const struct options *o) {
 
 static int run_deck(void *options, const struct model *m) {
     const struct options *o = options;
-    const struct study_request request = {.first = m,
-                                          .define = o->load.define.word,
-                                          .n_define = o->load.define.n,
-                                          .result = {.version = JOSTLE_VERSION}};
     struct plan plan;
     struct error e;
     if (m->n_contact == 0) {
         error_set(&e, STATUS_INPUT, "the deck has no contact");
         return command_fail(&e);
     }
-    if (plan_init(&plan, &request, &e) != STATUS_OK) {
+    if (deck_command_plan(&o->load, m, &plan, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     interrupt_catch();

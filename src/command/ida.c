@@ -173,14 +173,10 @@ static int prepare(const struct options *o, const struct plan *plan) {
 
 static int run_deck(void *options, const struct model *m) {
     const struct options *o = options;
-    const struct study_request request = {.first = m,
-                                          .define = o->load.define.word,
-                                          .n_define = o->load.define.n,
-                                          .result = {.version = JOSTLE_VERSION}};
     struct plan plan;
     struct error e;
     if (deck_command_check_study(m, &e) != STATUS_OK ||
-        plan_init(&plan, &request, &e) != STATUS_OK) {
+        deck_command_plan(&o->load, m, &plan, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     interrupt_catch();

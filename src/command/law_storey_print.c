@@ -40,8 +40,18 @@ static double found_value(const struct law_storey *s, int i) {
     return s->found[i] == STOREY_FIT_STIFFNESS ? s->choice.stiffness : s->choice.value[s->found[i]];
 }
 
+// The error of measured loops that are good. A loop without errors does not tell which parameters
+// it determines.
+static const double GOOD = 0.01;
+
+// The standard error of a parameter in a loop with the errors of this one, or of a good one.
+static double likely_error(const struct law_storey *s, int i) {
+    const double error = s->fit.normalised_error;
+    return error < GOOD ? s->fit.error[i] / error * GOOD : s->fit.error[i];
+}
+
 static bool is_undetermined(const struct law_storey *s, int i) {
-    return !(s->fit.error[i] <= fabs(found_value(s, i)));
+    return !(likely_error(s, i) <= fabs(found_value(s, i)));
 }
 
 void law_storey_warn(const struct law_storeys *l, FILE *to) {
@@ -50,9 +60,11 @@ void law_storey_warn(const struct law_storeys *l, FILE *to) {
         for (int i = 0; i < s->n_found; i++) {
             if (is_undetermined(s, i)) {
                 fprintf(to,
-                        "jostle: warning: -%s of %s is undetermined: its standard error of %.3g "
-                        "exceeds its value of %.3g\n",
-                        found_key(s, i), s->choice.law->name, s->fit.error[i], found_value(s, i));
+                        "jostle: warning: -%s of %s is undetermined: with errors of %.2g %% in the "
+                        "loop its standard error of %.3g exceeds its value of %.3g\n",
+                        found_key(s, i), s->choice.law->name,
+                        100.0 * fmax(s->fit.normalised_error, GOOD), likely_error(s, i),
+                        found_value(s, i));
             }
         }
     }
@@ -124,9 +136,17 @@ static const struct printer_column turn_columns[] = {
     {.head = "plastic", .key = "plastic", .dimension = &dimension_length, .width = 13, .digits = 6},
 };
 
+// Readers are shown 0 where there is only rounding.
+static double shown(const struct printer *t, double value, double size) {
+    static const double ROUNDING = 1e-9;
+    return t->form == FORM_TEXT && fabs(value) < ROUNDING * fabs(size) ? 0.0 : value;
+}
+
 static void print_point(const struct storey_point *p, struct printer *t) {
+    const double dissipated = shown(t, p->dissipated, p->work);
+    const double plastic = shown(t, p->plastic, p->drift);
     printer_numbers(
-        t, (const double[]){p->drift, p->shear, p->tangent, p->work, p->dissipated, p->plastic}, 6);
+        t, (const double[]){p->drift, p->shear, p->tangent, p->work, dissipated, plastic}, 6);
     printer_line(t);
 }
 

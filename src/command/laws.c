@@ -109,10 +109,21 @@ static void print_storey_law(enum page page, const struct storey_law *law) {
     rows_code(page, "shear", law->formula);
     rows_entry(page, "source", law->source);
     rows_entry(page, "remarks", law->remarks);
+    char command[256];
+    if (law->example) {
+        snprintf(command, sizeof command,
+                 "jostle law storey %s %s -stiffness 60MN/m -amplitude 60mm", law->name,
+                 law->example);
+        rows_example(page, command);
+    }
     if (page == PAGE_MARKDOWN) {
         rows_names(law->row, law->n_row, yields);
     }
     rows_print(page, law->row, law->n_row, yields);
+    if (law->example && page == PAGE_MARKDOWN) {
+        printf("\n![Loops of %s under the protocol of FEMA 461](pictures/storey_%s.svg)\n",
+               law->name, law->name);
+    }
     printf("\n");
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// jostle plot: draws a figure of a result file by gnuplot, or writes its script.
+// jostle plot: draws a figure of a result file, or of a deck, by gnuplot, or writes its script.
 #include <string.h>
 
 #include "command/crash.h"
+#include "command/deck_command.h"
 #include "command/option.h"
 #include "command/picture.h"
 #include "command/progress.h"
@@ -16,14 +17,17 @@ static int plot_command(int argc, char **argv);
 const struct command command_plot = {
     .name = "plot",
     .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR]\n"
-             "                   [--force] [--edp EDP] ...",
-    .summary = "draws the results with gnuplot",
+             "                   [--force] [--edp EDP] ...\n"
+             "       jostle plot deck DECK [-D NAME=VALUE]... [-o FILE.png|.svg|.pdf] "
+             "[--script DIR] [--force]",
+    .summary = "draws results, or the model of a deck, with gnuplot",
     .run = plot_command,
 };
 
 enum { PLOT_PATH_SIZE = 4096, KINDS_MAX = 32 };
 
 struct request {
+    struct load_request load;  // of a deck
     const char *result, *other;
     const char *kind;             // NULL: not given
     const struct figure *figure;  // NULL: the default of the subject
@@ -46,9 +50,9 @@ static const char *name_output(const char *result, const char *kind, char *name)
     return name;
 }
 
-static void print_figures(bool of_study) {
+static void print_figures(enum subject_kind of) {
     for (int i = 0; i < n_figure; i++) {
-        if (figures[i]->of_study == of_study) {
+        if (figures[i]->of == of) {
             printf("  %-10s %s\n", figures[i]->name, figures[i]->doc);
         }
     }
@@ -56,14 +60,16 @@ static void print_figures(bool of_study) {
 
 static void print_kinds(void) {
     printf("KIND is one of\n");
-    print_figures(false);
-    printf("\nWithout KIND jostle draws the first one for which FILE.h5 has the histories. "
-           "FILE.h5#7 is run 7\nof a study with 'output -histories'.\n\n");
+    print_figures(SUBJECT_RUNS);
+    printf(
+        "\nWithout KIND jostle draws the first one for which FILE.h5 has the histories. "
+        "FILE.h5#7 is run 7\nof a study with 'output -histories'. KIND may also stand in front of "
+        "FILE.h5.\n\n");
 }
 
 static void print_study_kinds(void) {
     printf("\nOf a study KIND is one of\n");
-    print_figures(true);
+    print_figures(SUBJECT_STUDY);
     printf("\nWithout KIND jostle draws ida if an intensity and records are swept, else "
            "response.\n\n");
 }
@@ -139,16 +145,31 @@ static int plot_suite(struct request *q, struct error *e) {
     return status;
 }
 
-static int unknown_figure(const char *word, bool of_study) {
+static int plot_deck(struct request *q) {
+    struct model *m;
+    struct error e;
+    q->load.path = q->result;
+    const int status = deck_command_load(&q->load, &m);
+    if (status != EXIT_DONE) {
+        return status;
+    }
+    q->subject.model = m;
+    q->subject.version = JOSTLE_VERSION;
+    const int made = make(q, &e);
+    model_free(m);
+    return made == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
+
+static int unknown_figure(const char *word, enum subject_kind of) {
     const char *known[KINDS_MAX];
     int n = 0;
     for (int i = 0; i < n_figure && n < KINDS_MAX; i++) {
-        if (figures[i]->of_study == of_study) {
+        if (figures[i]->of == of) {
             known[n++] = figures[i]->name;
         }
     }
-    return command_unknown(&command_plot, of_study ? "figure of studies" : "figure", word, known,
-                           n);
+    return command_unknown(&command_plot, of == SUBJECT_STUDY ? "figure of studies" : "figure",
+                           word, known, n);
 }
 
 // Options and figures of studies are no use for one run, where that can be opened.
@@ -163,10 +184,20 @@ static int refuse_for_run(const struct request *q, const char *dashes, const cha
                          q->result);
 }
 
+// Options of results are no use for a deck.
+static int choose_deck(const struct request *q) {
+    const char *option = q->other ? "compare" : q->study.first ? q->study.first->name : NULL;
+    return option ? command_usage(&command_plot, "--%s is for results; %s is a deck", option,
+                                  q->result)
+                  : EXIT_DONE;
+}
+
 // Finds the figure. Returns EXIT_DONE, or what a figure or an option that is not for this file ends
 // in.
 static int choose(struct request *q, bool study) {
-    q->figure = q->kind ? figure_find(q->kind) : NULL;
+    if (q->load.define.n > 0) {
+        return command_usage(&command_plot, "-D is for decks, as in 'plot deck DECK -D ...'");
+    }
     if (study && q->other) {
         return command_usage(&command_plot, "--compare is for single runs; %s is a study",
                              q->result);
@@ -175,9 +206,9 @@ static int choose(struct request *q, bool study) {
         return refuse_for_run(q, "--", q->study.first->name);
     }
     if (q->kind && !q->figure) {
-        return unknown_figure(q->kind, study);
+        return unknown_figure(q->kind, study ? SUBJECT_STUDY : SUBJECT_RUNS);
     }
-    if (!q->figure || q->figure->of_study == study) {
+    if (!q->figure || (q->figure->of == SUBJECT_STUDY) == study) {
         return EXIT_DONE;
     }
     return study ? command_usage(&command_plot,
@@ -187,6 +218,15 @@ static int choose(struct request *q, bool study) {
                  : refuse_for_run(q, "", q->kind);
 }
 
+// KIND stands behind the file, or in front of it.
+static void take_operands(struct request *q, const struct words *operand) {
+    const bool front = operand->n == 2 && figure_find(operand->word[0]) != NULL &&
+                       figure_find(operand->word[1]) == NULL;
+    q->result = operand->word[front ? 1 : 0];
+    q->kind = operand->n == 2 ? operand->word[front ? 0 : 1] : NULL;
+    q->figure = q->kind ? figure_find(q->kind) : NULL;
+}
+
 static int use(void *request, struct arena *a, const struct words *operand) {
     (void)a;
     struct request *q = request;
@@ -194,18 +234,24 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (operand->n < 1 || operand->n > 2) {
         return command_usage(&command_plot, "a result file and at most one figure are expected");
     }
-    q->result = operand->word[0];
-    q->kind = operand->n == 2 ? operand->word[1] : NULL;
+    const struct figure *alone = operand->n == 1 ? figure_find(operand->word[0]) : NULL;
+    if (alone && alone->of == SUBJECT_DECK) {
+        return command_usage(&command_plot, "%s shows a deck: plot %s DECK", alone->name,
+                             alone->name);
+    }
+    take_operands(q, operand);
+    int status = picture_check(&command_plot, &q->picture);
+    if (status == EXIT_DONE && q->figure && q->figure->of == SUBJECT_DECK) {
+        status = choose_deck(q);
+        return status == EXIT_DONE ? plot_deck(q) : status;
+    }
     crash_reading(NULL, q->result);
     const bool study = study_file_is_study(q->result);
     const char *wrong = suite_options_collapse(&q->study);
-    if (wrong) {
+    if (status == EXIT_DONE && wrong) {
         return command_usage(&command_plot, "%s", wrong);
     }
-    int status = picture_check(&command_plot, &q->picture);
-    if (status == EXIT_DONE) {
-        status = choose(q, study);
-    }
+    status = status == EXIT_DONE ? choose(q, study) : status;
     if (status != EXIT_DONE) {
         return status;
     }
@@ -224,6 +270,7 @@ static const struct option_row rows[] = {
          "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, it draws no plot"},
     {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
      .doc = "overwrites existing files"},
+    DECK_DEFINE_ROW,
     {0}};
 
 static const struct option_row study_rows[] = {

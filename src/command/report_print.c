@@ -169,11 +169,31 @@ static bool force_row(struct printer *t, const struct report *r, int i) {
     return hit;
 }
 
+static const struct printer_column foundations[] = {
+    READ("sway", 12, length),
+    READ("time", 8, time),
+    {.head = "rocking", .unit = "rad", .width = 12, .digits = 4, .look = LOOK_READ},
+    READ("time", 8, time),
+    READ("sway force", 12, force),
+    READ("rocking mom.", 13, energy)};
+static bool foundation_row(struct printer *t, const struct report *r, int i) {
+    const struct report_foundation *f = r->building[i].foundation;
+    const double value[] = {f->size[FOUNDATION_SWAY],    f->time[FOUNDATION_SWAY],
+                            f->size[FOUNDATION_ROCKING], f->time[FOUNDATION_ROCKING],
+                            f->size[FOUNDATION_FORCE],   f->size[FOUNDATION_MOMENT]};
+    printer_text(t, r->building[i].name);
+    printer_numbers(t, value, 6);
+    return false;
+}
+
 static void print_peaks(struct summary *s, const struct shown *shown) {
-    struct shown yielding = {.width = shown->width};
+    struct shown yielding = {.width = shown->width}, founded = {.width = shown->width};
     for (int i = 0; i < shown->n; i++) {
         if (s->r->building[shown->choice[i].index].residual_drift) {
             yielding.choice[yielding.n++] = shown->choice[i];
+        }
+        if (s->r->building[shown->choice[i].index].foundation) {
+            founded.choice[founded.n++] = shown->choice[i];
         }
     }
     PRINT_TABLE(s, shown, "peak of", displacements, displacement_row);
@@ -181,6 +201,9 @@ static void print_peaks(struct summary *s, const struct shown *shown) {
         PRINT_TABLE(s, &yielding, "residual", residuals, residual_row);
     }
     PRINT_TABLE(s, shown, "peak of", forces, force_row);
+    if (founded.n > 0) {
+        PRINT_TABLE(s, &founded, "peak of", foundations, foundation_row);
+    }
 }
 
 static void print_members(const struct summary *s, const struct shown *shown) {
@@ -310,7 +333,9 @@ static void print_columns(struct summary *s) {
     for (int i = 0; i < s->r->n_column; i++) {
         fails |= s->r->column[i].demand > 1.0;
     }
-    fputs(fails ? "a column with a demand above 1 would fail; here it stays elastic\n" : "", s->to);
+    fputs(fails ? "a column with a demand above 1 would fail; without a law it stays elastic\n"
+                : "",
+          s->to);
 }
 
 // The energies of the end, as the tables have numbers.

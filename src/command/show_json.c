@@ -99,6 +99,14 @@ static void put_forces(struct json *j, const struct report_building *b) {
     }
 }
 
+static void put_foundation(struct json *j, const struct report_building *b) {
+    if (b->foundation) {
+        open_list(j, "foundation", '{');
+        put_members(j, &layout_foundation, b->foundation, 1);
+        close_list(j, '}');
+    }
+}
+
 static void put_building(struct json *j, const struct report_building *b) {
     open_list(j, NULL, '{');
     put_text(j, "name", b->name);
@@ -110,6 +118,7 @@ static void put_building(struct json *j, const struct report_building *b) {
     put_members(j, &layout_peak, b, b->n_floor);
     close_list(j, '}');
     put_forces(j, b);
+    put_foundation(j, b);
     close_list(j, '}');
 }
 

@@ -113,14 +113,14 @@ static void members(const struct table *t, const struct column_table *of, const 
     }
 }
 
-// The peaks of a contact, each with its time where it has one.
-static void contact_peaks(const struct table *t, const struct report_link *l) {
-    const struct column_table *of = &layout_contact;
+// The peaks of one thing, each with its time where it has one. `never`: the first one is not there.
+static void peaks(const struct table *t, const struct column_table *of, const char *name,
+                  const void *base, int never) {
     for (int c = 0, at; c < of->n_column; c = at < 0 ? c + 1 : at + 1) {
         at = time_column(of, c);
-        const bool never = c == 0 && l->peak.impacts == 0;  // the force
-        row(t, of, c, l, 0, l->name, 0,
-            at < 0 || never ? (double)NAN : *(const double *)layout_at(of, at, l, 0), -1);
+        row(t, of, c, base, 0, name, 0,
+            at < 0 || (never && c == 0) ? (double)NAN : *(const double *)layout_at(of, at, base, 0),
+            -1);
     }
 }
 
@@ -133,6 +133,7 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
     const struct table columns_of = {&c, r, "columns"};
     const struct table links = {&c, r, "links"}, impacts = {&c, r, "impacts"};
     const struct table of_members = {&c, r, "members"}, parts = {&c, r, "parts"};
+    const struct table foundations = {&c, r, "foundations"};
     const struct table energy = {&c, r, "energy"}, totals = {&c, r, "totals"};
     PRINTER_ADD(&c, columns);
     printer_head(&c);
@@ -141,10 +142,15 @@ int show_table(const struct report *r, enum printer_form form, FILE *to) {
         building(&buildings, &r->building[i], &layout_pdelta);
         building(&buildings, &r->building[i], &layout_peak);
         forces(&of_members, &parts, &r->building[i]);
+        if (r->building[i].foundation) {
+            peaks(&foundations, &layout_foundation, r->building[i].name, r->building[i].foundation,
+                  0);
+        }
     }
     for (int i = 0; i < r->n_contact; i++) {
         members(&contacts, &layout_link, r->contact[i].name, &r->contact[i], 0, NAN);
-        contact_peaks(&contacts, &r->contact[i]);
+        peaks(&contacts, &layout_contact, r->contact[i].name, &r->contact[i],
+              r->contact[i].peak.impacts == 0);  // the force
     }
     for (int i = 0; i < r->n_link; i++) {
         members(&links, &layout_link, r->link[i].name, &r->link[i], 0, NAN);

@@ -33,12 +33,13 @@ const char *study_print_status(const struct study_outcome *outcome) {
 }
 
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
-    const struct report_building *b = study_view_members(v, item);
+    const struct report_building *b = study_view_building(v, item, "members");
     if (b && i < (size_t)b->n_member) {
         return b->member[i].name;
     }
     if (item->owner) {
-        return item->owner;
+        const struct report_building *founded = study_view_building(v, item, "foundation");
+        return founded ? founded->name : item->owner;
     }
     if (!item->scale) {
         return "";

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A storey law as the law of a link, with slack s in series. At the lengthening x the law is at the
 // deformation q, with V(q) from the committed history:
-//     q = x - s,    if V(x - s) >= 0: the link is tight in tension,
-//     q = x + s',   if V(x + s') <= 0: it is tight in compression,
+//     q = x - s,    if V(x - s) > 0: the link is tight in tension,
+//     q = x + s',   if V(x + s') < 0: it is tight in compression,
 //     otherwise the link is loose: it has no force, and q is where V = 0.
-// With tension only s' is infinite, with compression only s is.
+// With tension only s' is infinite, with compression only s is. A link that becomes loose rests on
+// the side of V = 0 from which it comes. It has not crossed the axis, where laws such as clough
+// change their path.
 // A contact law counts the shortening d = -x and the compression.
 #include "law/link_law.h"
 
@@ -106,6 +108,10 @@ struct link_storey link_law_storey(const double *constant, const double *history
                                 .deformation = history[DEFORMATION]};
 }
 
+bool link_law_is_slack(const double *c) {
+    return c[SLACK] + c[SLACK_SHORT] > 0.0;
+}
+
 static struct storey_response link_law_respond(const double *c, const double *h, double q) {
     return link_law_of(c)->respond(c + OWN, h + HISTORY, q, NULL);
 }
@@ -117,14 +123,14 @@ static struct storey_response link_law_extend(const double *c, const double *h, 
     *q = x - c[SLACK];
     if (isfinite(*q)) {
         r = link_law_respond(c, h, *q);
-        if (r.shear >= 0.0 || c[SLACK] + c[SLACK_SHORT] == 0.0) {
+        if (r.shear > 0.0 || !link_law_is_slack(c)) {
             return r;
         }
     }
     *q = x + c[SLACK_SHORT];
     if (isfinite(*q)) {
         r = link_law_respond(c, h, *q);
-        if (r.shear <= 0.0) {
+        if (r.shear < 0.0) {
             return r;
         }
     }

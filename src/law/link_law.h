@@ -59,6 +59,9 @@ struct contact_law link_law_make(const struct link_law *from);
 int link_law_prepare(const struct link_law *from, const double *value, double *constant,
                      struct error *e);
 
+// Is there a deformation at which the link is loose?
+bool link_law_is_slack(const double *constant);
+
 // The storey law in the law of a link, with its constants and its part of the link's history.
 struct link_storey {
     const struct storey_law *law;

@@ -34,7 +34,8 @@ static inline struct wear wear_at(const double *c, const struct worn *at) {
 static inline double worn_slope(const double *c, const struct wear *w, double z) {
     const double slope_0 = (w->a - w->nu * (1.0 - wen_slope(c, z))) * w->per_eta;
     const double t = (z - w->middle) * w->per_zeta2;
-    return w->zeta1 > 0.0 ? slope_0 * (1.0 - w->zeta1 * exp(-t * t)) : slope_0;
+    // Beyond, the slip is less than the rounding of 1.
+    return w->zeta1 > 0.0 && t * t < 40.0 ? slope_0 * (1.0 - w->zeta1 * exp(-t * t)) : slope_0;
 }
 
 static inline double worn_rate(const double *c, const struct worn *at) {

@@ -102,6 +102,8 @@ struct collapse_draft {
 
 struct struck_draft {
     struct struck_column column;
+    const struct contact_law *law;  // of its spring, with the values of its rows
+    const double *value, *constant;
     struct word word;  // for messages
 };
 

@@ -6,7 +6,13 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "model/foundation.h"
 #include "model/hinges.h"
+
+// The building whose storeys and parts have the forces: with a foundation, that without it.
+static const struct building *forces_own(const struct building *g) {
+    return g->fixed ? g->fixed : g;
+}
 
 static bool forces_storeys_resist(const struct building *g) {
     bool resist = false;
@@ -18,15 +24,17 @@ static bool forces_storeys_resist(const struct building *g) {
 
 // Does more than one resist?
 static bool forces_shared(const struct building *g) {
+    g = forces_own(g);
     return g->n_part > (forces_storeys_resist(g) ? 0 : 1);
 }
 
 // The storey shears of a share.
 static int forces_count_shares(const struct building *g, int number) {
-    const bool linear = number == 0 ? g->storeys_linear && forces_storeys_resist(g)
-                                    : g->part[number - 1].kind->traits & PART_LINEAR ||
-                                          frame_of(&g->part[number - 1]);
-    return forces_shared(g) && linear ? g->n_floor : 0;
+    const struct building *own = forces_own(g);
+    const struct part *part = number > 0 ? &own->part[number - 1] : NULL;
+    const bool linear = part ? part->kind->traits & PART_LINEAR || frame_of(part)
+                             : g->storeys_linear && forces_storeys_resist(own);
+    return forces_shared(g) && linear ? own->n_floor : 0;
 }
 
 // The storey shears of the shares below `number`, and the members of the parts below `part`.
@@ -41,33 +49,38 @@ static int forces_shares_below(const struct building *g, int number) {
 static int forces_members_below(const struct building *g, int part) {
     int n = 0;
     for (int i = 0; i < part; i++) {
-        const struct plane_frame *f = frame_of(&g->part[i]);
+        const struct plane_frame *f = frame_of(&forces_own(g)->part[i]);
         n += f ? f->n_member : 0;
     }
     return n;
 }
 
 int forces_of_share(const struct building *g, int number) {
-    assert(number >= 0 && number <= g->n_part);
+    assert(number >= 0 && number <= forces_own(g)->n_part);
     return forces_count_shares(g, number) > 0 ? forces_shares_below(g, number) : -1;
 }
 
 const char *forces_share_name(const struct building *g, int number) {
-    return number == 0 ? "storeys" : g->part[number - 1].name;
+    return number == 0 ? "storeys" : forces_own(g)->part[number - 1].name;
 }
 
 int forces_n_member(const struct building *g) {
-    return forces_members_below(g, g->n_part);
+    return forces_members_below(g, forces_own(g)->n_part);
 }
 
 int forces_of_members(const struct building *g, int part, int which) {
-    assert(part >= 0 && part <= g->n_part);
-    return forces_shares_below(g, g->n_part + 1) + (int)which * forces_n_member(g) +
+    const int n_part = forces_own(g)->n_part;
+    assert(part >= 0 && part <= n_part);
+    return forces_shares_below(g, n_part + 1) + (int)which * forces_n_member(g) +
            forces_members_below(g, part);
 }
 
 int forces_quantities(const struct building *g) {
     return g->n_hinge > 0 ? FRAME_QUANTITIES : FRAME_FORCES;
+}
+
+int forces_of_foundation(const struct building *g) {
+    return forces_of_members(g, 0, forces_quantities(g));
 }
 
 // Sets the first n entries of row `force` of the transposed matrix.
@@ -105,14 +118,15 @@ static void forces_fill_hinge(const struct building *g, double *by_action, int p
 }
 
 static void forces_fill_part(const struct building *g, double *by_action, int p, double *room) {
-    const int n = g->n_floor, share = forces_of_share(g, p + 1);
-    const struct plane_frame *f = frame_of(&g->part[p]);
+    const struct part *part = &forces_own(g)->part[p];
+    const int n = part->n, share = forces_of_share(g, p + 1);
+    const struct plane_frame *f = frame_of(part);
     for (int i = 0; share >= 0 && i < n; i++) {
         if (f) {
             forces_set_frame(g, f, by_action, share + i, f->stiffness + (ptrdiff_t)i * f->n_action,
                              room);
         } else {
-            forces_set(g, by_action, share + i, n, g->part[p].stiffness + (ptrdiff_t)i * n);
+            forces_set(g, by_action, share + i, n, part->stiffness + (ptrdiff_t)i * n);
         }
     }
     for (int i = 0; f && i < f->n_member * FRAME_FORCES; i++) {
@@ -124,16 +138,39 @@ static void forces_fill_part(const struct building *g, double *by_action, int p,
     }
 }
 
-// `room` (2 (n_floor + n_hinge)) is scratch.
+// By the drifts of the storeys themselves. `room` (2 (n_floor + n_hinge)) is scratch.
 static void forces_fill(const struct building *g, double *by_action, double *room) {
-    const size_t n = (size_t)g->n_floor;
+    const struct building *own = forces_own(g);
+    const size_t n = (size_t)own->n_floor;
     const size_t stride = (size_t)lanes_whole(g->n_force);
     const int storeys = forces_of_share(g, 0);
     for (size_t i = 0; storeys >= 0 && i < n; i++) {
-        by_action[i * stride + (size_t)storeys + i] = g->spring[i];
+        by_action[i * stride + (size_t)storeys + i] = own->spring[i];
     }
-    for (int p = 0; p < g->n_part; p++) {
+    for (int p = 0; p < own->n_part; p++) {
         forces_fill_part(g, by_action, p, room);
+    }
+}
+
+// From the drifts of the storeys themselves to those of a building with a foundation, of which
+// P-delta acts on the lean of the storeys; and the forces of the foundation.
+static void forces_found(const struct building *g, const double *by_own, double *by_action) {
+    const size_t stride = (size_t)lanes_whole(g->n_force);
+    const int storeys = forces_of_share(g, 0), foundation = forces_of_foundation(g);
+    for (int j = 0; j < g->n_floor; j++) {
+        double *to = by_action + (size_t)j * stride;
+        for (int i = 0; i < g->n_level; i++) {
+            const double entry = foundation_deformation(g, i, j);
+            for (size_t q = 0; q < stride; q++) {
+                to[q] += by_own[(size_t)i * stride + q] * entry;
+            }
+            if (storeys >= 0 && g->pdelta) {
+                to[storeys + i] -= g->pdelta[i] * foundation_lean(g, i);
+            }
+        }
+        for (int q = 0; q < FOUNDATION_QUANTITIES; q++) {
+            to[foundation + q] = foundation_by_drift(g, q, j);
+        }
     }
 }
 
@@ -149,20 +186,27 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
         }
     }
     m->n_hinge += g->n_hinge;
-    g->n_force = g->n_part > 0 ? forces_of_members(g, 0, forces_quantities(g)) : 0;
+    g->n_force = g->n_part > 0 ? forces_of_foundation(g) : 0;
+    g->n_force += g->fixed ? FOUNDATION_QUANTITIES : 0;
     if (g->n_force == 0) {
         return true;
     }
     const size_t stride = (size_t)lanes_whole(g->n_force);
-    const int n_action = g->n_floor + g->n_hinge;
-    double *by_action = arena_alloc(a, (size_t)n_action * stride, sizeof *by_action);
-    double *room = arena_alloc(a, 2 * (size_t)n_action, sizeof *room);
-    if (by_action && room) {
-        forces_fill(g, by_action, room);
+    const size_t n_action = (size_t)(g->n_floor + g->n_hinge);
+    double *by_action = arena_alloc(a, n_action * stride, sizeof *by_action);
+    double *room = arena_alloc(a, 2 * n_action, sizeof *room);
+    double *by_own =
+        g->fixed ? arena_alloc(a, (size_t)g->n_level * stride, sizeof *by_own) : by_action;
+    if (!by_action || !room || !by_own) {
+        return false;
+    }
+    forces_fill(g, by_own, room);
+    if (g->fixed) {
+        forces_found(g, by_own, by_action);
     }
     g->force_by_action = by_action;
     m->n_force += (int)stride;
-    return by_action && room;
+    return true;
 }
 
 void forces_at(const struct building *g, const double *drift, const double *history,
@@ -180,8 +224,8 @@ void forces_at(const struct building *g, const double *drift, const double *hist
 }
 
 void forces_hide(const struct building *g, double *force) {
-    for (int p = 0; p < g->n_part; p++) {
-        const struct plane_frame *f = frame_of(&g->part[p]);
+    for (int p = 0; p < forces_own(g)->n_part; p++) {
+        const struct plane_frame *f = frame_of(&forces_own(g)->part[p]);
         for (int i = 0; f && i < f->n_member; i++) {
             for (int q = FRAME_NORMAL; q < forces_quantities(g); q++) {
                 if (!frame_has(&f->member[i], q)) {

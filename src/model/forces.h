@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forces that follow from the drifts of a building: the storey shears of its parts, where more than
-// one resists, and the forces of the members of its frames and walls. They are the rows of a matrix
-// times the drifts; with hinges, times the drifts and the departures of their moments from their
-// initial lines. Those of all buildings are one list, in which each building begins at a whole
-// lane.
+// one resists, the forces of the members of its frames and walls, and what a foundation does. They
+// are the rows of a matrix times the drifts; with hinges, times the drifts and the departures of
+// their moments from their initial lines. Those of all buildings are one list, in which each
+// building begins at a whole lane.
 #ifndef JOSTLE_FORCES_H
 #define JOSTLE_FORCES_H
 
@@ -23,6 +23,15 @@ int forces_n_member(const struct building *g);
 // The index of force `which` (enum frame_force) of the first member of part `part` (from 0), which
 // those of the next members follow.
 int forces_of_members(const struct building *g, int part, int which);
+
+// The index of the first quantity of the foundation (enum foundation_quantity); without one, the
+// number of the others.
+int forces_of_foundation(const struct building *g);
+
+// Do rows of the histories have these forces?
+static inline bool forces_in_rows(const struct model *m) {
+    return m->n_force > 0 && (m->founded || m->output.fields & FIELD_MEMBERS);
+}
 
 // What is known of each member: FRAME_FORCES, or FRAME_QUANTITIES where the building has hinges.
 int forces_quantities(const struct building *g);

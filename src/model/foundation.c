@@ -370,6 +370,23 @@ struct foundation_row foundation_row(const struct building *g, int i) {
                                    .weight = {1.0, -1.0, -f->share[i]}};
 }
 
+double foundation_deformation(const struct building *g, int i, int j) {
+    assert(g->fixed && i >= 0 && i < g->n_level && j >= 0 && j < g->n_floor);
+    return founded_entry(g->part->data, i, j);
+}
+
+double foundation_lean(const struct building *g, int i) {
+    assert(g->fixed && i >= 0 && i < g->n_level);
+    return ((const struct founded *)g->part->data)->share[i];
+}
+
+double foundation_by_drift(const struct building *g, int q, int j) {
+    const double height = level_of_floor(g->height, g->n_level);
+    const double sway = j <= g->n_level ? 1.0 : 0.0, rocking = 1.0 / height;
+    const struct foundation *f = g->foundation;
+    return (double[]){sway, rocking, f->sway * sway, f->rocking * rocking}[q];
+}
+
 double foundation_across(const struct model *m, int dof, const double *x) {
     for (int k = 0; m->founded && k < m->n_building; k++) {
         const struct building *g = &m->building[k];

@@ -24,6 +24,15 @@ const struct storey *foundation_storey(const struct model *m, const struct build
 void foundation_storeys(const struct building *g, const double *drift, const double *shear,
                         double *own_drift, double *own_shear);
 
+// What a unit drift of degree of freedom `j` adds to the deformation of storey `i`; and what a unit
+// displacement of the roof by rocking adds to how far the storey leans (both from 0).
+double foundation_deformation(const struct building *g, int i, int j);
+double foundation_lean(const struct building *g, int i);
+
+// A quantity (enum foundation_quantity) of the foundation by a unit drift of degree of freedom `j`
+// (from 0).
+double foundation_by_drift(const struct building *g, int q, int j);
+
 // The deformation of storey `i` (from 0) of a building with a foundation, as a sum of
 // displacements: of the floor above, the floor below or the slab, and the rocking.
 struct foundation_row {

@@ -297,13 +297,6 @@ void frame_draft_finish(struct builder *b) {
                        "building %s has no frame and no wall that stands on a base", d->name);
         }
         check_top(b, d);
-        if (d->foundation && (d->frame || d->walls.n > 0)) {
-            deck_warning(b->deck,
-                         d->frame ? &d->frame->word : &((struct wall_draft *)d->walls.item)->word,
-                         "building %s stands on a foundation: the results have no forces of its "
-                         "members",
-                         d->name);
-        }
         if (d->frame && !d->frame->torn) {
             add_frame(b, d);
         }

@@ -6,15 +6,19 @@
 // and the force that moves it from there is
 //     f = k (w - w0),    k = 3 EI h^3 / (a^3 b^3).
 // Both follow from the two beam elements of the column (cubic shape functions) by elimination of
-// the rotation.
+// the rotation. With a law, f follows from w - w0 by it, with the initial stiffness k, and the
+// floors keep their shares of f.
 #include "model/struck_column.h"
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "law/bilateral.h"
+#include "law/link_law.h"
 #include "model/pairs.h"
+#include "model/storey_choice.h"
 
 // Two levels that differ by less than this share of the storey height are one.
 static const double SAME_LEVEL = 1e-9;
@@ -50,8 +54,63 @@ static const struct link *link_at_level(const struct builder *b, const struct st
     return NULL;
 }
 
+static bool set_elastic(struct builder *b, struct struck_draft *d) {
+    double *constant = arena_alloc(b->arena, BILATERAL_ROWS, sizeof *constant);
+    if (constant) {
+        constant[BILATERAL_STIFFNESS] = d->column.stiffness;
+        constant[BILATERAL_DASHPOT] = d->column.dashpot;
+        constant[BILATERAL_EXPONENT] = 1.0;
+        d->law = &bilateral_law;
+        d->value = d->constant = constant;
+    }
+    return constant != NULL;
+}
+
+// All columns together have n times the force of one at its deformation. False after a report.
+static bool set_law(struct builder *b, struct struck_draft *d, const struct storey_choice *c) {
+    const struct storey_law *law = c->law;
+    struct link_law from = link_law_at(0);
+    for (int i = 1; i < n_link_law && from.storey != law; i++) {
+        from = link_law_at(i);
+        from.storey = strcmp(from.name, law->name) == 0 ? law : NULL;
+    }
+    assert(from.storey == law);
+    const size_t n_row = LINK_ROWS + (size_t)law->n_row;
+    struct contact_law *made = arena_alloc(b->arena, 1, sizeof *made);
+    struct row *row = arena_alloc(b->arena, n_row, sizeof *row);
+    double *value = arena_alloc(b->arena, n_row, sizeof *value);
+    if (!made || !row || !value) {
+        return false;
+    }
+    *made = link_law_make(&from);
+    double *constant = arena_alloc(b->arena, (size_t)made->n_constant, sizeof *constant);
+    if (!constant) {
+        return false;
+    }
+    memcpy(row, link_law_rows, sizeof link_law_rows);
+    for (int r = 0; r < LINK_ROWS; r++) {
+        value[r] = r == LINK_ROW_STIFFNESS ? d->column.stiffness : (double)NAN;
+    }
+    for (int r = 0; r < law->n_row; r++) {
+        row[LINK_ROWS + r] = law->row[r];
+        value[LINK_ROWS + r] = c->value[r] * pow(d->column.n, law->row[r].dimension.force);
+    }
+    made->row = row;
+    made->n_row = (int)n_row;
+    struct error e;
+    if (link_law_prepare(&from, value, constant, &e) != STATUS_OK) {
+        deck_error(b->deck, &d->word, "%s", e.message);
+        return false;
+    }
+    d->column.yields = true;
+    d->law = made;
+    d->value = value;
+    d->constant = constant;
+    return true;
+}
+
 void struck_column_add(struct builder *b, const struct struck_column *column, double damping,
-                       const struct word *w) {
+                       const struct storey_choice *choice, const struct word *w) {
     struct struck_column c = *column;
     const double *height = builder_draft(b, c.building)->height;
     c.height = height[c.floor - 1];
@@ -71,9 +130,13 @@ void struck_column_add(struct builder *b, const struct struck_column *column, do
     } else if (!isfinite(c.stiffness) || !isfinite(c.dashpot)) {
         deck_error(b->deck, w, "the stiffness of the column at this level is too large");
     } else {
-        struct struck_draft *d = builder_append(b, &b->columns, sizeof *d);
+        struct struck_draft draft = {.column = c, .word = *w};
+        struct struck_draft *d = NULL;
+        if (choice ? set_law(b, &draft, choice) : set_elastic(b, &draft)) {
+            d = builder_append(b, &b->columns, sizeof *d);
+        }
         if (d) {
-            *d = (struct struck_draft){.column = c, .word = *w};
+            *d = draft;
         }
     }
 }
@@ -115,14 +178,10 @@ static void add_body(struct builder *b, const struct struck_draft *column) {
 static void add_spring(struct builder *b, int i, int body) {
     const struct struck_draft *column = struck_column_draft(b, i);
     const struct struck_column *c = &column->column;
-    double *constant = arena_alloc(b->arena, BILATERAL_ROWS, sizeof *constant);
     struct link_draft *d = builder_append(b, &b->links, sizeof *d);
-    if (!constant || !d) {
+    if (!d) {
         return;
     }
-    constant[BILATERAL_STIFFNESS] = c->stiffness;
-    constant[BILATERAL_DASHPOT] = c->dashpot;
-    constant[BILATERAL_EXPONENT] = 1.0;
     *d = (struct link_draft){
         .link =
             {
@@ -133,9 +192,9 @@ static void add_spring(struct builder *b, int i, int body) {
                 .weight = {c->weight, NAN},
                 .column = {-1, i},
                 .bilateral = true,
-                .law = &bilateral_law,
-                .value = constant,
-                .constant = constant,
+                .law = column->law,
+                .value = column->value,
+                .constant = column->constant,
                 .restitution = NAN,
             },
         .word = column->word,
@@ -166,12 +225,19 @@ void struck_column_place(struct struck_column *c, int point, int first) {
     const double by_force[] = {1.0 - c->weight, -c->weight, a * b * b / (h * h), 0.0,
                                -a * a * b / (h * h)};
     const double by_drift[] = {12.0 * drift / h, 12.0 * drift / h, 6.0 * drift, 0.0, 6.0 * drift};
-    const double k = c->stiffness / c->n;
+    // With a law f is the opposite of the force of the spring, which is positive in compression.
+    const double k = c->yields ? 0.0 : c->stiffness / c->n;
+    const double spring = c->yields ? -1.0 / c->n : 0.0;
     const double force[] = {k, -k * c->weight, -k * (1.0 - c->weight)};
     static const double of_drift[] = {0.0, 1.0, -1.0};
     c->dof[0] = point;
     c->dof[1] = first + c->floor - 1;
     c->dof[2] = c->floor > 1 ? first + c->floor - 2 : WALL;
+    for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        c->by_spring[q] = by_force[q] * spring;
+    }
+    c->by_spring[COLUMN_MOMENT_POINT] =
+        c->by_spring[COLUMN_SHEAR_BELOW] * a - c->by_spring[COLUMN_MOMENT_BELOW];
     for (int i = 0; i < 3; i++) {
         for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
             c->force[q][i] = by_force[q] * force[i] + by_drift[q] * of_drift[i];

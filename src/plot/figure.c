@@ -83,9 +83,13 @@ const struct figure *figure_find(const char *name) {
     return NULL;
 }
 
+static enum subject_kind kind_of(const struct subject *p) {
+    return p->model ? SUBJECT_DECK : p->suite ? SUBJECT_STUDY : SUBJECT_RUNS;
+}
+
 bool figure_can_draw(const struct figure *f, const struct subject *p) {
     struct error e;
-    return f->of_study == (p->suite != NULL) && (!f->check || f->check(p, &e) == STATUS_OK);
+    return f->of == kind_of(p) && (!f->check || f->check(p, &e) == STATUS_OK);
 }
 
 const struct figure *figure_default(const struct subject *p) {
@@ -176,14 +180,25 @@ void figure_close(const struct canvas *c) {
 
 int figure_write(const struct figure *f, const struct subject *p, const struct figure_files *to,
                  struct error *e) {
-    const struct suite *s = p->suite;
-    const struct figure_head head = {f->name, f->doc, s ? s->view->version : p->runs->r[0]->version,
-                                     s ? &s->view->units : &p->runs->r[0]->units, f->sheet};
+    struct figure_head head = {.name = f->name, .doc = f->doc, .sheet = f->sheet};
     struct canvas c;
     struct error why;
     int status = f->check ? f->check(p, &why) : STATUS_OK;
     if (status != STATUS_OK) {
         return error_set(e, status, "%s cannot be drawn: %s", f->name, why.message);
+    }
+    switch (kind_of(p)) {
+        case SUBJECT_DECK:
+            head.version = p->version;
+            head.units = &p->model->deck->units;
+            break;
+        case SUBJECT_STUDY:
+            head.version = p->suite->view->version;
+            head.units = &p->suite->view->units;
+            break;
+        case SUBJECT_RUNS:
+            head.version = p->runs->r[0]->version;
+            head.units = &p->runs->r[0]->units;
     }
     status = figure_open(&head, to, &c, e);
     if (status == STATUS_OK) {

@@ -13,19 +13,22 @@
 // The shape of the picture: across, or upright like a page.
 enum sheet { SHEET_ACROSS, SHEET_PAGE };
 
-// What a figure shows: one or two runs, or the suite of a study.
+// What a figure shows: one or two runs, the suite of a study, or the model of a deck.
+enum subject_kind { SUBJECT_RUNS, SUBJECT_STUDY, SUBJECT_DECK };
 struct subject {
-    const struct runs *runs;    // NULL: a study
-    const struct suite *suite;  // NULL: runs
+    const struct runs *runs;    // NULL: no runs
+    const struct suite *suite;  // NULL: no study
     const double *limit;        // (n_limit) of the demand of the suite
     int n_limit;
+    const struct model *model;  // NULL: no deck
+    const char *version;        // of the program, with a model
 };
 
 struct figure {
     const char *name;
     const char *doc;  // half a line
     enum sheet sheet;
-    bool of_study;           // it shows a suite, not runs
+    enum subject_kind of;
     enum suite_guess guess;  // of a suite: the sweep that the figure goes along
     // Why the figure cannot be drawn, as the end of "NAME cannot be drawn: "; NULL: it always can.
     // Errors: STATUS_INPUT.
@@ -44,7 +47,7 @@ const struct figure *figure_find(const char *name);
 bool figure_can_draw(const struct figure *f, const struct subject *p);
 
 // Runs: the first figure of the list that can be drawn. A suite: ida, where records are scaled, or
-// response.
+// response. A model: deck.
 const struct figure *figure_default(const struct subject *p);
 
 // Endings of picture files: "png", "svg", "pdf". NULL: `path` ends in none of them.

@@ -141,7 +141,7 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
 const struct figure figure_fragility = {
     .name = "fragility",
     .doc = "shares of runs above --limit, and lognormal curves",
-    .of_study = true,
+    .of = SUBJECT_STUDY,
     .guess = SUITE_INTENSITY,
     .check = check,
     .draw = draw,

@@ -231,7 +231,7 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
 const struct figure figure_ida = {
     .name = "ida",
     .doc = "incremental dynamic analysis: a curve for each record, and 16, 50 and 84 %",
-    .of_study = true,
+    .of = SUBJECT_STUDY,
     .guess = SUITE_INTENSITY,
     .check = check,
     .draw = draw,

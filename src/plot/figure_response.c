@@ -204,7 +204,7 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
 const struct figure figure_response = {
     .name = "response",
     .doc = "a demand against a swept parameter: median and band, or a line for each group",
-    .of_study = true,
+    .of = SUBJECT_STUDY,
     .guess = SUITE_ANY,
     .check = check,
     .draw = draw,

@@ -47,9 +47,47 @@ static double largest(struct span s) {
     return fmax(s.high, -s.low);
 }
 
-static void write_curve(const struct loop_figure *f, int c, const struct scales *s, FILE *to) {
+enum { COLUMNS = 5 };
+
+// The numbers of a point over those that are shown.
+static void numbers(const struct loop_curve *c, const struct extent *x, size_t i,
+                    double value[COLUMNS]) {
+    const struct storey_point *p = &c->point[i];
+    const double all[COLUMNS] = {p->drift, p->shear, p->dissipated, p->plastic, tangent_of(c, p)};
+    const struct span of[COLUMNS] = {x->drift, x->shear, x->energy, x->plastic, x->tangent};
+    for (int k = 0; k < COLUMNS; k++) {
+        value[k] = all[k] / (of[k].high > of[k].low ? of[k].high - of[k].low : 1.0);
+    }
+}
+
+// Do the points between `from` and `to` lie on a line, as far as the one in the middle tells?
+static bool is_line(const struct loop_curve *c, const struct extent *x, size_t from, size_t to) {
+    static const double THIN = 5e-4;
+    double start[COLUMNS], middle[COLUMNS], end[COLUMNS];
+    const size_t at = from + (to - from + 1) / 2;
+    const double share = (double)(at - from) / (double)(to - from);
+    numbers(c, x, from, start);
+    numbers(c, x, at, middle);
+    numbers(c, x, to, end);
+    for (int k = 0; k < COLUMNS; k++) {
+        if (fabs(start[k] + share * (end[k] - start[k]) - middle[k]) > THIN) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Points on a line are left out, but not turns.
+static void write_curve(const struct loop_figure *f, int c, const struct extent *x,
+                        const struct scales *s, FILE *to) {
     fprintf(to, "$curve%d << EOD\n# turn drift shear energy plastic tangent\n", c);
+    size_t kept = 0;
     for (size_t i = 0; i < f->n; i++) {
+        const bool turns = i % (size_t)f->n_part == 0;
+        if (!turns && is_line(&f->curve[c], x, kept, i + 1)) {
+            continue;
+        }
+        kept = i;
         const struct storey_point *p = &f->curve[c].point[i];
         fprintf(to, "%.6g %.6g %.6g %.6g %.6g %.6g\n", (double)i / f->n_part,
                 p->drift / s->drift.size, p->shear / s->shear.size, p->dissipated / s->energy.size,
@@ -121,7 +159,7 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
         return status;
     }
     for (int c = 0; c < f->n_curve; c++) {
-        write_curve(f, c, &s, to->data);
+        write_curve(f, c, &x, &s, to->data);
     }
     if (f->n_sample > 0) {
         write_samples(f, &s, to->data);

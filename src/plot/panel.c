@@ -47,6 +47,7 @@ void panel_series(struct canvas *c, struct style s, const char *data, ...) {
         [STYLE_BOTH] = "linespoints",
         [STYLE_UPRIGHT] = "impulses",
         [STYLE_VECTOR] = "vectors nohead",
+        [STYLE_SHADED] = "vectors nohead lc palette",
         [STYLE_BARS] = "yerrorbars pt 7 ps 0",
         [STYLE_BOXES] = "boxxyerror fc palette",
     };

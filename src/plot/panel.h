@@ -21,6 +21,7 @@ enum style_kind {
     STYLE_BOTH,     // a line with points
     STYLE_UPRIGHT,  // an upright line from 0 to each value
     STYLE_VECTOR,   // a line from a point by a distance
+    STYLE_SHADED,   // the same in the colour of its value
     STYLE_BARS,     // upright bars between two values
     STYLE_BOXES,    // boxes whose colours are those of the palette
 };

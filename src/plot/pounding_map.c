@@ -5,12 +5,7 @@
 #include <math.h>
 
 #include "plot/panel.h"
-
-enum { SHADES = 64 };
-
-// Five colours of viridis (Smith and van der Walt 2015), whose lightness rises evenly.
-static const char palette[] = "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', "
-                              "3 '#5ec962', 4 '#fde725')\nunset colorbox\n";
+#include "plot/shades.h"
 
 // The border below period i; i = n: above the last one.
 static double border(const struct pounding_map *map, int i) {
@@ -33,14 +28,7 @@ static struct span write_data(const struct pounding_map *map, FILE *to) {
         }
     }
     fprintf(to, "EOD\n");
-    force = (struct span){0, force.high > 0 ? force.high : 1};
-    fprintf(to, "$shades << EOD\n# borders of the shade, its middle\n");
-    for (int i = 0; i < SHADES; i++) {
-        fprintf(to, "%.7g %.7g %.7g\n", force.high * i / SHADES, force.high * (i + 1) / SHADES,
-                force.high * (i + 0.5) / SHADES);
-    }
-    fprintf(to, "EOD\n");
-    return force;
+    return (struct span){0, force.high > 0 ? force.high : 1};
 }
 
 static struct axis period_axis(const struct pounding_map *map, const char *name) {
@@ -63,25 +51,19 @@ int pounding_map_write(const struct pounding_map *map, const struct figure_files
     }
     const struct span force = write_data(map, c.data);
     canvas_head(&c, map->title, map->subtitle);
-    struct panel p = {.area = canvas_inset(c.area, 5.8, 9.5, 3.2, 0.7),
-                      .x = period_axis(map, "T1, period of the left structure"),
-                      .y = period_axis(map, "T2, period of the right structure")};
+    const struct panel p = {.area = canvas_inset(c.area, 5.8, 9.5, 3.2, 0.7),
+                            .x = period_axis(map, "T1, period of the left structure"),
+                            .y = period_axis(map, "T2, period of the right structure")};
     panel_open(&c, &p);
-    fprintf(c.to, "%sset cbrange [0:%.9g]\n", palette, force.high);
+    shades_use(&c, SHADES_AREAS, force.high);
     // Each box reaches a little under the next one, lest the page shows between them.
     panel_series(&c, (struct style){.kind = STYLE_BOXES},
                  "$forces using 1:2:3:($4*1.01):5:($6*1.01):7");
     panel_close(&c);
-    p.area.left = c.area.right - 2;
-    p.area.right = c.area.right - 0.5;
-    p.x = (struct axis){.span = {0, 1}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
-    p.y =
-        (struct axis){.name = "largest contact force", .dimension = dimension_force, .span = force};
-    panel_open(&c, &p);
-    fprintf(c.to, "unset xtics\n");
-    panel_series(&c, (struct style){.kind = STYLE_BOXES},
-                 "$shades using (0.5):3:(0):(1):1:($2+%.9g):3", force.high / SHADES);
-    panel_close(&c);
+    const struct area scale = {c.area.right - 2, c.area.right - 0.5, p.area.bottom, p.area.top};
+    shades_scale(&c, scale,
+                 &(struct axis){
+                     .name = "largest contact force", .dimension = dimension_force, .span = force});
     figure_close(&c);
     return STATUS_OK;
 }

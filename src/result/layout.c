@@ -187,6 +187,23 @@ static const struct column share_peak_column[] = {
 };
 const struct column_table layout_share_peak = TABLE(share_peak_column, report_share);
 
+#define FOUNDATION(name, number, dimension, long_name)                                             \
+    ROW(report_foundation, name, DOUBLE, size[number], dimension, "largest " long_name),           \
+        ROW(report_foundation, name "_time", DOUBLE, time[number], &dimension_time,                \
+            "time of the largest " long_name)
+static const struct column foundation_column[] = {
+    FOUNDATION("sway", FOUNDATION_SWAY, &dimension_length, "sway of the foundation"),
+    FOUNDATION("rocking", FOUNDATION_ROCKING, NULL, "rotation of the foundation"),
+    FOUNDATION("sway_force", FOUNDATION_FORCE, &dimension_force, "sway spring force"),
+    FOUNDATION("rocking_moment", FOUNDATION_MOMENT, &dimension_energy, "rocking spring moment"),
+};
+const struct column_table layout_foundation = TABLE(foundation_column, report_foundation);
+const struct quantity layout_foundation_field[] = {
+    {"displacement of the foundation relative to the ground", &dimension_length},
+    {"rotation of the foundation, clockwise positive", NULL},
+    {"force of the spring against sway, positive if it pushes to the left", &dimension_force},
+    {"moment of the spring against rocking, positive counterclockwise", &dimension_energy},
+};
 #define LINK(name, kind, member, dimension, long_name)                                             \
     ROW(report_link, name, kind, member, dimension, long_name)
 static const struct column link_column[] = {

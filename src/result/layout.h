@@ -41,6 +41,8 @@ enum { MEMBER_PEAKS = 3, MEMBER_EXTREMES = 4 * MEMBER_FORCES };
 extern const struct column_table layout_member_peak[2], layout_member_extreme[2];
 extern const struct column_table layout_share;        // of struct report_share: .../parts
 extern const struct column_table layout_share_peak;   // the same: .../parts/*/envelope
+extern const struct column_table layout_foundation;   // of struct report_foundation:
+                                                      // .../foundation/envelope
 extern const struct column_table layout_link;         // of struct report_link: /contacts and /links
 extern const struct column_table layout_level;        // the same, where layout_has_levels
 extern const struct column_table layout_contact;      // of struct report_link: /contacts/envelope
@@ -60,6 +62,7 @@ extern const struct quantity layout_field[];         // in the order of enum fie
                                                      // seventh
 extern const struct quantity layout_member_field[];  // member_force, then member_rotation
 extern const struct quantity layout_share_field;
+extern const struct quantity layout_foundation_field[];  // in the order of enum foundation_quantity
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
 

@@ -29,6 +29,13 @@ static void visit_forces(const struct report_building *b, layout_visit *visit, v
     }
 }
 
+static void visit_foundation(const struct report_building *b, layout_visit *visit, void *context) {
+    if (b->foundation) {
+        visit(context, &(struct layout_place){b->path, "foundation", "envelope", "slab",
+                                              &layout_foundation, b->foundation, 1});
+    }
+}
+
 void layout_each(const struct report *r, layout_visit *visit, void *context) {
     for (int i = 0; i < r->n_building; i++) {
         const struct report_building *b = &r->building[i];
@@ -43,6 +50,7 @@ void layout_each(const struct report *r, layout_visit *visit, void *context) {
         p.leaf = "envelope";
         visit(context, &p);
         visit_forces(b, visit, context);
+        visit_foundation(b, visit, context);
     }
     visit_links(&layout_contacts, r->contact, r->n_contact, visit, context);
     if (r->n_link > 0) {

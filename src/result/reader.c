@@ -132,6 +132,17 @@ static void get_shares(struct result_file *f, const struct spot *building,
     close_spot(f, &parts);
 }
 
+// What the foundation of a building has done, whose group is there.
+static void get_foundation(struct result_file *f, const struct spot *building,
+                           struct report_building *b) {
+    const struct spot foundation = open_spot(f, building, "foundation");
+    const struct spot envelope = open_spot(f, &foundation, "envelope");
+    b->foundation = h5_alloc(&f->h, f->report->arena, 1, sizeof *b->foundation);
+    get_columns(f, &envelope, &layout_foundation, b->foundation, 1);
+    close_spot(f, &envelope);
+    close_spot(f, &foundation);
+}
+
 // The building in the group `name`, at its position, which must be free.
 static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *info,
                              void *context) {
@@ -175,6 +186,9 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     }
     if (!f->h.failed && h5_has(&f->h, holder(f, &building, "parts"), "parts")) {
         get_shares(f, &building, &r->building[position]);
+    }
+    if (!f->h.failed && h5_has(&f->h, holder(f, &building, "foundation"), "foundation")) {
+        get_foundation(f, &building, &r->building[position]);
     }
     for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
         r->fields |= h5_has(&f->h, building.own, field_names[i]) ? 1U << i : 0;

@@ -13,6 +13,8 @@
 
 static const char *const wall = "wall";
 
+const char *const report_foundation_names[] = {"sway", "rocking", "sway_force", "rocking_moment"};
+
 const char *const report_force_names[] = {
     "M_i", "M_j", "V", "N", "rotation_i", "rotation_j", "plastic_rotation_i", "plastic_rotation_j"};
 
@@ -63,17 +65,17 @@ static void member_fill(struct report_member *to, const struct plane_frame *f, i
 }
 
 static void members_fill(struct report_building *to, struct arena *a, const struct building *b,
-                         const struct results *r) {
-    for (int p = 0; p < b->n_part; p++) {
-        const struct plane_frame *f = frame_of(&b->part[p]);
+                         const struct building *own, const struct results *r) {
+    for (int p = 0; p < own->n_part; p++) {
+        const struct plane_frame *f = frame_of(&own->part[p]);
         to->n_member += f ? f->n_member : 0;
     }
     struct report_member *m = arena_alloc(a, (size_t)to->n_member, sizeof *m);
     to->member = m;
     to->extremes = r && to->n_member > 0;
     to->hinged = b->n_hinge > 0;
-    for (int p = 0; m && p < b->n_part; p++) {
-        const struct plane_frame *f = frame_of(&b->part[p]);
+    for (int p = 0; m && p < own->n_part; p++) {
+        const struct plane_frame *f = frame_of(&own->part[p]);
         for (int i = 0; f && i < f->n_member; i++, m++) {
             m->name = frame_member_name(&f->member[i], a);
             member_fill(m, f, i, b, p, r);
@@ -83,7 +85,7 @@ static void members_fill(struct report_building *to, struct arena *a, const stru
 
 static void share_fill(struct report_share *to, struct arena *a, const struct building *b,
                        int share, const struct results *r) {
-    const size_t n = (size_t)b->n_floor;
+    const size_t n = (size_t)b->n_level;
     const char *name = forces_share_name(b, share);
     double *shear = arena_alloc(a, n, sizeof *shear), *time = arena_alloc(a, n, sizeof *time);
     to->name = arena_text(a, name, strlen(name));
@@ -98,12 +100,23 @@ static void share_fill(struct report_share *to, struct arena *a, const struct bu
 }
 
 static void shares_fill(struct report_building *to, struct arena *a, const struct building *b,
-                        const struct results *r) {
-    to->share = arena_alloc(a, (size_t)b->n_part + 1, sizeof *to->share);
-    for (int i = 0; to->share && b->n_part > 0 && i <= b->n_part; i++) {
+                        const struct building *own, const struct results *r) {
+    to->share = arena_alloc(a, (size_t)own->n_part + 1, sizeof *to->share);
+    for (int i = 0; to->share && own->n_part > 0 && i <= own->n_part; i++) {
         if (forces_of_share(b, i) >= 0) {
             share_fill(&to->share[to->n_share++], a, b, i, r);
         }
+    }
+}
+
+static void foundation_fill(struct report_building *to, struct arena *a, const struct building *b,
+                            const struct results *r) {
+    to->foundation = b->foundation ? arena_alloc(a, 1, sizeof *to->foundation) : NULL;
+    for (int q = 0; r && to->foundation && q < FOUNDATION_QUANTITIES; q++) {
+        const int at = b->force + forces_of_foundation(b) + q;
+        const bool most = r->force_max[at] >= -r->force_min[at];
+        to->foundation->size[q] = most ? r->force_max[at] : -r->force_min[at];
+        to->foundation->time[q] = most ? r->force_max_time[at] : r->force_min_time[at];
     }
 }
 
@@ -131,8 +144,9 @@ static void building_fill(struct report_building *to, struct arena *a, const str
         to->residual_drift = copy(a, r->residual_drift + b->first, n);
     }
     layout_paths(to, a);
-    members_fill(to, a, b, r);
-    shares_fill(to, a, b, r);
+    members_fill(to, a, b, own, r);
+    shares_fill(to, a, b, own, r);
+    foundation_fill(to, a, b, r);
 }
 
 static const char *constants_text(struct arena *a, const struct link *l) {

@@ -99,9 +99,9 @@ void study_table_read(const struct report *r, double *value) {
     layout_each(r, add_place, &(struct walk){.value = value});
 }
 
-const struct report_building *study_view_members(const struct study_view *v,
-                                                 const struct study_item *item) {
-    for (int i = 0; item->owner && strcmp(item->owner, "members") == 0 && i < v->n_building; i++) {
+const struct report_building *
+study_view_building(const struct study_view *v, const struct study_item *item, const char *owner) {
+    for (int i = 0; item->owner && strcmp(item->owner, owner) == 0 && i < v->n_building; i++) {
         if (strcmp(item->parent, v->building[i].path) == 0) {
             return &v->building[i];
         }

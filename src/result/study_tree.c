@@ -80,13 +80,18 @@ static void put_links(struct study_writer *w, const struct link_group *group,
     tree_close(&w->tree, &g);
 }
 
-// Groups of the members of a building, and of the shares of what resists.
+// Groups of the members of a building, of its foundation, and of the shares of what resists.
 static void put_forces(struct study_writer *w, hid_t building, const struct report_building *b) {
     const struct tree *t = &w->tree;
     if (b->n_member > 0) {
         const size_t n = (size_t)b->n_member;
         const struct tree_group g = tree_group(t, building, "members", "member", n);
         h5_put_column(&w->h, g.group, &layout_member, 0, b->member, n, g.scale);
+        h5_close(&w->h, tree_envelope(t, &g));
+        tree_close(t, &g);
+    }
+    if (b->foundation) {
+        const struct tree_group g = tree_group(t, building, "foundation", "slab", 1);
         h5_close(&w->h, tree_envelope(t, &g));
         tree_close(t, &g);
     }

@@ -121,7 +121,9 @@ static int allocate(struct result_writer *w, const struct result_options *o, str
                          (size_t)m->n_ground + ENERGY_COUNT + 1 + (size_t)m->n_force;
     w->stream_capacity = m->n_building * FLOOR_FIELD_COUNT + 4 + m->n_ground + ENERGY_COUNT + 1;
     for (int i = 0; i < m->n_building; i++) {
-        w->stream_capacity += 1 + m->building[i].n_part * (1 + MEMBER_QUANTITIES);
+        const struct building *b = &m->building[i], *own = b->fixed ? b->fixed : b;
+        w->stream_capacity +=
+            1 + own->n_part * (1 + MEMBER_QUANTITIES) + (b->fixed ? FOUNDATION_QUANTITIES : 0);
     }
     w->capacity = bytes_max / (width * sizeof(double));
     w->capacity = w->capacity < 1 ? 1 : w->capacity > ROWS_MAX ? ROWS_MAX : w->capacity;

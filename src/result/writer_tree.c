@@ -107,6 +107,23 @@ static void put_shares(struct result_writer *w, hid_t building, const struct rep
     tree_close(&w->tree, &all);
 }
 
+// What the foundation does: its motion with the displacements, its forces with the shears.
+static void put_foundation(struct result_writer *w, hid_t building, const struct building *model) {
+    static const enum field field[] = {FIELD_DISPLACEMENT, FIELD_DISPLACEMENT, FIELD_STOREY_SHEAR,
+                                       FIELD_STOREY_SHEAR};
+    const struct tree_group g = tree_group(&w->tree, building, "foundation", "slab", 1);
+    for (int q = 0; q < FOUNDATION_QUANTITIES; q++) {
+        const struct stream s = {.source = SOURCE_MEMBER_FORCE,
+                                 .first = (size_t)(model->force + forces_of_foundation(model) + q),
+                                 .width = 1};
+        if (w->report->fields & field[q]) {
+            put_history(w, g.group, report_foundation_names[q], layout_foundation_field[q], s,
+                        g.scale);
+        }
+    }
+    tree_close(&w->tree, &g);
+}
+
 static void put_building(struct result_writer *w, hid_t parent, int position) {
     const struct report_building *b = &w->report->building[position];
     const struct building *model = &w->model->building[position];
@@ -132,6 +149,9 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
     }
     if (b->n_share > 0) {
         put_shares(w, g.group, b, model);
+    }
+    if (b->foundation) {
+        put_foundation(w, g.group, model);
     }
     tree_close(&w->tree, &g);
 }

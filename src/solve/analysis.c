@@ -72,7 +72,7 @@ static int analysis_show_row(struct run *r) {
     for (int k = 0; k < r->model->n_link; k++) {
         r->row_force[k] = s->link[k].force;
     }
-    const bool members = r->model->output.fields & FIELD_MEMBERS;
+    const bool members = forces_in_rows(r->model);
     for (int k = 0; members && k < r->model->n_building; k++) {
         const struct building *g = &r->model->building[k];
         if (g->n_force > 0) {

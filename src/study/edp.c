@@ -33,6 +33,14 @@ const struct edp_quantity edp_quantities[] = {
      "plastic rotation of the hinges of a member"},
     {"hinge-ductility", EDP_OF_MEMBER, NULL, "ductility", NULL, EDP_LARGEST,
      "rotation of a hinge over its rotation at yield"},
+    {"foundation-sway", EDP_OF_FOUNDATION, NULL, "sway", NULL, EDP_LARGEST,
+     "displacement of a foundation relative to the ground"},
+    {"foundation-rocking", EDP_OF_FOUNDATION, NULL, "rocking", NULL, EDP_LARGEST,
+     "rotation of a foundation"},
+    {"foundation-force", EDP_OF_FOUNDATION, NULL, "sway_force", NULL, EDP_LARGEST,
+     "force of the spring against sway"},
+    {"foundation-moment", EDP_OF_FOUNDATION, NULL, "rocking_moment", NULL, EDP_LARGEST,
+     "moment of the spring against rocking"},
     {"force", EDP_OF_CONTACT, "contacts", "force", NULL, EDP_LARGEST, "contact force"},
     {"penetration", EDP_OF_CONTACT, "contacts", "penetration", NULL, EDP_HIGHEST,
      "penetration of a contact, negative if it stays open"},
@@ -219,32 +227,35 @@ static int add_members(struct reading *r, const struct report_building *b,
     return STATUS_OK;
 }
 
-static int add_all_members(struct reading *r, struct error *e) {
+// The values of members or foundations that the quantity is about.
+static int add_all(struct reading *r, const char *owner, struct error *e) {
     const struct study_view *v = r->view;
+    const bool members = r->quantity->owner == EDP_OF_MEMBER;
     bool any = false;
     for (int i = 0; i < v->table.n_item; i++) {
         const struct study_item *item = &v->table.item[i];
-        const struct report_building *b = study_view_members(v, item);
-        if (b && strcmp(item->name, r->quantity->item) == 0) {
-            any = true;
-            r->out->units = item->units;
-            const int status = add_members(r, b, item, e);
-            if (status != STATUS_OK) {
-                return status;
-            }
+        const struct report_building *b = study_view_building(v, item, owner);
+        if (!b || strcmp(item->name, r->quantity->item) != 0) {
+            continue;
+        }
+        any = true;
+        r->out->units = item->units;
+        if (members && add_members(r, b, item, e) != STATUS_OK) {
+            return STATUS_SYSTEM;
+        }
+        if (!members && (!r->place || strcmp(r->place, b->name) == 0)) {
+            add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL}, b->name);
         }
     }
-    if (r->out->n_term > 0) {
-        return STATUS_OK;
-    }
-    bool members = false;
+    bool framed = false;
     for (int i = 0; i < v->n_building; i++) {
-        members |= v->building[i].n_member > 0;
+        framed |= v->building[i].n_member > 0;
     }
-    return error_set(e, STATUS_INPUT, "%s: no building has %s", r->text,
-                     any       ? "such a member"
-                     : members ? "hinges"  // which all other quantities do not need
-                               : "a frame or a wall");
+    const char *none = !members ? "such building has a foundation"
+                       : any    ? "building has such a member"
+                       : framed ? "building has hinges"  // which other quantities do not need
+                                : "building has a frame or a wall";
+    return r->out->n_term > 0 ? STATUS_OK : error_set(e, STATUS_INPUT, "%s: no %s", r->text, none);
 }
 
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
@@ -272,7 +283,10 @@ static int add_links(struct reading *r, const struct study_item *item, struct er
 static int add_terms(struct reading *r, struct error *e) {
     const struct edp_quantity *q = r->quantity;
     if (q->owner == EDP_OF_MEMBER) {
-        return add_all_members(r, e);
+        return add_all(r, "members", e);
+    }
+    if (q->owner == EDP_OF_FOUNDATION) {
+        return add_all(r, "foundation", e);
     }
     const int i = find_item(r->view, q, NULL, q->item);
     if (i < 0) {

@@ -17,6 +17,7 @@ enum edp_reduction {
 enum edp_owner {
     EDP_OF_BUILDING,
     EDP_OF_MEMBER,
+    EDP_OF_FOUNDATION,
     EDP_OF_CONTACT,
     EDP_OF_LINK,
     EDP_OF_COLUMN,

@@ -6,6 +6,7 @@
 
 #include "core/arena.h"
 #include "core/hash.h"
+#include "model/forces.h"
 
 // Members of a row: the fields in the order of enum field's bits up to the seventh, time, ground,
 // energies and the forces of members.
@@ -21,7 +22,7 @@ static size_t row_sizes(const struct model *m, size_t n[MEMBERS]) {
     n[TIME] = 1;
     n[GROUND] = (size_t)m->n_ground;
     n[ENERGIES] = ENERGY_COUNT;
-    n[FORCES] = m->output.fields & FIELD_MEMBERS ? (size_t)m->n_force : 0;
+    n[FORCES] = forces_in_rows(m) ? (size_t)m->n_force : 0;
     for (int i = 0; i < MEMBERS; i++) {
         sum += n[i];
     }

@@ -155,7 +155,10 @@ static int differs(const struct plan *p, long run, struct error *e, const char *
 
 // Have both buildings the same parts with the same members?
 static bool same_parts(const struct building *a, const struct building *b) {
-    bool same = a->n_part == b->n_part && a->n_force == b->n_force;
+    bool same = a->n_force == b->n_force;
+    a = a->fixed ? a->fixed : a;
+    b = b->fixed ? b->fixed : b;
+    same = same && a->n_part == b->n_part;
     for (int i = 0; same && i < a->n_part; i++) {
         const struct plane_frame *f = frame_of(&a->part[i]), *g = frame_of(&b->part[i]);
         same = strcmp(a->part[i].kind->name, b->part[i].kind->name) == 0 && !f == !g &&

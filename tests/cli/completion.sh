@@ -50,6 +50,10 @@ complete_line plot b.h5 --script ""
 expect "--script takes a folder" '[ "$proposed" = " decks " ]'
 complete_line plot b.h5 en
 expect "plot takes a kind behind the file" '[ "$proposed" = " energy " ]'
+complete_line plot deck ""
+expect "behind plot deck stand decks" '[ "$proposed" = " decks a.deck " ]'
+complete_line plot ""
+expect "plot takes results, and the word deck" '[ "$proposed" = " decks b.h5 deck " ]'
 complete_line fragility b.h5 --edp drif
 expect "--edp takes a demand" '[ "$proposed" = " drift drift-ratio " ]'
 complete_line plot b.h5 ida --edp imp

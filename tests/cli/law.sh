@@ -100,7 +100,7 @@ expect "--plot is given once" '[ $status -eq 2 ] && said "--plot is given twice"
 law $jankowski --plot a.jpg
 expect "a picture has a known ending" '[ $status -eq 2 ] && said "'"'a.jpg' must end in .png, .svg or .pdf"'"'
 law $jankowski --history h.tsv --compare hertz
-expect "a history is that of one law" '[ $status -eq 2 ] && said "--history writes one impact"'
+expect "a history is that of one law" '[ $status -eq 2 ] && said "--history writes one law"'
 expect "nothing was written" 'only units.tsv'
 
 law $jankowski --tsv

@@ -29,7 +29,7 @@ done
 run "$jostle" run -q pair.deck -D gap=1m -o apart.h5
 run "$jostle" run -q pair.deck -D gap=8mm -o wider.h5
 expect "the runs to compare are there" '[ -s apart.h5 ] && [ -s wider.h5 ]'
-kinds=$("$jostle" plot --help | sed -n '/^KIND/,/^$/ s/^  \([a-z]*\) .*/\1/p')
+kinds=$("$jostle" plot --help | sed -n '/^KIND/,/^$/ s/^  \([a-z]*\) .*/\1/p' | grep -v members)
 expect "help names the kinds" '[ "$(echo "$kinds" | wc -l)" -ge 9 ]'
 
 # What gnuplot says to the script of this kind in the folder `scripts`: nothing at all.

@@ -120,6 +120,7 @@ static void command_lines_and_files_are_shown_escaped(void **state) {
         "\"$JOSTLE\" law linear -k 1 -m1 1 -v 1 --fit foreign; "
         "{ printf 'title \"'; cat foreign; printf '\"\\n'; cat run.deck; } >foreign.deck; "
         "\"$JOSTLE\" check foreign.deck; "
+        "\"$JOSTLE\" plot deck foreign.deck --force --script scripts; "
         "sed \"s/Nowhere/$(sed 's/[\\\\/&]/_/g' foreign | tr '\\n' ' ')/\" r.AT2 >foreign.AT2; "
         "\"$JOSTLE\" spectrum foreign.AT2; "
         "{ cat r.AT2; cat foreign; } >foreign.AT2; \"$JOSTLE\" spectrum foreign.AT2; "
@@ -130,6 +131,7 @@ static void command_lines_and_files_are_shown_escaped(void **state) {
         setenv("TEXT", hostile_text[i], 1);
         hostile_tried(line, "the command line", hostile_text[i]);
         hostile_tried(files, "a file", hostile_text[i]);
+        hostile_drawn("a file", hostile_text[i]);
     }
 }
 

@@ -102,6 +102,44 @@ def frame(widths, heights, columns, beams, mass, base=None, transformation=1):
     return floors
 
 
+def hinged(joint, floor, material):
+    """A node that turns against a joint by a hinge. It moves sideways with the first node of its
+    floor, as a constraint must not follow from another one, and is held vertically by a spring that
+    is ten million times as stiff as a column. Without a floor both are held."""
+    end = node(*ops.nodeCoord(joint), fixed=(0, 0, 0) if floor else (1, 1, 0))
+    if floor:
+        ops.equalDOF(floor, end, 1)
+        spring(joint, end, elastic(1e13), 2, damped=False)
+    spring(joint, end, material, 6, damped=False)
+    return end
+
+
+def hinges():
+    """A frame of steel; hinges stand between its joints and its beams, and below its columns."""
+    global MODULUS
+    concrete, MODULUS = MODULUS, 200e6
+    heights = [4, 3.2, 3.2]
+    x = [0, 6, 11]
+    floors = [[hinged(node(at, 0, (1, 1, 1)), None, yielding(800e3, 400, 0.03)) for at in x]]
+    for storey, height in enumerate(heights):
+        joints = [node(at, sum(heights[:storey + 1])) for at in x]
+        ops.mass(joints[0], 90, 0, 0)
+        for joint in joints[1:]:
+            ops.equalDOF(joints[0], joint, 1)
+        for lower, upper in zip(floors[-1], joints):
+            beam(lower, upper, 4e-4, 0.02)
+        for left, right in zip(joints, joints[1:]):
+            beam(hinged(left, joints[0], yielding(600e3, 300, 0.03)),
+                 hinged(right, joints[0], yielding(600e3, 300, 0.03)), 3e-4)
+        floors.append(joints)
+    MODULUS = concrete
+    b = shear_building([elastic(60e3)] * 2, 2 * [70])
+    for left, right in zip(floors[1:], b[1:]):
+        contact(left[0], right, 0.020, 500e3)
+    ops.rayleigh(0.4, 0, 0, 0)
+    return [floor[0] for floor in floors], b, (4.0, 1.1)
+
+
 def frames():
     column = 2 * [(5.2e-3, 0.25)] + 2 * [(2.1e-3, 0.16)]
     a = frame([6, 5], [4, 3.2, 3.2, 3.2], column, 4 * [3.6e-3], 90)
@@ -239,7 +277,7 @@ def run(model):
 
 def main():
     print(f"# OpenSees {ops.version()}, {datetime.date.today()}")
-    for model in (frames, wall, pdelta, column, foundations, storeys):
+    for model in (frames, wall, pdelta, column, foundations, storeys, hinges):
         run(model)
 
 

@@ -54,7 +54,7 @@ printf '%-20s%12s%12s%12s%12s%8s\n' law "10 steps" "20 steps" "50 steps" "100 st
 # The examples of `jostle laws` are impacts of these two bodies, one for each law that takes steps.
 mkdir -p "$folder/input"
 cp input/pad.txt "$folder/input"
-"$jostle" laws | awk '$1 == "example" { sub(/.*jostle law /, ""); sub(/ -m1 .*/, ""); print }' \
+"$jostle" laws | awk '$1 == "example" && / -m1 / { sub(/.*jostle law /, ""); sub(/ -m1 .*/, ""); print }' \
     >"$folder/examples"
 while read -r law; do
     row "$law" </dev/null

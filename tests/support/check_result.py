@@ -26,16 +26,17 @@ CONTACT_ENVELOPE = "force force_time penetration impulse impacts dissipated".spl
 # is not named here is a plain number, a name or a text.
 POWERS = {
     (1, 0, 0): "force peak_force storey_shear shear axial V N shear_below shear_above "
-               "gravity_load",
+               "gravity_load sway_force",
     (0, 1, 0): "displacement drift residual_drift residual_deformation collapse_drift penetration "
-               "max_penetration deformation gap height left_level right_level",
+               "max_penetration deformation gap height left_level right_level sway",
     (0, 0, 1): "time period t_start t_end duration step",
     (0, 1, -1): "velocity v_approach v_rebound",
     (0, 1, -2): "acceleration",
     (1, -1, 0): "stiffness",
     (1, -1, 2): "mass effective_mass",
     (1, 0, 1): "impulse",
-    (1, 1, 0): "dissipated work moment M_i M_j moment_below moment_point moment_above",
+    (1, 1, 0): "dissipated work moment M_i M_j moment_below moment_point moment_above "
+               "rocking_moment",
 }
 POWERS = {name: powers for powers, names in POWERS.items() for name in names.split()}
 GROUPS_MAX = 12  # xarray reads the whole file anew for each group: only the first and last ones

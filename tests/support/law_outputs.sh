@@ -1,11 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# law_outputs.sh JOSTLE FOLDER [PICTURE]: writes docs/law-command.md with its blocks made anew into
-# FOLDER, and draws its picture.
+# law_outputs.sh JOSTLE FOLDER [PICTURE STOREYS]: writes docs/law-command.md with its blocks made
+# anew into FOLDER, and draws its pictures.
 set -eu
-jostle=$1
+jostle=$(realpath "$1")
 folder=$2
 first='jankowski -k 2.75e9N/m^1.5 -e 0.65'
+storey='-yield 600kN -hardening 0.05 -stiffness 60MN/m'
 bodies='-m1 25t -m2 40t -v 0.5m/s'
 
 # shellcheck disable=SC2086  # options are one word each
@@ -14,5 +15,15 @@ bodies='-m1 25t -m2 40t -v 0.5m/s'
 "$jostle" law $first -calibrate $bodies --compare hertz-damp,hertz \
     --compare 'kelvin-voigt -k 93.5MN/m -e 0.65' \
     ${3+--plot "$3" --force} >"$folder/compared"
+printf 'drift [mm]\n20\n-20\n40\n-40\n0\n' >"$folder/turns.txt"
+(
+    cd "$folder"
+    # shellcheck disable=SC2086
+    "$jostle" law storey bilinear $storey --protocol turns.txt >loops
+)
+# shellcheck disable=SC2086
+[ "${4+set}" = "" ] || "$jostle" law storey bilinear $storey -amplitude 60mm --compare clough,takeda \
+    --plot "$4" --force >/dev/null
 sh tests/support/with_block.sh single "$folder/single" <docs/law-command.md |
-    sh tests/support/with_block.sh compared "$folder/compared" >"$folder/law-command.md"
+    sh tests/support/with_block.sh compared "$folder/compared" |
+    sh tests/support/with_block.sh loops "$folder/loops" >"$folder/law-command.md"

@@ -6,6 +6,13 @@ jostle=$1
 folder=$2
 
 "$jostle" laws --markdown | sed -n 's/^- example: `jostle law \(.*\)`$/\1/p' | while read -r words; do
+    name=law_${words%% *}
+    case $words in
+    storey\ *)
+        name=${words#storey }
+        name=storey_${name%% *}
+        ;;
+    esac
     # shellcheck disable=SC2086  # options are one word each
-    "$jostle" law $words --plot "$folder/law_${words%% *}.svg" --force </dev/null >/dev/null
+    "$jostle" law $words --plot "$folder/$name.svg" --force </dev/null >/dev/null
 done

@@ -8,7 +8,7 @@ folder=$2
 pictures=$3
 
 mkdir -p "$folder" "$pictures"
-for deck in two_towers row_of_five ida gap_study; do
+for deck in two_towers row_of_five ida gap_study frame_wall; do
     "$jostle" run input/$deck.deck -o "$folder/$deck.h5" -q --force
 done
 # Rows that show the course of an impact.
@@ -32,6 +32,7 @@ draw() {
     "$jostle" plot "$file" "$@" -o "$picture" --force
 }
 
+"$jostle" plot deck input/low_roof.deck -o "$pictures/deck.png" --force
 draw two_towers.svg two_towers histories
 draw multistorey.png multistorey profiles --compare "$folder/apart.h5"
 draw contact.png multistorey contact
@@ -40,6 +41,7 @@ draw impacts.png row_of_five impacts
 draw energy.png multistorey energy --compare "$folder/apart.h5"
 draw floor_spectrum.png multistorey spectrum
 draw modes.png multistorey modes
+draw members.png frame_wall members
 draw ida.png ida ida
 draw fragility.png ida fragility --edp drift-ratio:A --limit 1%,2%
 draw collapse.png collapse fragility --collapse

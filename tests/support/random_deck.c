@@ -147,14 +147,36 @@ static double gap(struct maker *m) {
     return random_below(&m->random, 4) ? random_logarithmic(&m->random, 1e-4, 0.1) : 0.0;
 }
 
+static void add_link_law(struct maker *m) {
+    static const char *const one_way[] = {"", " -tension-only", " -compression-only"};
+    static const char *const law[] = {"bilinear -hardening 0.1", "clough -hardening 0.02",
+                                      "flag -hardening 0.1 -b 0.7"};
+    const double stiffness = random_logarithmic(&m->random, 1e3, 1e10);
+    const double dashpot = random_logarithmic(&m->random, 1e2, 1e8);
+    const double exponent = random_uniform(&m->random, 0.2, 2.0);
+    const int kind = random_below(&m->random, 4);
+    if (kind < 2) {
+        add(m, "%s -stiffness %.5g -dashpot %.5g -exponent %.3g\n",
+            kind == 0 ? "" : " -law maxwell", stiffness, dashpot, exponent);
+        return;
+    }
+    const char *direction = one_way[random_below(&m->random, 3)];
+    const double force = random_logarithmic(&m->random, 1e3, 1e8), slack = gap(m);
+    if (kind == 2) {
+        add(m, " -law friction -slip %.5g", force);
+    } else {
+        add(m, " -law %s -yield %.5g", law[random_below(&m->random, 3)], force);
+    }
+    add(m, " -stiffness %.5g -slack %.5g%s\n", stiffness, slack, direction);
+}
+
 static void add_links(struct maker *m) {
     for (int i = 0; i + 1 < m->n_building; i++) {
         add(m, "contact B%d B%d -gap %.5g", i, i + 1, gap(m));
         add_law(m);
-        if (random_below(&m->random, 4) == 0) {
-            add(m, "link B%d:1 B%d:1 -stiffness %.5g -dashpot %.5g -exponent %.3g\n", i, i + 1,
-                random_logarithmic(&m->random, 1e3, 1e10), random_logarithmic(&m->random, 1e2, 1e8),
-                random_uniform(&m->random, 0.2, 2.0));
+        if (random_below(&m->random, 3) == 0) {
+            add(m, "link B%d:1 B%d:1", i, i + 1);
+            add_link_law(m);
         }
     }
     if (random_below(&m->random, 3) == 0) {

@@ -30,7 +30,7 @@ static int draw(struct study_file *f, const struct figure *figure, struct error 
     assert_non_null(to);
     int status = suite_create(f, &q, &s, e);
     if (status == STATUS_OK) {
-        const struct subject p = {NULL, s, &limit, response ? 0 : 1};
+        const struct subject p = {.suite = s, .limit = &limit, .n_limit = response ? 0 : 1};
         status = figure_write(figure, &p, &files, e);
         suite_free(s);
     }
@@ -59,7 +59,7 @@ static void every_allocation_that_fails_ends_in_an_error(void **state) {
     (void)state;
     struct study_file *f = suite_ran(text);
     for (int i = 0; i < n_figure; i++) {
-        if (figures[i]->of_study) {
+        if (figures[i]->of == SUBJECT_STUDY) {
             fail_alloc_each(open_and_draw, &(struct drawing){study_file_view(f)->path, figures[i]},
                             10);
         }

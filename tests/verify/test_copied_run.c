@@ -201,6 +201,15 @@ static const char *const kind[] = {
     HINGED "hinges A:1:3 columns bouc-wen -yield 80kN*m -hardening 2% -stiffness 200MN*m\n"
            "storey A takeda -yield 200kN -hardening 0 -stiffness 20MN/m\npdelta A\n"
            "contact A B -gap 9mm -law linear -k 1e8\n",
+    TWO "storey A:1:2 ramberg-osgood -yield 300kN -eta 0.2 -r 7\n"
+        "storey A:3:4 multilinear -yield 200kN -drift-2 9mm -shear-2 300kN -cycle peak\n"
+        "storey B bouc-wen -yield 300kN -hardening 2% -n 1 -delta-eta 0.05 -zeta-s 0.8\n"
+        "contact A B -gap 5mm -law hertz -k 1e9\n",
+    TWO
+    "storey A bilinear -yield 300kN -yield-negative 200kN -hardening -1%\n"
+    "storey B:1:2 imk -yield 300kN -hardening 2% -capping 20mm -post-capping -0.05 -gamma-s 50\n"
+    "storey B:3:4 trilinear -crack 100kN -yield 300kN -cracked 0.3 -hardening 2% -takeda\n"
+    "contact A B -gap 5mm -law linear -k 1e8\n",
 };
 
 // A building of a full matrix beside a chain that yields, with a contact between two floors.

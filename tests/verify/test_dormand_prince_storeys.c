@@ -62,14 +62,17 @@ static void a_drift_within_the_error_of_the_step_does_not_turn(void **state) {
     (void)state;
     static const char *const law[] = {"clough -yield 1.5e6 -hardening 0.05",
                                       "takeda -yield 1.5e6 -hardening 0.05",
-                                      "bouc-wen -yield 1.5e6 -hardening 0.05"};
+                                      "bouc-wen -yield 1.5e6 -hardening 0.05",
+                                      "bouc-wen -yield 1.5e6 -hardening 0.05 -zeta-s 0.8 -q 0.1",
+                                      "multilinear -yield 1.5e6 -hardening 0.05",
+                                      "ramberg-osgood -yield 1.5e6 -eta 0.1 -r 6"};
     static const double tolerance[] = {1e-4, 1e-6, 1e-8, 1e-10};
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 24; i++) {
         struct analysis a =
             analysis_of("building A -floors 3 -mass 1e5 2e5 1.2e5 -stiffness 2.5e8\nstorey A:2 %s\n"
                         "ground sine -amplitude 5 -frequency 8 -delay 20ms\nduration 0.1\n"
                         "step adaptive -tolerance %g\n",
-                        law[i % 3], tolerance[i / 3]);
+                        law[i % 6], tolerance[i / 6]);
         assert_in_range(a.results->totals.steps, 1, 300);
         assert_in_range(a.results->totals.events, 0, 2);
         analysis_free(&a);

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "model/forces.h"
+#include "model/foundation.h"
 #include "support/analysis.h"
 #include "support/support.h"
 
@@ -44,6 +46,16 @@ static void one_building_is_that_of_an_independent_program(void **state) {
         }
         assert_close(r->peak[PEAK_DISPLACEMENT][4], 0.00644877103, rtol[s]);          // sway
         assert_close(r->peak[PEAK_DISPLACEMENT][5], 12.8 * 0.002925406585, rtol[s]);  // of the roof
+        const int first = forces_of_foundation(&a.model->building[0]);
+        const double sway = 0.00644877103, rocking = 0.002925406585;
+        assert_close(-r->force_min[first + FOUNDATION_SWAY], sway, rtol[s]);
+        assert_close(r->force_max[first + FOUNDATION_SWAY], 0.005802250802, rtol[s]);
+        assert_close(r->force_max[first + FOUNDATION_ROCKING], rocking, rtol[s]);
+        assert_close(-r->force_min[first + FOUNDATION_ROCKING], 0.002825242346, rtol[s]);
+        assert_close(-r->force_min[first + FOUNDATION_FORCE], 600e6 * sway, rtol[s]);
+        assert_close(r->force_max[first + FOUNDATION_MOMENT], 12e9 * rocking, rtol[s]);
+        assert_near(r->force_min_time[first + FOUNDATION_SWAY], 2.47309, 5e-4);
+        assert_near(r->force_max_time[first + FOUNDATION_MOMENT], 2.17259, 5e-4);
         assert_true(r->residual_peak < (s < 2 ? 1e-12 : 1e-7) * r->energy[ENERGY_INPUT]);
         analysis_free(&a);
     }
@@ -140,6 +152,42 @@ static void a_stiff_foundation_is_the_fixed_base(void **state) {
     }
 }
 
+// A frame, a wall and storeys on a foundation: on one that hardly moves members have the forces of
+// the fixed base. On one that moves, the columns of a storey carry its shear.
+static void members_on_a_foundation_have_forces(void **state) {
+    static const char deck[] =
+        "units N m s\nbuilding A -floors 2 -mass 100t -height 3m -stiffness 9MN/m\n"
+        "frame A -bays 6 5 -modulus 30e9\ncolumns A:1:2 -I 2e-3 -A 0.16\nbeams A:1:2 -I 3e-3\n"
+        "wall A:1:2 -EI 3e8\ndamping A rayleigh 3%%\n"
+        "ground record %s -format series -dt 0.02 -unit g\nduration 6\nstep fixed 1ms\n%s";
+    (void)state;
+    struct analysis a[3] = {
+        analysis_of(deck, analysis_el_centro(), ""),
+        analysis_of(deck, analysis_el_centro(),
+                    "foundation A -mass 100t -inertia 1000t*m^2 -sway 1e15 -rocking 1e17"),
+        analysis_of(deck, analysis_el_centro(),
+                    "foundation A -mass 100t -inertia 1000t*m^2 -sway 3e8 -rocking 9e9"),
+    };
+    const struct building *g = &a[0].model->building[0];
+    assert_int_equal(g->n_force, forces_of_foundation(&a[1].model->building[0]));
+    for (int i = 0; i < g->n_force; i++) {
+        if (a[0].results->force_max[i] != 0.0) {
+            assert_close(a[1].results->force_max[i], a[0].results->force_max[i], 1e-6);
+            assert_close(a[1].results->force_min[i], a[0].results->force_min[i], 1e-6);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        const struct building *b = &a[k].model->building[0];
+        double drift[4] = {1e-3, -2e-3, 5e-4, 3e-4}, force[64], columns = 0.0;
+        forces_at(b, drift, NULL, force);
+        for (int i = 0; i < 3; i++) {
+            columns += force[forces_of_members(b, 0, FRAME_SHEAR) + i];
+        }
+        assert_close(columns, force[forces_of_share(b, 1)], 1e-12);
+        analysis_free(&a[k]);
+    }
+}
+
 // A disk on a half-space: Wolf (1994), Foundation Vibration Analysis Using Simple Physical Models.
 static void soil_gives_springs_and_dashpots(void **state) {
     (void)state;
@@ -197,6 +245,7 @@ int main(void) {
         cmocka_unit_test(two_buildings_hit_each_other),
         cmocka_unit_test(the_period_is_that_of_veletsos_and_meek),
         cmocka_unit_test(a_stiff_foundation_is_the_fixed_base),
+        cmocka_unit_test(members_on_a_foundation_have_forces),
         cmocka_unit_test(soil_gives_springs_and_dashpots),
         cmocka_unit_test(levels_of_other_buildings_stay_where_they_are),
     };

@@ -32,7 +32,10 @@ const struct storey_law storey_clough = {
                "so far in that direction, on the backbone V_y + R k (drift - d_y)",
     .source = "Clough & Johnston (1966), Proc. Japan Earthquake Eng. Symposium, 227-232; partial "
               "unloading as Mahin & Bertero (1976), J. Struct. Div. ASCE 102, 1125-1139",
-    .remarks = "With a negative hardening the backbone falls to V = 0 and stays there",
+    .remarks =
+        "For reinforced concrete in bending with little shear. Typical: hardening 0.01 to 0.1. "
+        "It unloads with k at any drift, and does not pinch: large cycles dissipate too much "
+        "(takeda, imk). With a negative hardening the backbone falls to V = 0 and stays there",
     .example = "-yield 600kN -hardening 0.05",
     .row = rows,
     .n_row = N_ROW,

@@ -42,7 +42,10 @@ const struct storey_law storey_takeda = {
                "stiffer than the unloading; D is the largest drift so far in that direction",
     .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
               "of Otani (1974), Univ. Illinois SRS 413",
-    .remarks = "With a negative hardening the backbone falls to V = 0 and stays there",
+    .remarks =
+        "For reinforced concrete. Typical: alpha 0.3 to 0.5, beta 0 to 0.6, hardening 0.01 to "
+        "0.1; k is the cracked stiffness. It neither pinches nor loses strength in cycles "
+        "(trilinear, imk). With a negative hardening the backbone falls to V = 0 and stays there",
     .example = "-yield 600kN -hardening 0.05 -alpha 0.4 -beta 0.2",
     .row = rows,
     .n_row = N_ROW,

@@ -3,6 +3,7 @@
 
 #include "deck/reader.h"
 #include "model/pairs.h"
+#include "model/storey_choice.h"
 
 enum { NAME, BENDING, MODULUS, INERTIA, NUMBER, MASS, DAMPING, SHEAR, MOMENT, N_ROW };
 
@@ -72,15 +73,42 @@ static bool read_place(struct builder *b, const struct statement *s, struct sele
     return true;
 }
 
+// Reads the options, and those of the law, if there is one. False after a report.
+static bool read_options(struct builder *b, const struct statement *s, struct argument *a,
+                         struct storey_choice *c) {
+    struct row_set own = {rows, N_ROW, a};
+    if (s->n_plain <= 2) {
+        return deck_options(b->deck, s, &own, 1);
+    }
+    const struct storey_law *law = storey_choice_find(b->deck, &s->word[2]);
+    for (int i = 0; law && i < N_ROW; i++) {
+        if (storey_choice_row(law, rows[i].key) >= 0) {
+            deck_error(b->deck, &s->word[2],
+                       "law %s has the option -%s, which column has, too; give another law",
+                       law->name, rows[i].key);
+            return false;
+        }
+    }
+    if (!law || !storey_choice_read(b->deck, s, law, &own, NULL, c)) {
+        return false;
+    }
+    if (a[DAMPING].given) {
+        deck_error(b->deck, &a[DAMPING].key, "-damping is for elastic columns; this one has a law");
+        return false;
+    }
+    return true;
+}
+
 static void build(struct builder *b, const struct statement *s) {
-    if (!builder_plain(b, s, 1, 1, statement_column.usage)) {
+    if (!builder_plain(b, s, 1, 2, statement_column.usage)) {
         return;
     }
     struct selection place;
     double level = NAN;
     const bool placed = read_place(b, s, &place, &level);
     struct argument a[N_ROW] = {0};
-    if (!deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1)) {
+    struct storey_choice choice = {0};
+    if (!read_options(b, s, a, &choice)) {
         return;
     }
     bool good = placed;
@@ -102,12 +130,12 @@ static void build(struct builder *b, const struct statement *s) {
                           .shear_strength = a[SHEAR].number[0],
                           .moment_strength = a[MOMENT].number[0],
                       },
-                      a[DAMPING].number[0], &s->word[1]);
+                      a[DAMPING].number[0], choice.law ? &choice : NULL, &s->word[1]);
 }
 
 const struct statement_kind statement_column = {
     .name = "column",
-    .usage = "BUILDING@LEVEL -name NAME -EI V|-E V -I V -mass M [-n N] [-damping RATIO] "
+    .usage = "BUILDING@LEVEL [LAW ...] -name NAME -EI V|-E V -I V -mass M [-n N] [-damping RATIO] "
              "[-shear-strength V] [-moment-strength M]",
     .summary = "a column that contacts strike between two floors: it bends at that point",
     .example = "column B@6.8m -name c1 -E 30GPa -I 0.0021333m^4 -mass 600kg",

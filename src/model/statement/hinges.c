@@ -5,8 +5,7 @@
 
 #include "deck/reader.h"
 #include "model/frame_draft.h"
-#include "model/storey_choice.h"
-#include "model/storey_spread.h"
+#include "model/storey_choices.h"
 
 enum { STIFFNESS, LINES, BAYS, N_ROW };
 
@@ -89,15 +88,15 @@ static bool set_ends(struct builder *b, const struct statement *s, const struct 
 }
 
 static void place(struct builder *b, const struct statement *s, const struct argument *a,
-                  struct storey_spread *c, const struct hinged_members *q) {
+                  struct storey_choices *c, const struct hinged_members *q) {
     const struct building_draft *d = builder_draft(b, q->selection.building);
     const char *owner = q->where == BEAMS ? "selected floors" : "selected storeys";
     const double *stiffness = builder_spread(b, &a[STIFFNESS], q->n_floor, owner);
-    bool good = stiffness && storey_spread_take(b, c, q->n_floor, owner), any = false;
+    bool good = stiffness && storey_choices_spread(b, c, q->n_floor, owner), any = false;
     for (int i = 0; good && i < q->n_floor; i++) {
         const int level = q->where == BASES ? 1 : q->selection.floor[i];
         struct storey storey = {0};
-        good = storey_spread_prepare(b, &s->word[2], c, i, stiffness[i], &storey);
+        good = storey_choices_prepare(b, &s->word[2], c, i, stiffness[i], &storey);
         for (int k = 0; good && k < q->n_across; k++) {
             const int member = (level - 1) * q->n_across + k;
             const bool there = q->member[member].word.text;
@@ -137,7 +136,7 @@ static void build(struct builder *b, const struct statement *s) {
     struct row turned[STOREY_ROWS_MAX];
     const bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &q.selection);
     const int where = deck_keyword(b->deck, &s->word[2], "place of hinges", where_names, N_WHERE);
-    struct storey_spread c = {.law = storey_choice_find(b->deck, &s->word[3])};
+    struct storey_choices c = {.law = storey_choice_find(b->deck, &s->word[3])};
     if (!selected || where < 0 || !c.law) {
         return;
     }

@@ -2,8 +2,7 @@
 #include <math.h>
 
 #include "deck/reader.h"
-#include "model/storey_choice.h"
-#include "model/storey_spread.h"
+#include "model/storey_choices.h"
 
 enum { STIFFNESS, N_ROW };
 
@@ -44,7 +43,7 @@ static bool warn_yield(struct builder *b, const struct word *w, const char *buil
 
 // Warns about the first storey that yields early.
 static void warn_yields(struct builder *b, const struct building_draft *d,
-                        const struct selection *floors, const struct storey_spread *c) {
+                        const struct selection *floors, const struct storey_choices *c) {
     bool warned = false;
     for (int k = 0; c->yield && !warned && k < floors->n_floor; k++) {
         const int i = floors->floor[k] - 1;
@@ -54,11 +53,11 @@ static void warn_yields(struct builder *b, const struct building_draft *d,
 }
 
 static void assign(struct builder *b, const struct statement *s, const struct selection *floors,
-                   const struct argument *own, struct storey_spread *c) {
+                   const struct argument *own, struct storey_choices *c) {
     struct building_draft *d = builder_draft(b, floors->building);
     double *stiffness = NULL;
     bool good = d->stiffness != NULL;
-    good &= storey_spread_take(b, c, floors->n_floor, "storeys");
+    good &= storey_choices_spread(b, c, floors->n_floor, "storeys");
     if (own[STIFFNESS].given) {
         stiffness = builder_spread(b, &own[STIFFNESS], floors->n_floor, "storeys");
         good &= stiffness != NULL;
@@ -75,7 +74,7 @@ static void assign(struct builder *b, const struct statement *s, const struct se
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }
-        good = good && storey_spread_prepare(b, &s->word[1], c, k, d->stiffness[i], &d->storey[i]);
+        good = good && storey_choices_prepare(b, &s->word[1], c, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
         warn_yields(b, d, floors, c);
@@ -88,7 +87,7 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    struct storey_spread c = {.law = storey_choice_find(b->deck, &s->word[2])};
+    struct storey_choices c = {.law = storey_choice_find(b->deck, &s->word[2])};
     if (!c.law) {
         return;
     }

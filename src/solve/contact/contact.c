@@ -25,6 +25,7 @@
 #include <math.h>
 
 #include "core/number.h"
+#include "law/link_law.h"
 #include "solve/contact/cluster.h"
 #include "solve/contact/exact.h"
 #include "solve/contact/sweep_step.h"
@@ -126,8 +127,22 @@ static bool contact_judge(struct work *w, const struct state *now, const struct 
 // Has the force of a link at d one solution, also where the link softens? With the other links held
 // it has one if 1 + beta h^2 S dF/dd > 0.
 static bool contact_is_unique(const struct work *w, const struct link_scratch *p, double d) {
-    return !(p->law->traits & CONTACT_TURNS) ||
-           w->b * p->flexibility * p->law->force(p->constant, p->history, d, 0.0).dfdd >= SOFTEST;
+    return w->b * p->flexibility * p->law->force(p->constant, p->history, d, 0.0).dfdd >= SOFTEST;
+}
+
+// Is the step short enough for a bilateral link at d? One that becomes tight or loose in the step
+// is like a contact that closes or opens.
+static bool contact_link_fits(const struct work *w, const struct state *now,
+                              const struct link_scratch *p, double d) {
+    if (!(p->law->traits & CONTACT_TURNS)) {
+        return true;
+    }
+    const double before = now->link[p->index].force, after = p->force;
+    const bool stays = (before > 0.0) == (after > 0.0) && (before < 0.0) == (after < 0.0);
+    const double coarse = p->constant[LINK_STIFFNESS] * p->flexibility * w->h * w->h;
+    return contact_is_unique(w, p, d) &&
+           (stays || !link_law_is_slack(p->constant) || coarse <= SWEEP_COARSEST_SPRING ||
+            contact_is_slow(w, now, state_rate(now, w->model, p->index)));
 }
 
 // A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
@@ -144,7 +159,7 @@ static bool contact_resolves(struct work *w, const struct state *now, const stru
         p->resolved->step = w->h;
         return true;
     }
-    const bool resolved = p->bilateral ? contact_is_unique(w, p, d)
+    const bool resolved = p->bilateral ? contact_link_fits(w, now, p, d)
                                        : p->law->rebound || contact_judge(w, now, next, p, x, d);
     w->memory->unresolved = resolved ? w->memory->unresolved : p->index;
     return resolved;

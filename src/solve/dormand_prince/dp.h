@@ -365,8 +365,7 @@ double dp_motion_noise(const struct dp *p, int k);
 // Upper bounds of the penetrations of contacts, into p->reach, and what follows from them.
 void dp_motion_reach(struct dp *p);
 
-// dp_events.c: what ends a step before its time.
-// Puts the first event in the step into p->event. Takes the step again so that it ends there.
+// dp_events.c: the first event in the step, into p->event; and the step again, which ends there.
 void dp_events_first(struct dp *p);
 void dp_events_locate(struct dp *p);
 

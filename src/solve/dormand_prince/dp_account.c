@@ -111,19 +111,8 @@ static void dp_row_links(const struct dp *p, const struct dp_rates *rates, struc
         row->link[k].closed = p->now.link[k].closed;
         row->link[k].force = 0.0;
     }
-    memcpy(row->link_history, p->now.link_history,
-           (size_t)m->n_link_history * sizeof *row->link_history);
     for (int i = 0; i < p->now.n_live; i++) {
-        const int k = p->now.live[i];
-        const struct link *l = &m->link[k];
-        double *history = row->link_history + l->history;
-        row->link[k].force = rates->link[i].response.force;
-        if (l->law->creep) {
-            history[1] = rates->link[i].creep;
-        } else if (l->bilateral && l->law->commit) {
-            const double rate = dp_system_across(l, m, rates->v, rates->ground.v);
-            l->law->commit(l->constant, history, row->delta[k], rate);
-        }
+        row->link[p->now.live[i]].force = rates->link[i].response.force;
     }
 }
 
@@ -155,6 +144,8 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
         }
     }
     row->time = t;
+    memcpy(row->link_history, p->now.link_history,
+           (size_t)p->model->n_link_history * sizeof *row->link_history);
     dp_row_floors(p, rates, row);
     dp_row_links(p, rates, row);
 }

@@ -172,10 +172,10 @@ LANES_INLINE void dp_take_stage(struct dp *p, int s, double t, ptrdiff_t count) 
         .sums = sums, .a = a, .u0 = p->now.u, .v0 = p->now.v, .to = node[s] * p->h, .h = p->h};
     double ground = dp_rates_ground(p, t, r);
     dp_take_floors(sums->n, &stage, p->system.row, ground, 0, count, r);
-    if (p->system.creeps) {
-        dp_creep_to(p, sums, r);
-    }
     if (p->system.special || p->now.n_live > 0) {
+        if (p->system.creeps) {
+            dp_creep_to(p, sums, r);
+        }
         dp_rates_add(p, t, DP_ALL, r);
     }
 }

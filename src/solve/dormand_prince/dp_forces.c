@@ -7,6 +7,7 @@
 
 #include "model/forces.h"
 #include "model/foundation.h"
+#include "model/struck_column.h"
 #include "solve/account/force_peaks.h"
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
@@ -73,11 +74,28 @@ static struct motion dp_forces_sum(const struct dp *p, int n, const int *dof,
     return m;
 }
 
+// Forces in a struck column with a law: at the end of the step only.
+static void dp_forces_yielding(const struct dp *p, int column) {
+    const struct model *m = p->model;
+    const struct link *l = &m->link[m->n_link - m->n_column + column];
+    const double d = dp_system_across(l, m, p->next.u, p->next.ground_u);
+    const double spring =
+        l->law->force(l->constant, p->now.link_history + l->history, d, 0.0).force;
+    for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        peaks_column(&p->results->column[column][q],
+                     struck_column_force(&m->column[column], q, p->next.u, spring), p->next.time);
+    }
+}
+
 // Forces in struck columns at the end of the step and where they turn.
 static void dp_forces_columns(const struct dp *p) {
     const struct model *m = p->model;
     for (int i = 0; i < m->n_column; i++) {
         const struct struck_column *c = &m->column[i];
+        if (c->yields) {
+            dp_forces_yielding(p, i);
+            continue;
+        }
         for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
             struct column_peak *peak = &p->results->column[i][q];
             const struct motion force = dp_forces_sum(p, 3, c->dof, c->force[q]);

@@ -263,16 +263,19 @@ static double dp_motion_bend(const struct polynomial *p, double x) {
     return 2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]));
 }
 
-// The force of link number i of the live ones at (d, v) with the acceleration a, and the rate of
-// the force. `creep` is that of its law, which may have none.
-static double dp_link_force(const struct dp *p, int i, double d, double v, double a, double creep,
+// The force of link number i of the live ones at place x of its path in the step, and its rate.
+static double dp_link_force(const struct dp *p, int i, const struct polynomial *path, double x,
                             double *rate) {
-    struct dp_link_rates r = {.creep = creep};
-    if (p->model->link[p->now.live[i]].law->creep) {
-        dp_rates_creeping(p, i, d, v, &r);
-    } else {
-        r.response = dp_system_response(p, p->now.live[i], d, v);
+    const int k = p->now.live[i];
+    const double d = dp_motion_value(path, x), v = dp_motion_slope(path, x) / p->h;
+    const double a = dp_motion_bend(path, x) / (p->h * p->h);
+    if (!p->model->link[k].law->creep) {
+        const struct contact_response r = dp_system_response(p, k, d, v);
+        *rate = r.dfdd * v + r.dfdv * a;
+        return r.force;
     }
+    struct dp_link_rates r = {.creep = dp_rates_creep(p, i, x)};
+    dp_rates_creeping(p, i, d, v, &r);
     *rate = r.response.dfdd * (v - r.flow) + r.response.dfdv * a;
     return r.response.force;
 }
@@ -293,10 +296,8 @@ static double dp_inner_force(const struct dp *p, int i, const struct motion *m, 
     const struct polynomial path = dp_motion_path(m);
     struct root at = {.high = 1.0};
     while (at.high - at.low > PLACED) {
-        const double x = root_middle(&at), v = dp_motion_slope(&path, x) / m->h;
-        const double a = dp_motion_bend(&path, x) / (m->h * m->h);
-        const double d = dp_motion_value(&path, x);
-        force = dp_link_force(p, i, d, v, a, dp_rates_creep(p, i, x), &rate);
+        const double x = root_middle(&at);
+        force = dp_link_force(p, i, &path, x, &rate);
         *time = p->now.time + x * m->h;
         root_halve(&at, start * rate > 0.0);
     }

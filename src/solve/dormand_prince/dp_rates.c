@@ -137,11 +137,12 @@ static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
     const double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
     const double rate = dp_system_across(l, m, r->v, r->ground.v);
     struct dp_link_rates *own = &r->link[i];
-    if (l->law->creep) {
+    if (p->system.creeps && l->law->creep) {
         own->creep = p->h == 0.0 ? p->now.link_history[l->history + 1] : own->creep;
         dp_rates_creeping(p, i, d, rate, own);
     } else {
-        *own = (struct dp_link_rates){.response = dp_system_response(p, k, d, rate)};
+        own->response = dp_system_response(p, k, d, rate);
+        own->flow = 0.0;
     }
     const double force = own->response.force;
     own->power = force * rate;

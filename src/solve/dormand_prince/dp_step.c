@@ -103,8 +103,8 @@ static void dp_add_link(struct dp *p, int n) {
     const int k = p->now.live[n];
     const struct link *l = &p->model->link[k];
     const struct dp_rates *r = p->stage[0];
-    const bool unbounded = bilateral_is_steep(l->law, l->constant);
-    if (l->law->creep) {
+    const bool unbounded = l->bilateral && bilateral_is_steep(l->law, l->constant);
+    if (p->system.creeps && l->law->creep) {
         f->longest = number_min(f->longest, dp_creeping_step(p, n));
     }
     const double dfdd = l->bilateral ? r->link[n].response.dfdd

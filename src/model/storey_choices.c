@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/storey_spread.h"
+#include "model/storey_choices.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "deck/reader.h"
 
-bool storey_spread_take(struct builder *b, struct storey_spread *c, int n, const char *owner) {
+bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, const char *owner) {
     bool good = true;
     for (int r = 0; r < c->law->n_row; r++) {
         if (c->given[r].n > 0) {
@@ -21,8 +21,8 @@ bool storey_spread_take(struct builder *b, struct storey_spread *c, int n, const
     return good;
 }
 
-bool storey_spread_prepare(struct builder *b, const struct word *w, const struct storey_spread *c,
-                           int k, double stiffness, struct storey *out) {
+bool storey_choices_prepare(struct builder *b, const struct word *w, const struct storey_choices *c,
+                            int k, double stiffness, struct storey *out) {
     double own[STOREY_ROWS_MAX];
     const struct storey_law *law = c->law;
     for (int r = 0; r < law->n_row; r++) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A storey law with the options of a statement for several storeys or hinges, `LAW -yield LIST
+// ...`: each has its own value of each row.
+#ifndef JOSTLE_STOREY_CHOICES_H
+#define JOSTLE_STOREY_CHOICES_H
+
+#include "model/builder.h"
+#include "model/storey_choice.h"
+
+struct storey_choices {
+    const struct storey_law *law;
+    struct argument given[STOREY_ROWS_MAX];  // (law->n_row)
+    double *value[STOREY_ROWS_MAX];          // (n) of each row with numbers; NULL: others
+    double *yield;                           // of the row `yield`; NULL: not given
+    int yield_row;
+};
+
+// Takes one value, or one for each of n laws, of each row of the choice. `owner` is as in
+// builder_spread. False after a report.
+bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, const char *owner);
+
+// Law k of them, of this initial stiffness. False after a report at `w`.
+bool storey_choices_prepare(struct builder *b, const struct word *w, const struct storey_choices *c,
+                            int k, double stiffness, struct storey *out);
+
+#endif

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model of a deck, seen from the front, before it runs: storeys and floors at their heights,
+// frames, walls, foundations, contacts, links, struck columns. Below each building are its numbers,
+// below each gap its size. Of many buildings the first are shown.
+#include <math.h>
+#include <string.h>
+
+#include "core/text.h"
+#include "model/foundation.h"
+#include "model/frame.h"
+#include "plot/deck_links.h"
+#include "plot/legend.h"
+#include "plot/script.h"
+
+// What is drawn in one style: a data block of lines, polygons or points with blank lines between
+// them. It returns their number; `to` NULL: it does nothing else.
+struct layer {
+    const char *data;  // the name of its block
+    const char *name;  // in the legend; NULL: not there
+    struct style style;
+    int (*write)(const struct deck_view *v, FILE *to);
+};
+
+static const struct building *without_foundation(const struct building *g) {
+    return g->fixed ? g->fixed : g;
+}
+
+static bool storey_resists(const struct building *own, int i) {
+    return own->spring[i] + (own->pdelta ? own->pdelta[i] : 0.0) > 0.0;
+}
+
+// A building of one floor that nothing holds.
+static bool is_body(const struct building *g) {
+    return g->n_floor == 1 && g->n_part == 0 && !storey_resists(g, 0);
+}
+
+static int write_ground(const struct deck_view *v, FILE *to) {
+    deck_put_box(to, 0, v->at.area.right - v->at.area.left, v->at.at.low, 0);
+    return 1;
+}
+
+static int write_yielding(const struct deck_view *v, FILE *to) {
+    int n = 0;
+    for (int k = 0; k < v->at.n; k++) {
+        const struct building *g = &v->m->building[k];
+        for (int i = 0; i < g->n_level; i++) {
+            if (foundation_storey(v->m, g, i)->law->n_history > 0) {
+                deck_put_box(to, elevation_x(&v->at, k, 0), elevation_x(&v->at, k, 1),
+                             elevation_level(&v->at, k, i), elevation_level(&v->at, k, i + 1));
+                n++;
+            }
+        }
+    }
+    return n;
+}
+
+static int write_foundations(const struct deck_view *v, FILE *to) {
+    int n = 0;
+    for (int k = 0; k < v->at.n; k++) {
+        if (v->m->building[k].foundation) {
+            deck_put_box(to, elevation_x(&v->at, k, -0.12), elevation_x(&v->at, k, 1.12),
+                         0.7 * v->at.at.low, 0);
+            n++;
+        }
+    }
+    return n;
+}
+
+static int write_bodies(const struct deck_view *v, FILE *to) {
+    int n = 0;
+    const double half = 0.35 * elevation_per_em(&v->at);
+    for (int k = 0; k < v->at.n; k++) {
+        const double level = elevation_level(&v->at, k, 1);
+        if (is_body(&v->m->building[k])) {
+            deck_put_box(to, elevation_x(&v->at, k, 0), elevation_x(&v->at, k, 1), level - half,
+                         level + half);
+            n++;
+        }
+    }
+    return n;
+}
+
+static int write_floors(const struct deck_view *v, FILE *to) {
+    int n = 0;
+    for (int k = 0; k < v->at.n; k++) {
+        const struct building *g = &v->m->building[k];
+        for (int i = 1; i <= g->n_level && !is_body(g); i++) {
+            const double level = elevation_level(&v->at, k, i);
+            deck_put_line(to, elevation_x(&v->at, k, 0), level, elevation_x(&v->at, k, 1), level);
+            n++;
+        }
+    }
+    return n;
+}
+
+// Both sides of a storey.
+static void put_sides(const struct deck_view *v, FILE *to, int k, int storey) {
+    for (int side = 0; side < 2; side++) {
+        const double x = elevation_x(&v->at, k, side);
+        deck_put_line(to, x, elevation_level(&v->at, k, storey), x,
+                      elevation_level(&v->at, k, storey + 1));
+    }
+}
+
+static int write_storeys(const struct deck_view *v, FILE *to) {
+    int n = 0;
+    for (int k = 0; k < v->at.n; k++) {
+        const struct building *g = &v->m->building[k];
+        for (int i = 0; i < g->n_level; i++) {
+            if (storey_resists(without_foundation(g), i)) {
+                put_sides(v, to, k, i);
+                n++;
+            }
+        }
+    }
+    return n;
+}
+
+static int write_matrices(const struct deck_view *v, FILE *to) {
+    int n = 0;
+    for (int k = 0; k < v->at.n; k++) {
+        const struct building *g = without_foundation(&v->m->building[k]);
+        for (int p = 0; p < g->n_part; p++) {
+            for (int i = 0; !frame_of(&g->part[p]) && i < g->n_floor; i++) {
+                put_sides(v, to, k, i);
+                n++;
+            }
+        }
+    }
+    return n;
+}
+
+static bool is_wall(const struct part *p) {
+    return p->kind == &frame_wall;
+}
+
+static int count_walls(const struct building *g) {
+    int n = 0;
+    for (int p = 0; p < g->n_part; p++) {
+        n += is_wall(&g->part[p]);
+    }
+    return n;
+}
+
+static int write_members(const struct deck_view *v, FILE *to, bool walls) {
+    int n = 0;
+    for (int k = 0; k < v->at.n; k++) {
+        const struct building *g = without_foundation(&v->m->building[k]);
+        for (int p = 0; p < g->n_part; p++) {
+            const struct plane_frame *f = frame_of(&g->part[p]);
+            for (int i = 0; f && is_wall(&g->part[p]) == walls && i < f->n_member; i++) {
+                const struct frame_member *m = &f->member[i];
+                const struct elevation_ends at = elevation_member(
+                    &v->at, k, m->kind, m->level, m->number, walls ? count_walls(g) : f->n_line);
+                deck_put_line(to, at.x[0], at.y[0], at.x[1], at.y[1]);
+                n++;
+            }
+        }
+    }
+    return n;
+}
+
+static int write_walls(const struct deck_view *v, FILE *to) {
+    return write_members(v, to, true);
+}
+
+static int write_frames(const struct deck_view *v, FILE *to) {
+    return write_members(v, to, false);
+}
+
+enum base { BASE_FIXED, BASE_PINNED, BASE_SPRING };
+
+// The bases of this kind, of the members that stand on the ground.
+static int write_bases(const struct deck_view *v, FILE *to, enum base kind) {
+    int n = 0;
+    for (int k = 0; k < v->at.n; k++) {
+        const struct building *g = without_foundation(&v->m->building[k]);
+        for (int p = 0; p < g->n_part; p++) {
+            const struct plane_frame *f = frame_of(&g->part[p]);
+            for (int i = 0; f && i < f->n_member; i++) {
+                const struct frame_member *m = &f->member[i];
+                const struct frame_joint *j = &f->joint[m->joint[0]];
+                const enum base is = !j->turns         ? BASE_FIXED
+                                     : j->spring > 0.0 ? BASE_SPRING
+                                                       : BASE_PINNED;
+                if (m->kind != FRAME_BEAM && m->level == 1 && is == kind) {
+                    const struct elevation_ends at =
+                        elevation_member(&v->at, k, m->kind, 1, m->number,
+                                         is_wall(&g->part[p]) ? count_walls(g) : f->n_line);
+                    deck_put_point(to, at.x[0], 0);
+                    n++;
+                }
+            }
+        }
+    }
+    return n;
+}
+
+static int write_fixed(const struct deck_view *v, FILE *to) {
+    return write_bases(v, to, BASE_FIXED);
+}
+
+static int write_pinned(const struct deck_view *v, FILE *to) {
+    return write_bases(v, to, BASE_PINNED);
+}
+
+static int write_springs(const struct deck_view *v, FILE *to) {
+    return write_bases(v, to, BASE_SPRING);
+}
+
+#define GREY "#808080"
+#define BLUE "#0072b2"
+
+// From the lowest to the topmost.
+static const struct layer layers[] = {
+    {"ground", NULL, {STYLE_AREA, .colour = "#e8e4dc"}, write_ground},
+    {"yielding", "storeys that yield", {STYLE_AREA, .colour = "#fbe3c0"}, write_yielding},
+    {"foundations", "foundation", {STYLE_AREA, .colour = "#b08d57"}, write_foundations},
+    {"matrices", "stiffness matrix", {STYLE_LINE, GREY, 1.2, "(6,5)", 0, 0}, write_matrices},
+    {"storeys", "shear storeys", {STYLE_LINE, GREY, 1.2, NULL, 0, 0}, write_storeys},
+    {"walls", "wall", {STYLE_LINE, "#9a9a9a", 7, NULL, 0, 0}, write_walls},
+    {"floors", NULL, {STYLE_LINE, "#202020", 2, NULL, 0, 0}, write_floors},
+    {"frames", "frame", {STYLE_LINE, BLUE, 1.6, NULL, 0, 0}, write_frames},
+    {"fixed", "fixed base", {STYLE_POINTS, .colour = BLUE, .point = 5, .size = 1}, write_fixed},
+    {"pinned",
+     "pinned base",
+     {STYLE_POINTS, .colour = BLUE, .point = 8, .size = 1.4},
+     write_pinned},
+    {"springs",
+     "base on a spring",
+     {STYLE_POINTS, .colour = BLUE, .point = 12, .size = 1.4},
+     write_springs},
+    {"bodies", "free body", {STYLE_AREA, .colour = "#56b4e9"}, write_bodies},
+    {"rigid", "rigid wall", {STYLE_AREA, .colour = "#606060"}, deck_links_write_rigid},
+    {"struck",
+     "column that is struck",
+     {STYLE_LINE, "#e69f00", 3.5, NULL, 0, 0},
+     deck_links_write_struck},
+    {"links", "link", {STYLE_BOTH, "#009e73", 1.6, NULL, 13, 1}, deck_links_write_links},
+    {"contacts",
+     "contact",
+     {STYLE_BOTH, "#d00000", 1.6, NULL, POINT_DISC, 0.8},
+     deck_links_write_contacts},
+};
+enum { N_LAYER = sizeof layers / sizeof layers[0] };
+
+static struct deck_view view_of(const struct model *m) {
+    struct deck_view v = {.m = m};
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        if (!elevation_add(&v.at, &(struct elevation_building){g->name, g->n_level, g->height})) {
+            break;
+        }
+    }
+    return v;
+}
+
+static void add_count(char *text, size_t size, int n, const char *one, const char *many) {
+    const size_t used = strlen(text);
+    if (n > 0) {
+        snprintf(text + used, size - used, "%s%d %s", used > 0 ? ", " : "", n, n > 1 ? many : one);
+    }
+}
+
+static void write_head(const struct deck_view *v, const bool *there, struct canvas *c) {
+    const struct model *m = v->m;
+    char text[200] = "";
+    struct legend l = {0};
+    add_count(text, sizeof text, m->n_building, "building", "buildings");
+    add_count(text, sizeof text, m->n_contact, "contact", "contacts");
+    add_count(text, sizeof text, m->n_link - m->n_contact - m->n_column, "link", "links");
+    add_count(text, sizeof text, m->n_column, "struck column", "struck columns");
+    const size_t n = strlen(text);
+    if (m->n_building > v->at.n) {
+        snprintf(text + n, sizeof text - n, "; the first %d buildings are drawn", v->at.n);
+    } else if (!v->at.heights) {
+        snprintf(text + n, sizeof text - n, "; not all storeys have heights");
+    } else {
+        snprintf(text + n, sizeof text - n, "; heights are to scale, widths and gaps are not");
+    }
+    size_t stem;
+    const char *name = text_stem(m->deck->path, &stem);
+    canvas_head(c, m->deck->title[0] ? m->deck->title : name, text);
+    for (int i = 0; i < N_LAYER; i++) {
+        if (there[i] && layers[i].name) {
+            legend_add(&l, layers[i].style, layers[i].name, "");
+        }
+    }
+    legend_write(&l, c);
+}
+
+// "4, 5 × 3.2": the heights of the storeys, from the ground.
+static void write_heights(const struct building *g, char *text, size_t size) {
+    size_t n = 0;
+    for (int i = 0, last; i < g->n_level && n < size; i = last + 1) {
+        char height[32];
+        last = i;
+        while (last + 1 < g->n_level && g->height[last + 1] == g->height[i]) {
+            last++;
+        }
+        script_number(g->height[i], height, sizeof height);
+        n += (size_t)snprintf(text + n, size - n, i > 0 ? ", " : "");
+        if (last > i && n < size) {
+            n += (size_t)snprintf(text + n, size - n, "%d × ", last - i + 1);
+        }
+        n += n < size ? (size_t)snprintf(text + n, size - n, "%s", height) : 0;
+    }
+}
+
+enum line { LINE_GAPS, LINE_NAMES, LINE_STOREYS, LINE_MASS, LINE_PERIOD, N_LINE };
+
+static void write_line_names(const struct deck_view *v, struct canvas *c) {
+    char unit[64], text[96];
+    script_unit(c->units, dimension_length, unit, sizeof unit);
+    snprintf(text, sizeof text, "gap [%s]", unit);
+    elevation_line(&v->at, c, text, LINE_GAPS);
+    snprintf(text, sizeof text, v->at.heights ? "storeys [%s]" : "storeys", unit);
+    elevation_line(&v->at, c, text, LINE_STOREYS);
+    script_unit(c->units, dimension_mass, unit, sizeof unit);
+    snprintf(text, sizeof text, "mass [%s]", unit);
+    elevation_line(&v->at, c, text, LINE_MASS);
+    snprintf(text, sizeof text, "T1 [%s]", c->units->time_name);
+    elevation_line(&v->at, c, text, LINE_PERIOD);
+}
+
+// The numbers of a building.
+static void write_numbers(const struct deck_view *v, int k, struct canvas *c) {
+    const struct building *g = &v->m->building[k];
+    const double x = elevation_x(&v->at, k, 0.5), room = 0.96 * v->at.slot;
+    char text[512];
+    double mass = 0;
+    for (int i = 0; i < g->n_level; i++) {
+        mass += g->mass[i];
+    }
+    if (g->height) {
+        write_heights(g, text, sizeof text);
+    } else {
+        snprintf(text, sizeof text, "%d", g->n_level);
+    }
+    elevation_below(&v->at, c, text, x, LINE_STOREYS, room);
+    elevation_number(&v->at, c, mass, x, LINE_MASS);
+    if (g->omega[0] > 0) {
+        elevation_number(&v->at, c, 2 * acos(-1.0) / g->omega[0], x, LINE_PERIOD);
+    } else {
+        elevation_below(&v->at, c, "free", x, LINE_PERIOD, room);
+    }
+}
+
+static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+    struct deck_view v = view_of(p->model);
+    bool there[N_LAYER];
+    (void)e;
+    for (int i = 0; i < N_LAYER; i++) {
+        there[i] = layers[i].write(&v, NULL) > 0;
+    }
+    write_head(&v, there, c);
+    elevation_open(&v.at, c, N_LINE);
+    for (int k = 0; k < v.at.n; k++) {
+        v.dense = v.dense || !canvas_has_room(c, 2 * v.m->building[k].n_level);
+    }
+    write_line_names(&v, c);
+    for (int k = 0; k < v.at.n; k++) {
+        elevation_name(&v.at, c, k, LINE_NAMES);
+        write_numbers(&v, k, c);
+    }
+    deck_links_write_gaps(&v, c, LINE_GAPS);
+    for (int i = 0; i < N_LAYER; i++) {
+        if (there[i]) {
+            script_block(c->data, layers[i].data, "place [em], level");
+            layers[i].write(&v, c->data);
+            fprintf(c->data, "EOD\n");
+            struct style style = layers[i].style;
+            style.width *= v.dense ? 0.5 : 1;
+            panel_series(c, style, "$%s using 1:2", layers[i].data);
+        }
+    }
+    panel_close(c);
+    return STATUS_OK;
+}
+
+const struct figure figure_deck = {
+    .name = "deck",
+    .doc = "the model of a deck before it runs",
+    .of = SUBJECT_DECK,
+    .draw = draw,
+};
