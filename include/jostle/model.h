@@ -72,10 +72,10 @@ struct building {
     int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
                                      // index of the first among those of all buildings
     const double *force_by_action;   // (n_floor + n_hinge, n_force in whole lanes) transposed: by
-                                     // unit drifts, and unit rotations of hinges
+                                     // unit drifts, and unit departures of hinges from their lines
     int n_hinge;                     // of its frame
-    int turn, first_hinge;           // offset of their rotations in the state's storey history, and
-                                     // the index of the first among those of all buildings
+    int departure, first_hinge;      // offset of these in the state's storey history, and the index
+                                     // of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
     const double *damping_storey;    // [F T/L] (n_floor) and beta times the initial stiffness of

@@ -96,24 +96,54 @@ static void forces_set(const struct building *g, double *by_action, int force, i
     }
 }
 
-// The rotation of a hinge, and its plastic rotation r - m / k; the moment m acts on the joint, its
-// opposite on the end of the member.
-static void forces_fill_hinge(const struct building *g, double *by_action, int part, int hinge) {
+// A row of a frame on its actions; `room` (n_action) of one with hinges is scratch.
+static void forces_set_frame(const struct building *g, const struct plane_frame *f,
+                             double *by_action, int force, const double *row, double *room) {
+    if (f->n_hinge > 0) {
+        hinges_on_departures(f, row, room);
+    }
+    forces_set(g, by_action, force, f->n_action, f->n_hinge > 0 ? room : row);
+}
+
+// The rotation of a hinge, and its plastic rotation r - m / k = -s / k.
+static void forces_fill_hinge(const struct building *g, double *by_action, int part, int hinge,
+                              double *room) {
     const struct plane_frame *f = g->part[part].data;
     const struct hinge *h = hinges_at(f, hinge);
-    const ptrdiff_t stride = lanes_whole(g->n_force), n = f->n_action;
-    const double *moment = f->stiffness + (f->n_floor + hinge) * n;
-    const int turn = forces_of_members(g, part, FRAME_ROTATION_I + h->end) + h->member;
+    const ptrdiff_t stride = lanes_whole(g->n_force);
+    const int own = f->n_floor + hinge;
+    double *row = room + f->n_action;
+    memset(row, 0, (size_t)f->n_action * sizeof *row);
+    row[own] = 1.0;
     const int plastic = forces_of_members(g, part, FRAME_PLASTIC_I + h->end) + h->member;
-    for (ptrdiff_t j = 0; j < n; j++) {
-        const double own = j == f->n_floor + hinge ? 1.0 : 0.0;
-        by_action[j * stride + turn] = own;
-        by_action[j * stride + plastic] = own + moment[j] / h->stiffness;
+    forces_set_frame(g, f, by_action,
+                     forces_of_members(g, part, FRAME_ROTATION_I + h->end) + h->member, row, room);
+    by_action[own * stride + plastic] = -1.0 / h->stiffness;
+}
+
+static void forces_fill_part(const struct building *g, double *by_action, int p, double *room) {
+    const struct part *part = &forces_own(g)->part[p];
+    const int n = part->n, share = forces_of_share(g, p + 1);
+    const struct plane_frame *f = frame_of(part);
+    for (int i = 0; share >= 0 && i < n; i++) {
+        if (f) {
+            forces_set_frame(g, f, by_action, share + i, f->stiffness + (ptrdiff_t)i * f->n_action,
+                             room);
+        } else {
+            forces_set(g, by_action, share + i, n, part->stiffness + (ptrdiff_t)i * n);
+        }
+    }
+    for (int i = 0; f && i < f->n_member * FRAME_FORCES; i++) {
+        const int at = forces_of_members(g, p, i % FRAME_FORCES) + i / FRAME_FORCES;
+        forces_set_frame(g, f, by_action, at, f->force + (ptrdiff_t)i * f->n_action, room);
+    }
+    for (int i = 0; f && i < f->n_hinge; i++) {
+        forces_fill_hinge(g, by_action, p, i, room);
     }
 }
 
-// By the drifts of the storeys themselves.
-static void forces_fill(const struct building *g, double *by_action) {
+// By the drifts of the storeys themselves. `room` (2 (n_floor + n_hinge)) is scratch.
+static void forces_fill(const struct building *g, double *by_action, double *room) {
     const struct building *own = forces_own(g);
     const size_t n = (size_t)own->n_floor;
     const size_t stride = (size_t)lanes_whole(g->n_force);
@@ -122,20 +152,7 @@ static void forces_fill(const struct building *g, double *by_action) {
         by_action[i * stride + (size_t)storeys + i] = own->spring[i];
     }
     for (int p = 0; p < own->n_part; p++) {
-        const int share = forces_of_share(g, p + 1);
-        const struct plane_frame *f = frame_of(&own->part[p]);
-        const double *stiffness = f ? f->stiffness : own->part[p].stiffness;
-        const int n_action = f ? f->n_action : own->n_floor;
-        for (int i = 0; share >= 0 && i < own->n_floor; i++) {
-            forces_set(g, by_action, share + i, n_action, stiffness + (ptrdiff_t)i * n_action);
-        }
-        for (int i = 0; f && i < f->n_member * FRAME_FORCES; i++) {
-            const int at = forces_of_members(g, p, i % FRAME_FORCES) + i / FRAME_FORCES;
-            forces_set(g, by_action, at, n_action, f->force + (ptrdiff_t)i * n_action);
-        }
-        for (int i = 0; f && i < f->n_hinge; i++) {
-            forces_fill_hinge(g, by_action, p, i);
-        }
+        forces_fill_part(g, by_action, p, room);
     }
 }
 
@@ -169,7 +186,7 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
         const struct plane_frame *f = frame_of(&g->part[i]);
         if (f && f->n_hinge > 0) {
             g->n_hinge = f->n_hinge;
-            g->turn = g->part[i].history;  // which begins with them
+            g->departure = g->part[i].history + f->n_hinge;  // behind their rotations
         }
     }
     m->n_hinge += g->n_hinge;
@@ -181,12 +198,13 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
     const size_t stride = (size_t)lanes_whole(g->n_force);
     const size_t n_action = (size_t)(g->n_floor + g->n_hinge);
     double *by_action = arena_alloc(a, n_action * stride, sizeof *by_action);
+    double *room = arena_alloc(a, 2 * n_action, sizeof *room);
     double *by_own =
         g->fixed ? arena_alloc(a, (size_t)g->n_level * stride, sizeof *by_own) : by_action;
-    if (!by_action || !by_own) {
+    if (!by_action || !room || !by_own) {
         return false;
     }
-    forces_fill(g, by_own);
+    forces_fill(g, by_own, room);
     if (g->fixed) {
         forces_found(g, by_own, by_action);
     }
@@ -201,7 +219,7 @@ void forces_at(const struct building *g, const double *drift, const double *hist
     memset(force, 0, n * sizeof *force);
     for (int j = 0; j < g->n_floor + g->n_hinge; j++) {
         const double *row = g->force_by_action + (size_t)j * n;
-        const double action = j < g->n_floor ? drift[j] : history[g->turn + j - g->n_floor];
+        const double action = j < g->n_floor ? drift[j] : history[g->departure + j - g->n_floor];
         LANES_LOOP
         for (size_t i = 0; i < n; i++) {
             force[i] += row[i] * action;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forces that follow from the drifts of a building: the storey shears of its parts, where more than
 // one resists, the forces of the members of its frames and walls, and what a foundation does. They
-// are the rows of a matrix times the drifts; with hinges, times the drifts and the rotations of the
-// hinges. Those of all buildings are one list, in which each building begins at a whole lane.
+// are the rows of a matrix times the drifts; with hinges, times the drifts and the departures of
+// their moments from their initial lines. Those of all buildings are one list, in which each
+// building begins at a whole lane.
 #ifndef JOSTLE_FORCES_H
 #define JOSTLE_FORCES_H
 

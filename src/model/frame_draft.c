@@ -114,7 +114,9 @@ static void end(struct builder *b, struct building_draft *d, struct plane_frame 
     }
     if (status == STATUS_INPUT) {
         deck_error(b->deck, word, "%s of building %s: %s", kind->name, d->name, e.message);
-    } else if (status == STATUS_OK && source) {
+    } else if (status != STATUS_OK) {
+        deck_error_of(b->deck, word, &e);
+    } else if (source) {
         struct part part = {
             .kind = kind, .source = source, .n = d->n_floor, .stiffness = f->stiffness, .data = f};
         if (f->n_hinge > 0) {

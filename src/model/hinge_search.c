@@ -35,8 +35,8 @@ enum { ITERATIONS_MAX = 200, TRIALS_MAX = 40 };
 static const double HELD = 1e-12;
 static const double SOFTEST = 1e-6;
 
-// A departure from k r this small, relative to the moment, is rounding of the law.
-static const double ROUNDING = 4.0 * DBL_EPSILON;
+// A change of the departure from k r this small, relative to the moment, is rounding of the law.
+static const double ROUNDING = 8.0 * DBL_EPSILON;
 
 // Unbalanced moments this small against the largest of all hinges are rounding: laws compute their
 // moments from k r.
@@ -115,7 +115,8 @@ void hinge_search_laws(const struct hinge_search *x, struct hinge_point *p) {
                             x->after ? x->after + s->history : NULL);
         const double line = hinge->stiffness * p->turn[i], departure = r.shear - line;
         const double size = fabs(r.shear) + fabs(line);
-        p->departure[i] = fabs(departure) > ROUNDING * size ? departure : 0.0;
+        const bool stays = fabs(departure - x->departure[i]) <= ROUNDING * size;
+        p->departure[i] = stays ? x->departure[i] : departure;
         p->softening[i] = hinge->stiffness - r.tangent;
         p->size = number_max(p->size, size);
     }

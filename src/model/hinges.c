@@ -22,6 +22,21 @@ const struct hinge *hinges_at(const struct plane_frame *f, int i) {
     return &f->hinges->hinge[i];
 }
 
+// With r = P d - B s.
+void hinges_on_departures(const struct plane_frame *f, const double *row, double *out) {
+    const struct hinges *h = f->hinges;
+    for (int j = 0; j < f->n_action; j++) {
+        const int own = j - f->n_floor;
+        const double *by = own < 0 ? h->by_drift + (ptrdiff_t)j * h->stride
+                                   : h->by_moment + (ptrdiff_t)own * h->stride;
+        double sum = 0.0;
+        for (int k = 0; k < h->n; k++) {
+            sum += row[f->n_floor + k] * by[k];
+        }
+        out[j] = own < 0 ? row[j] + sum : -sum;
+    }
+}
+
 static const struct hinges *hinges_of(const struct part *p) {
     return ((const struct plane_frame *)p->data)->hinges;
 }

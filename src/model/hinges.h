@@ -39,6 +39,10 @@ static inline ptrdiff_t hinges_of_laws(int n) {
     return 2 * (ptrdiff_t)n;
 }
 
+// The rows of a quantity that is linear in drifts and rotations of hinges, on drifts and departures
+// instead (n_action): a departure from the initial line stays when a hinge unloads on that line.
+void hinges_on_departures(const struct plane_frame *f, const double *row, double *out);
+
 // What kind of part a frame with these hinges is.
 const struct part_kind *hinges_kind(const struct hinges *h);
 

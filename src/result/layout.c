@@ -122,9 +122,6 @@ const struct column_table layout_peak = TABLE(peak_column, report_building);
 static const struct column member_column[] = {MEMBER("name", TEXT, name, NULL, "name")};
 const struct column_table layout_member = TABLE(member_column, report_member);
 
-// The columns of members without hinges, which come first.
-enum { MEMBER_PEAKS = 3, MEMBER_EXTREMES = 4 * MEMBER_FORCES };
-
 static const struct column member_peak_column[] = {
     MEMBER("moment", DOUBLE, moment, &dimension_energy, "largest absolute moment on either end"),
     MEMBER("shear", DOUBLE, shear, &dimension_force, "largest absolute shear"),

@@ -35,7 +35,9 @@ extern const struct column_table layout_building;  // of struct report_building:
 extern const struct column_table layout_pdelta;    // the same, of a run alone with P-delta
 extern const struct column_table layout_peak;      // the same: /buildings/*/envelope
 extern const struct column_table layout_member;    // of struct report_member: .../members
-// The same: .../members/envelope; of runs besides the signed extremes. [1]: with hinges.
+// The same: .../members/envelope; of runs besides the signed extremes. [1]: with hinges, whose
+// columns come after those of [0].
+enum { MEMBER_PEAKS = 3, MEMBER_EXTREMES = 4 * MEMBER_FORCES };
 extern const struct column_table layout_member_peak[2], layout_member_extreme[2];
 extern const struct column_table layout_share;        // of struct report_share: .../parts
 extern const struct column_table layout_share_peak;   // the same: .../parts/*/envelope

@@ -97,19 +97,19 @@ static void get_members(struct result_file *f, const struct spot *building,
     const size_t n = h5_get_length(&f->h, group, "member", LIST_LIMIT);
     b->member = h5_alloc(&f->h, f->report->arena, n, sizeof *b->member);
     get_column(f, &members, &layout_member, 0, b->member, n);
+    const struct spot envelope = open_spot(f, &members, "envelope");
+    b->hinged = !f->h.failed && h5_has(&f->h, envelope.own >= 0 ? envelope.own : envelope.study,
+                                       layout_member_peak[1].column[MEMBER_PEAKS].name);
     if (f->reading == READ_VALUES && !f->h.failed) {
-        const struct spot envelope = open_spot(f, &members, "envelope");
-        b->hinged = h5_has(&f->h, envelope.own >= 0 ? envelope.own : envelope.study,
-                           layout_member_peak[1].column[layout_member_peak[0].n_column].name);
         get_columns(f, &envelope, &layout_member_peak[b->hinged], b->member, n);
         b->extremes = envelope.own >= 0 &&
                       h5_has(&f->h, envelope.own, layout_member_extreme[0].column[0].name);
         if (b->extremes) {
             get_columns(f, &envelope, &layout_member_extreme[b->hinged], b->member, n);
         }
-        close_spot(f, &envelope);
     }
     b->n_member = f->h.failed ? 0 : (int)n;
+    close_spot(f, &envelope);
     close_spot(f, &members);
 }
 

@@ -237,7 +237,10 @@ int analysis_end(struct run *r, int status, struct results **out) {
     peaks_finish(results, r->model);
     force_peaks_flush(&r->forces);
     impacts_finish(&r->impacts, r->now);
-    residual_drifts(r->model, r->now, results->residual_drift);
+    if (!residual_drifts(r->model, r->now, results->residual_drift)) {
+        results_free(results);
+        return error_no_memory(r->error);
+    }
     residual_links(r->model, r->now, results->link);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;

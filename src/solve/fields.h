@@ -10,7 +10,7 @@
 struct arena;
 struct model;
 
-// The actions that forces follow from, in whole lanes: drifts, then rotations of hinges.
+// The actions that forces follow from, in whole lanes: drifts, then departures of hinges.
 int fields_actions(const struct model *m);
 
 // States whose forces are looked at together (account/force_peaks.h).

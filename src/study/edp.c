@@ -248,8 +248,13 @@ static int add_all(struct reading *r, const char *owner, struct error *e) {
             add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL, false}, b->name);
         }
     }
+    bool framed = false;
+    for (int i = 0; i < v->n_building; i++) {
+        framed |= v->building[i].n_member > 0;
+    }
     const char *none = !members ? "such building has a foundation"
                        : any    ? "building has such a member"
+                       : framed ? "building has hinges"  // which other quantities do not need
                                 : "building has a frame or a wall";
     return r->out->n_term > 0 ? STATUS_OK : error_set(e, STATUS_INPUT, "%s: no %s", r->text, none);
 }

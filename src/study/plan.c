@@ -161,10 +161,12 @@ static bool same_parts(const struct building *a, const struct building *b) {
     same = same && a->n_part == b->n_part;
     for (int i = 0; same && i < a->n_part; i++) {
         const struct plane_frame *f = frame_of(&a->part[i]), *g = frame_of(&b->part[i]);
-        same = a->part[i].kind == b->part[i].kind && (!f || f->n_member == g->n_member);
+        same = strcmp(a->part[i].kind->name, b->part[i].kind->name) == 0 && !f == !g &&
+               (!f || f->n_member == g->n_member);
         for (int k = 0; same && f && k < f->n_member; k++) {
             const struct frame_member *x = &f->member[k], *y = &g->member[k];
-            same = x->kind == y->kind && x->level == y->level && x->number == y->number;
+            same = x->kind == y->kind && x->level == y->level && x->number == y->number &&
+                   x->hinge[0] == y->hinge[0] && x->hinge[1] == y->hinge[1];
         }
     }
     return same;

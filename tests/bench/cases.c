@@ -34,6 +34,10 @@ static const char bilinear[] = "storey B1:all bilinear -yield 4MN -hardening 0.0
     "frame " name " -bays 2*6m -modulus 30GPa\ncolumns " name                                      \
     " -I 5e-3m^4 -A 0.25m^2\nbeams " name " -I 5e-3m^4\n"
 #define FRAMES FRAME("B1") FRAME("B2")
+#define HINGES(name)                                                                               \
+    "hinges " name                                                                                 \
+    ":all beams bilinear -yield 0.3MN*m -hardening 0.02 -stiffness 1GN*m\nhinges " name            \
+    " bases bilinear -yield 0.3MN*m -hardening 0.02 -stiffness 1GN*m\n"
 
 const struct bench_case bench_cases[] = {
     {"pair", 0, 0, NEAR JANKOWSKI, NULL, 1e-3, 40.0, bench_analysis, 15.0, 60.0},
@@ -70,6 +74,8 @@ const struct bench_case bench_cases[] = {
      1e-3, 40.0, bench_analysis, 0.0, 90.0},
     {"pair, full matrices", 0, 0, NEAR JANKOWSKI, WALLS, 1e-3, 40.0, bench_analysis, 0.0, 120.0},
     {"pair, frames", 0, 0, NEAR JANKOWSKI, FRAMES, 1e-3, 40.0, bench_analysis, 0.0, 150.0},
+    {"pair, frames with hinges", 0, 0, NEAR JANKOWSKI, FRAMES HINGES("B1") HINGES("B2"), 1e-3, 40.0,
+     bench_analysis, 0.0, 5000.0},
     {"pair, damper link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -dashpot 2MN*s/m\n", 1e-3, 40.0,
      bench_analysis, 0.0, 100.0},
     {"pair, spring link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -stiffness 50MN/m\n", 1e-3, 40.0,

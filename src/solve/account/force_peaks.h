@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest and smallest of the forces that follow from drifts and rotations of hinges
+// The largest and smallest of the forces that follow from drifts and departures of hinges
 // (model/forces.h), over all computed steps.
 //
 // Such actions of FORCES_BATCH states are collected. An action stays near the straight line from
@@ -16,7 +16,7 @@ struct force_peaks {
     struct results *results;  // borrowed
     int n;                    // states in the batch
     double time[FORCES_BATCH];
-    int n_action;    // of a state: model.chain.n drifts, then rotations
+    int n_action;    // of a state: model.chain.n drifts, then departures
     double *action;  // (FORCES_BATCH, n_action)
     double *bow;     // (n_action) scratch
     double *turned;  // (n_action, FORCES_BATCH) scratch: those of a building, one by one
@@ -42,7 +42,7 @@ static inline void force_peaks_take(struct results *r, int i, double value, doub
     }
 }
 
-// Takes a state: its displacements, and rotations of hinges.
+// Takes a state: its displacements, and departures of hinges.
 static inline void force_peaks_note(struct force_peaks *p, const struct state *s) {
     const struct model *m = p->model;
     const struct chain *c = &m->chain;
@@ -52,7 +52,7 @@ static inline void force_peaks_note(struct force_peaks *p, const struct state *s
     }
     for (int k = 0; m->n_hinge > 0 && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        memcpy(action + c->n + g->first_hinge, s->storey_history + g->turn,
+        memcpy(action + c->n + g->first_hinge, s->storey_history + g->departure,
                (size_t)g->n_hinge * sizeof *action);
     }
     p->time[p->n++] = s->time;

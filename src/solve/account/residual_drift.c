@@ -125,8 +125,8 @@ static bool residual_drift_improve(struct settling *r, double *size) {
 }
 
 // The residual drifts of building `b` with parts, or as near to them as rounding allows. NAN: a law
-// does not let them come there, or no memory.
-static void residual_drift_settle(const struct model *m, const struct state *s,
+// does not let them come there. False: no memory.
+static bool residual_drift_settle(const struct model *m, const struct state *s,
                                   const struct building *b, double *out) {
     const size_t n = (size_t)b->n_floor;
     struct arena *a = arena_create();
@@ -152,7 +152,9 @@ static void residual_drift_settle(const struct model *m, const struct state *s,
             out[i] = fabs(r.x[i]);
         }
     }
+    const bool has_memory = a && !arena_failed(a);
     arena_free(a);
+    return has_memory;
 }
 
 // The residual drifts of building `b` whose storeys come to rest one by one, from their drifts. One
@@ -170,13 +172,14 @@ static void residual_drift_storeys(const struct model *m, const struct state *s,
     }
 }
 
-void residual_drifts(const struct model *m, const struct state *s, double *out) {
+bool residual_drifts(const struct model *m, const struct state *s, double *out) {
     double drift[FLOORS_MAX], shear[FLOORS_MAX];
+    bool has_memory = true;
     for (int k = 0; k < m->n_body; k++) {
         const struct building *b = &m->building[k];
         const struct building *own = b->fixed ? b->fixed : b;
         if (own->n_part > 0 && !b->elastic) {
-            residual_drift_settle(m, s, b, out + b->first);
+            has_memory &= residual_drift_settle(m, s, b, out + b->first);
             continue;
         }
         if (b->fixed) {
@@ -185,4 +188,5 @@ void residual_drifts(const struct model *m, const struct state *s, double *out) 
         }
         residual_drift_storeys(m, s, b, b->fixed ? drift : s->drift + b->first, out + b->first);
     }
+    return has_memory;
 }

@@ -57,11 +57,10 @@ struct dp_system {
     double *most_drift;      // [L] (n_dof) largest committed drift of the inelastic storeys
     double *damping;         // [F] (n_dof) scratch
     double *part_drift, *part_rate, *part_shear;  // (n_dof) scratch: see dp_rates_parts
-    double *part_history;                         // (model.n_storey_history) scratch
-    double *part_scratch;                         // (model.n_part_scratch)
-    enum phase *phase;                            // (n_link)
-    int n_inelastic;                              // storeys with a history
-    int *inelastic;                               // (n_dof) their indices
+    double *part_history, *part_scratch;  // (model.n_storey_history, n_part_scratch) scratch
+    enum phase *phase;                    // (n_link)
+    int n_inelastic;                      // storeys with a history
+    int *inelastic;                       // (n_dof) their indices
     int *below;     // (n_dof) index of the floor below; -1: the ground, the zero before the arrays
     int *building;  // (n_dof) index of the floor's building
     bool *calls;    // (n_dof) the storey's law is called, as it is not made of lines

@@ -16,11 +16,10 @@
 static void dp_forces_of(const struct dp *p, const struct building *g, const double *x,
                          double *out) {
     double *drift = p->system.part_drift;
-    const double *history = p->system.part_history;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         drift[i] = x[i] - x[p->system.below[i]];
     }
-    forces_at(g, drift + g->first, history, out);
+    forces_at(g, drift + g->first, p->next.storey_history, out);
 }
 
 static void dp_forces_note_turns(struct dp *p, int i, const struct motion *m) {
@@ -30,10 +29,9 @@ static void dp_forces_note_turns(struct dp *p, int i, const struct motion *m) {
     }
 }
 
-// The forces of a building with hinges at the end of the step.
+// The forces of a building with hinges at the end of the step, whose history dp_peaks.c has found.
 static void dp_forces_hinged(const struct dp *p, const struct building *g) {
     const struct state *next = &p->next;
-    dp_rates_parts(p, g, p->now.storey_history, next->u, next->v, p->system.part_history);
     dp_forces_of(p, g, next->u, p->force[0]);
     for (int i = 0; i < g->n_force; i++) {
         force_peaks_take(p->results, g->force + i, p->force[0][i], next->time);

@@ -189,7 +189,8 @@ static double dp_linear_shear(const struct dp *p, const struct building *g, cons
 static void dp_part_shears(struct dp *p, const struct building *g) {
     const struct state *now = &p->now, *next = &p->next;
     if (!g->elastic) {
-        dp_rates_parts(p, g, now->storey_history, next->u, next->v, NULL);
+        dp_rates_parts(p, g, dp_is_instant(p) ? now->storey_history : p->system.part_history,
+                       next->u, next->v, next->storey_history);
     }
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         if (!g->elastic) {

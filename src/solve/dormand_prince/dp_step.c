@@ -218,21 +218,38 @@ static double dp_change_for(double error) {
     return error < DBL_MAX ? SAFETY * dp_fifth_root_of_inverse(error) : SHRINK_MOST;
 }
 
+// The next instant in the step, after x, at which the parts of building `g` are looked at: POINTS
+// shares of the step, and turns of drifts.
+static double dp_way_stop(const struct dp *p, const struct building *g, double x) {
+    enum { POINTS = 4 };
+    static const double SAME = 1e-9;
+    double next = (floor(x * POINTS + SAME) + 1.0) / POINTS;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        const struct motion m = dp_motion_floor(p, i, p->system.below[i]);
+        const struct motion_pieces s = dp_motion_cut(&m);
+        for (int j = 1; j < s.n; j++) {
+            next = s.x[j] > x + SAME ? fmin(next, s.x[j]) : next;
+        }
+    }
+    return next;
+}
+
 // The error of the drifts of building `g` over that allowed by turns of its parts within the step,
 // which the stages do not see: the history at the end depends on the way there. It is the
-// difference of the shears at the end with the histories that the way commits and with those of its
-// start.
+// difference of the shears at the end with the histories that the way commits, which are left in
+// part_history, and with those of its start.
 static double dp_way_error(const struct dp *p, int k) {
-    enum { POINTS = 4 };
     const struct building *g = &p->model->building[k];
     double *after = p->system.part_history;
     struct dp_rates *r = p->stage[1];  // its weight in the step is 0
     double *kept = r->a + g->first;
     const double allowed = p->model->control.tolerance * p->scales.most_u;
     double largest = 0.0;
-    for (int i = 1; i < POINTS; i++) {
-        dp_rates_move(p, (double)i / POINTS, k);
-        dp_rates_parts(p, g, i == 1 ? p->now.storey_history : after, r->u, r->v, after);
+    const double *history = p->now.storey_history;
+    for (double x = dp_way_stop(p, g, 0.0); x < 1.0; x = dp_way_stop(p, g, x)) {
+        dp_rates_move(p, x, k);
+        dp_rates_parts(p, g, history, r->u, r->v, after);
+        history = after;
     }
     const double *shear = dp_rates_parts(p, g, p->now.storey_history, p->next.u, p->next.v, NULL);
     memcpy(kept, shear, (size_t)g->n_floor * sizeof *kept);

@@ -163,7 +163,7 @@ void dp_system_commit(struct dp *p) {
     for (int k = 0; k < m->n_body && !m->elastic; k++) {
         const struct building *g = &m->building[k];
         if (!g->elastic && g->n_part > 0) {
-            dp_rates_parts(p, g, now->storey_history, now->u, now->v, now->storey_history);
+            dp_rates_parts(p, g, s->part_history, now->u, now->v, now->storey_history);
         }
     }
     for (int i = 0; s->creeps && i < now->n_live; i++) {
