@@ -148,7 +148,6 @@ static bool residual_row(struct printer *t, const struct report *r, int i) {
     return false;
 }
 
-// Of isolators, which the other tables leave out.
 static const struct printer_column isolators[] = {
     COUNT("storey", 7),           READ("drift", 12, length), READ("time", 8, time),
     READ("residual", 12, length), READ("shear", 12, force),  READ("time", 8, time)};

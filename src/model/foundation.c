@@ -80,8 +80,7 @@ static void founded_add_storey(const struct founded *f, int i, struct storey_rat
 static void founded_respond(const struct part *p, const double *history, const double *drift,
                             const double *rate, const struct part_sums *to, double *after) {
     const struct founded *f = p->data;
-    const struct founded_motion slab = founded_motion(f, drift);
-    const struct founded_motion speed = founded_motion(f, rate);
+    const struct founded_motion slab = founded_motion(f, drift), speed = founded_motion(f, rate);
     parts_linear_respond(p, history, drift, rate, to, after);
     for (int i = 0; i < f->n; i++) {
         const struct storey *s = &f->storey[i];

@@ -2,6 +2,8 @@
 // The walk over the places of the tree.
 #include "result/layout.h"
 
+const char layout_isolated_name[] = "isolated";
+
 static void visit_links(const struct link_group *g, const struct report_link *link, int n,
                         layout_visit *visit, void *context) {
     struct layout_place p = {
