@@ -358,10 +358,7 @@ double edp_value(const struct edp *p, const double *value, int *at) {
     double largest = NAN, sum = 0.0;
     *at = 0;
     for (int i = 0; i < p->n_term; i++) {
-        if (p->term[i].apart) {
-            continue;
-        }
-        const double x = edp_term_value(p, i, value);
+        const double x = p->term[i].apart ? -INFINITY : edp_term_value(p, i, value);
         sum += x;
         if (!(x <= largest)) {
             largest = x;
