@@ -359,7 +359,6 @@ bool foundation_differs(const struct building *g) {
 
 void foundation_storeys(const struct building *g, const double *history, const double *drift,
                         const double *shear, double *own_drift, double *own_shear) {
-    assert(foundation_differs(g));
     const struct founded *f = g->fixed ? g->part->data : NULL;
     const struct founded_motion slab = f ? founded_motion(f, drift) : (struct founded_motion){0};
     for (int i = 0; i < g->n_level; i++) {
