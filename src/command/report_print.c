@@ -164,6 +164,7 @@ static bool isolator_row(struct printer *t, const struct report *r, int k) {
     return false;
 }
 
+// The second column ends in the mark.
 static const struct printer_column forces[] = {READ("total accel.", 13, acceleration),
                                                {.head = "", .unit = "g", .width = 10},
                                                COUNT("floor", 6),
