@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "command/rows.h"
+#include "core/text.h"
 #include "jostle/contact_law.h"
 #include "jostle/storey_law.h"
 #include "law/bilateral.h"
@@ -208,7 +209,9 @@ static int unknown(const char *name) {
             known[n++] = law.name;
         }
     }
-    return command_unknown(&command_laws, "law", name, known, n);
+    return text_nearest(name, known, n)
+               ? command_unknown(&command_laws, "law", name, known, n)
+               : command_usage(&command_laws, "unknown law '%s'; 'jostle laws' lists all", name);
 }
 
 static int print(enum page page, const char *name) {

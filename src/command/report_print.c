@@ -89,19 +89,17 @@ static bool residual_row(struct printer *t, const struct report *r, int i) {
     return false;
 }
 
-// Of isolators, which the other tables leave out.
 static const struct printer_column isolators[] = {
     COUNT("storey", 7),           READ("drift", 12, length), READ("time", 8, time),
     READ("residual", 12, length), READ("shear", 12, force),  READ("time", 8, time)};
 static bool isolator_row(struct printer *t, const struct report *r, int k) {
     const struct report_building *b = &r->building[k];
-    const int i = b->isolated - 1;
     const double value[] = {b->isolated,
-                            b->peak[PEAK_DRIFT][i],
-                            b->peak_time[PEAK_DRIFT][i],
-                            b->residual_drift ? b->residual_drift[i] : (double)NAN,
-                            b->peak[PEAK_SHEAR][i],
-                            b->peak_time[PEAK_SHEAR][i]};
+                            b->peak[PEAK_DRIFT][b->isolated - 1],
+                            b->peak_time[PEAK_DRIFT][b->isolated - 1],
+                            b->residual_drift ? b->residual_drift[b->isolated - 1] : (double)NAN,
+                            b->peak[PEAK_SHEAR][b->isolated - 1],
+                            b->peak_time[PEAK_SHEAR][b->isolated - 1]};
     printer_text(t, b->name);
     printer_numbers(t, value, 6);
     return false;

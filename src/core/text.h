@@ -28,7 +28,7 @@ enum text_number text_number(const char *text, const char **end, double *value);
 // (`kelvin`), or with which `word` begins, if no letter follows (`-mass=300t`).
 const char *text_nearest(const char *word, const char *const *known, int n);
 
-enum { TEXT_LISTED_MAX = 48 };  // texts that a message lists at most
+enum { TEXT_LISTED_MAX = 32 };  // texts that a message lists at most
 
 // The `n` texts of `known` as a list, "one, two", in `to` of `size` bytes. Each text is clean
 // and short; "..." replaces the texts that do not fit. Returns `to`.

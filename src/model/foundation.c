@@ -268,7 +268,6 @@ bool foundation_differs(const struct building *g) {
 
 void foundation_storeys(const struct building *g, const double *history, const double *drift,
                         const double *shear, double *own_drift, double *own_shear) {
-    assert(foundation_differs(g));
     const struct founded *f = g->fixed ? g->part->data : NULL;
     const struct founded_motion slab = f ? founded_motion(f, drift) : (struct founded_motion){0};
     for (int i = 0; i < g->n_level; i++) {
@@ -279,10 +278,9 @@ void foundation_storeys(const struct building *g, const double *history, const d
 
 const struct storey *foundation_storey(const struct model *m, const struct building *g, int i) {
     assert(i >= 0 && i < g->n_level);
-    const struct storey *rated = g->fixed ? NULL : rate_storeys_of(g, i);
-    return g->fixed ? &((const struct founded *)g->part->data)->storey[i]
-           : rated  ? rated
-                    : &m->storey[g->first + i];
+    const struct founded *f = g->fixed ? g->part->data : NULL;
+    const struct storey *in_part = f ? &f->storey[i] : rate_storeys_of(g, i);
+    return in_part ? in_part : &m->storey[g->first + i];
 }
 
 struct foundation_row foundation_row(const struct building *g, int i) {

@@ -102,7 +102,6 @@ const struct column_table layout_pdelta = TABLE(pdelta_column, report_building);
     FLOORS(name, peak[number], dimension, long_name),                                              \
         FLOORS(name "_time", peak_time[number], &dimension_time, "time of the " long_name)
 const char layout_residual_drift_name[] = "residual_drift";
-const char layout_isolated_name[] = "isolated";
 static const struct column peak_column[] = {
     PEAK("displacement", PEAK_DISPLACEMENT, &dimension_length,
          "largest displacement relative to the ground"),

@@ -4,6 +4,8 @@
 
 #include "core/arena.h"
 
+const char layout_isolated_name[] = "isolated";
+
 static void visit_links(const struct link_group *g, const struct report_link *link, int n,
                         layout_visit *visit, void *context) {
     struct layout_place p = {

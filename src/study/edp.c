@@ -345,20 +345,15 @@ int edp_parse(const struct study_view *v, const char *text, struct arena *a, str
 
 double edp_term_value(const struct edp *p, int term, const double *value) {
     const struct edp_term *t = &p->term[term];
-    if (t->divisor == SIZE_MAX) {
-        return value[t->value];
-    }
-    return value[t->divisor] > 0.0 ? value[t->value] / value[t->divisor] : NAN;
+    const double by = t->divisor == SIZE_MAX ? 1.0 : value[t->divisor];
+    return by > 0.0 ? value[t->value] / by : (double)NAN;
 }
 
 double edp_value(const struct edp *p, const double *value, int *at) {
     double largest = NAN, sum = 0.0;
     *at = 0;
     for (int i = 0; i < p->n_term; i++) {
-        if (p->term[i].apart) {
-            continue;
-        }
-        const double x = edp_term_value(p, i, value);
+        const double x = p->term[i].apart ? -INFINITY : edp_term_value(p, i, value);
         sum += x;
         if (!(x <= largest)) {
             largest = x;

@@ -99,7 +99,9 @@ done
 expect "nothing was written" '[ -z "$(ls -A)" ]'
 
 run "$jostle" laws foo
-expect "an unknown law is told with those that exist, each once" '[ $status -eq 2 ] && grep -q "unknown law .foo.; available: stereomechanical, .*, table, elastic, .*gap$" "$err" && [ "$(grep -o bilinear "$err" | wc -l)" -eq 1 ]'
+expect "an unknown law is told, and where all are listed" '[ $status -eq 2 ] && said "unknown law '"'foo'; 'jostle laws'"' lists all"'
+run "$jostle" laws herz
+expect "or the nearest one is named" '[ $status -eq 2 ] && said "unknown law '"'herz'; did you mean 'hertz'?"'"'
 run "$jostle" deck storey
 expect "deck storey lists the laws of storeys" '[ $status -eq 0 ] && tr -s " \n" " " <"$out" | grep -qE " laws elastic, bilinear, .*, slip[,;]"'
 run "$jostle" deck contact
