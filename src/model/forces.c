@@ -196,7 +196,7 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
         return true;
     }
     const size_t stride = (size_t)lanes_whole(g->n_force);
-    const size_t n_action = (size_t)(g->n_floor + g->n_hinge);
+    const size_t n_action = (size_t)g->n_floor + (size_t)g->n_hinge;
     double *by_action = arena_alloc(a, n_action * stride, sizeof *by_action);
     double *room = arena_alloc(a, 2 * n_action, sizeof *room);
     double *by_own =

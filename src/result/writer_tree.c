@@ -76,7 +76,7 @@ static void put_members(struct result_writer *w, hid_t building, const struct re
     put_columns(w, &g, &layout_member, b->member, n);
     const int n_quantity = forces_quantities(model);
     for (int q = 0; q < n_quantity && w->report->fields & FIELD_MEMBERS; q++) {
-        const size_t first = (size_t)(model->force + forces_of_members(model, 0, q));
+        const size_t first = (size_t)model->force + (size_t)forces_of_members(model, 0, q);
         const struct stream s = {.source = SOURCE_MEMBER_FORCE, .first = first, .width = n};
         put_history(w, g.group, report_force_names[q], layout_member_field[q], s, g.scale);
     }
@@ -225,7 +225,7 @@ void writer_layout(struct result_writer *w) {
         put_links(w, &layout_links, r->link, (size_t)r->n_contact, (size_t)r->n_link);
     }
     if (r->n_column > 0) {
-        put_links(w, &layout_columns, r->column, (size_t)(r->n_contact + r->n_link),
+        put_links(w, &layout_columns, r->column, (size_t)r->n_contact + (size_t)r->n_link,
                   (size_t)r->n_column);
     }
     const struct tree_group g = tree_group(&w->tree, w->root, "energy", NULL, 0);
