@@ -94,8 +94,8 @@ static void follow(const char *law, const char *values, double unit, const doubl
         for (int i = 0; i < 26; i++) {
             const double target = protocol[i] * unit, middle = (s.drift + target) / 2.0;
             // The reference has ten digits.
-            assert_near(test_storey_go(&s, middle, steps), want[2 * i], 1e-9 * 2e5);
-            assert_near(test_storey_go(&s, target, steps), want[2 * i + 1], 1e-9 * 2e5);
+            assert_near(test_storey_go(&s, middle, steps), want[2 * (ptrdiff_t)i], 1e-9 * 2e5);
+            assert_near(test_storey_go(&s, target, steps), want[2 * (ptrdiff_t)i + 1], 1e-9 * 2e5);
         }
     }
 }

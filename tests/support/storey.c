@@ -41,7 +41,7 @@ void test_storey_values(const struct storey_law *law, const char *text, double *
     }
     char copy[512];
     assert_true(strlen(text) < sizeof copy);
-    strcpy(copy, text);
+    memcpy(copy, text, strlen(text) + 1);
     char *rest = NULL;
     for (char *key = strtok_r(copy, " ", &rest); key; key = strtok_r(NULL, " ", &rest)) {
         int i = 0;
