@@ -111,6 +111,9 @@ static void storeys_beside_a_matrix_are_stiffer_storeys(void **state) {
 
 #define HOUSE "building A -floors 3 -mass 100t -stiffness 100MN/m 80MN/m 60MN/m -height 3\n"
 
+static const char slider[] = "isolator A:1 fps -radius 1 -mu 6% -mu-slow 3% -rate 30\n"
+                             "storey A:2:3 bilinear -yield 300kN -hardening 0\n";
+
 // Laws that soften, slide and strike; rows are so many that the account is seen in all steps.
 static void the_account_is_closed(void **state) {
     (void)state;
@@ -119,9 +122,7 @@ static void the_account_is_closed(void **state) {
         "storey A takeda -yield 300kN -hardening 0.02\npdelta A -leaning 2MN\n",
         "storey A imk -yield 300kN -hardening 0.05 -capping 12mm -post-capping -0.1\n",
         "storey A bouc-wen -yield 300kN -hardening 0.05\n",
-        "isolator A:1 fps -radius 1 -mu 6% -mu-slow 3% -rate 30\nstorey A:2:3 bilinear -yield "
-        "300kN "
-        "-hardening 0\n",
+        slider,
     };
     static const char *const step[] = {"step fixed 1ms",
                                        "integrator newmark\nstep adaptive -tolerance 1e-6"};
