@@ -44,21 +44,12 @@ static int use_model(void *context, const struct model *m, struct study_outcome 
     const struct edp *edp = &job->search->request->edp;
     const struct trial_watch watch = {.poll = poll_job, .context = job};
     struct results *results;
-    int at = 0, status = trial_analyse(m, &watch, outcome, &results, e);
-    if (status != STATUS_OK || !results) {
-        return status;
+    int status = trial_analyse(m, &watch, outcome, &results, e);
+    if (status == STATUS_OK && results) {
+        status = trial_demand(m, results, edp, job->all, &job->value, e);
+        results_free(results);
     }
-    status = trial_values(m, results, job->all, e);
-    if (status == STATUS_OK) {
-        job->value = edp_value(edp, job->all, &at);
-    }
-    // Beyond a collapse there are no demands; that of a building counts as above every limit.
-    if (status == STATUS_OK && results->collapse.happened &&
-        edp->quantity->owner == EDP_OF_BUILDING) {
-        job->value = INFINITY;
-    }
-    results_free(results);
-    return status == STATUS_OK && isnan(job->value) ? edp_absent(edp, at, e) : status;
+    return status;
 }
 
 static void fail(struct capacity *c, const struct capacity_request *q, double intensity,

@@ -29,16 +29,9 @@ static int read_run(void *context, const struct model *m, const struct model *de
     (void)deck;
     const struct gap_search_request *q = ((const struct search *)context)->request;
     double *all = malloc(q->plan->table->n_value * sizeof *all);
-    int at = 0, status = all ? trial_values(m, r, all, e) : error_no_memory(e);
-    if (status == STATUS_OK) {
-        *value = edp_value(&q->edp, all, &at);
-    }
-    // Beyond a collapse there are no demands; that of a building counts as above every limit.
-    if (status == STATUS_OK && r->collapse.happened && q->edp.quantity->owner == EDP_OF_BUILDING) {
-        *value = INFINITY;
-    }
+    const int status = all ? trial_demand(m, r, &q->edp, all, value, e) : error_no_memory(e);
     free(all);
-    return status == STATUS_OK && isnan(*value) ? edp_absent(&q->edp, at, e) : status;
+    return status;
 }
 
 static int poll_search(void *context, long n_done, struct error *e) {

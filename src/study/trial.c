@@ -90,6 +90,19 @@ int trial_values(const struct model *m, const struct results *r, double *value, 
     return status;
 }
 
+int trial_demand(const struct model *m, const struct results *r, const struct edp *edp, double *all,
+                 double *value, struct error *e) {
+    int at = 0, status = trial_values(m, r, all, e);
+    if (status == STATUS_OK) {
+        *value = edp_value(edp, all, &at);
+    }
+    // Beyond a collapse there are no demands; that of a building counts as above every limit.
+    if (status == STATUS_OK && r->collapse.happened && edp->quantity->owner == EDP_OF_BUILDING) {
+        *value = INFINITY;
+    }
+    return status == STATUS_OK && isnan(*value) ? edp_absent(edp, at, e) : status;
+}
+
 // What the run of a model came to.
 static int conclude(struct trial *t, struct ensemble_member *member,
                     const struct trial_watch *watch) {

@@ -4,6 +4,7 @@
 #define JOSTLE_TRIAL_H
 
 #include "jostle/analysis.h"
+#include "study/edp.h"
 #include "study/plan.h"
 
 // What a trial asks of the study it belongs to. A result other than 0 ends the trial with that
@@ -41,6 +42,11 @@ int trial_analyse(const struct model *m, const struct trial_watch *watch,
 
 // The values of a run as its table has them. Errors: STATUS_SYSTEM (no memory).
 int trial_values(const struct model *m, const struct results *r, double *value, struct error *e);
+
+// The demand of a run; infinite for one of a building in a run that collapsed. `all` is room for
+// the values of the run. Errors: STATUS_INPUT (it has no value), STATUS_SYSTEM (no memory).
+int trial_demand(const struct model *m, const struct results *r, const struct edp *edp, double *all,
+                 double *value, struct error *e);
 
 struct trial {
     long run;       // of the study, from 0
