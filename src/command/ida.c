@@ -57,7 +57,7 @@ static int judge(const struct ida_print *p) {
     struct plan_text t;
     if (n_failed > 0) {
         error_set(&e, STATUS_FAILED, "%ld of %ld searches failed, the first: %s: %s", n_failed,
-                  p->found->n, plan_describe(&p->found->plan, first, &t),
+                  p->found->n, plan_describe(&p->found->at.plan, first, &t),
                   p->found->each[first].failure);
         return command_fail(&e);
     }

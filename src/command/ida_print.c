@@ -44,7 +44,7 @@ static void add_sweeps(struct ida_print *p) {
 
 static void print_sweeps(struct ida_print *p, long run) {
     int choice[STUDY_SWEEPS_MAX];
-    plan_choose(&p->found->plan, run, choice);
+    plan_choose(&p->found->at.plan, run, choice);
     for (int i = 0; i < p->view->n_sweep; i++) {
         if (i != p->roles->abscissa) {
             printer_sweep(&p->table, p->view->sweep[i], choice[i]);
@@ -94,7 +94,7 @@ static void print_sample(struct ida_print *p, long run, const struct fragility *
 static void print_fit(const struct ida_print *p, int group, const struct fragility *f) {
     const char *comma = "";
     int choice[STUDY_SWEEPS_MAX];
-    plan_choose(&p->found->plan, run_of(p, group, 0), choice);
+    plan_choose(&p->found->at.plan, run_of(p, group, 0), choice);
     for (int i = 0; i < p->view->n_sweep; i++) {
         const struct sweep *s = p->view->sweep[i];
         if (p->roles->role[i] == ROLE_GROUP) {

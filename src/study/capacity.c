@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "motion/record_cache.h"
 #include "study/trial.h"
@@ -58,6 +59,33 @@ static void fail(struct capacity *c, const struct capacity_request *q, double in
     snprintf(c->failure, sizeof c->failure, "at %s = %.6g: %s", q->intensity, intensity, why);
 }
 
+// Fixes the intensity, as a -D does.
+static void fix(const struct capacity_request *q, double intensity, struct capacity_plan *out) {
+    const struct plan *p = q->plan;
+    int n = 0, n_value = 1;
+    out->intensity = intensity;
+    out->model = *p->first;
+    out->deck = *p->first->deck;
+    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next, n++) {
+        out->sweep[n] = *s;
+        if (strcmp(s->name, q->intensity) == 0) {
+            n_value = s->n;
+            out->sweep[n].n = 1;
+            out->sweep[n].fixed = true;
+            out->sweep[n].number = &out->intensity;
+        }
+        if (n > 0) {
+            out->sweep[n - 1].next = &out->sweep[n];
+        }
+    }
+    out->deck.sweeps = out->sweep;
+    out->model.deck = &out->deck;
+    out->plan = (struct plan){.first = &out->model,
+                              .define = p->define,
+                              .n_define = p->n_define,
+                              .n_run = p->n_run / n_value};
+}
+
 // Runs the sample at an intensity and adds the point. *exceeded; a run that fails ends the search.
 static int look(struct job *job, double intensity, bool *exceeded, struct error *e) {
     const struct search *s = job->search;
@@ -65,23 +93,9 @@ static int look(struct job *job, double intensity, bool *exceeded, struct error 
     const struct trial_watch watch = {.records = s->records};
     struct capacity *c = job->capacity;
     struct study_outcome outcome;
-    struct plan plan;
-    char define[256];
-    snprintf(define, sizeof define, "%s=%.17g%s", q->intensity, intensity, q->unit);
-    int status = plan_open_with(q->plan, define, s->records, &plan, e);
-    if (status == STATUS_INPUT && !plan.first) {  // the deck is wrong at this intensity
-        fail(c, q, intensity, e->message);
-        plan_close_with(&plan);
-        return STATUS_OK;
-    }
-    if (status == STATUS_OK && plan.n_run != s->out->n) {
-        status =
-            error_set(e, STATUS_INPUT, "'%s' changes the number of runs of the deck", q->intensity);
-    }
-    if (status == STATUS_OK) {
-        status = trial_build(&plan, job->run, &watch, use_model, job, &outcome, e);
-    }
-    plan_close_with(&plan);
+    struct capacity_plan at;
+    fix(q, intensity, &at);
+    const int status = trial_build(&at.plan, job->run, &watch, use_model, job, &outcome, e);
     if (status == STATUS_OK && outcome.status == STUDY_FAILED) {
         fail(c, q, intensity, outcome.message);
     } else if (status == STATUS_OK) {
@@ -147,14 +161,8 @@ static int poll_search(void *context, struct workers *workers, long n_done, stru
 
 int capacity_search(const struct capacity_request *q, struct capacities *out, struct error *e) {
     struct search s = {.request = q, .out = out};
-    char define[256];
-    *out = (struct capacities){.n = 0};
-    snprintf(define, sizeof define, "%s=%.17g%s", q->intensity, q->from, q->unit);
-    int status = plan_open_with(q->plan, define, NULL, &out->plan, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    out->n = out->plan.n_run;
+    fix(q, q->from, &out->at);
+    out->n = out->at.plan.n_run;
     out->each = calloc((size_t)out->n, sizeof *out->each);
     s.records = record_cache_create(RECORD_CACHE_BYTES);
     const struct workers_request request = {
@@ -164,15 +172,14 @@ int capacity_search(const struct capacity_request *q, struct capacities *out, st
         .work = do_job,
         .poll = poll_search,
         .context = &s};
-    status = out->each && s.records ? workers_run(&request, e) : error_no_memory(e);
+    const int status = out->each && s.records ? workers_run(&request, e) : error_no_memory(e);
     record_cache_free(s.records);
     return status;
 }
 
 void capacity_close(struct capacities *c) {
-    plan_close_with(&c->plan);
     free(c->each);
-    *c = (struct capacities){.n = 0};
+    c->each = NULL;
 }
 
 struct fragility_record capacity_record(const struct capacity_request *q,

@@ -17,7 +17,7 @@ enum { CAPACITY_POINTS_MAX = 200 };  // runs of one sample
 struct capacity_request {
     const struct plan *plan;  // made by plan_init
     const char *intensity;    // sweep of its deck
-    const char *unit;         // of its values, "m/s^2"; "" for pure numbers
+    const char *unit;         // of its values, for tables: "m/s^2"; "" for pure numbers
     struct edp edp;           // of the values of the plan
     double limit;             // in its units
     double from, to;          // intensities of the hunt, 0 < from < to
@@ -47,10 +47,19 @@ struct capacity {
     char failure[STUDY_MESSAGE_MAX + 300];  // with the intensity
 };
 
+// The runs of a plan at one intensity. It points into itself and must not be copied.
+struct capacity_plan {
+    double intensity;
+    struct sweep sweep[STUDY_SWEEPS_MAX];
+    struct deck deck;
+    struct model model;
+    struct plan plan;
+};
+
 struct capacities {
-    long n;                 // samples: the runs of the deck at one intensity
-    struct capacity *each;  // (n)
-    struct plan plan;       // of these runs, at `from`
+    long n;                   // samples: the runs of the deck at one intensity
+    struct capacity *each;    // (n)
+    struct capacity_plan at;  // of these runs, at `from`
 };
 
 // The most runs that a sample can take; > CAPACITY_POINTS_MAX: the request is refused.

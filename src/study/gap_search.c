@@ -48,7 +48,7 @@ static int open_plan(const struct search *s, double gap, struct plan *out, struc
     if (!define) {
         return error_no_memory(e);
     }
-    const int status = plan_open_with(s->request->plan, define, NULL, out, e);
+    const int status = plan_open_with(s->request->plan, define, out, e);
     if (status != STATUS_INPUT || out->first) {
         return status;
     }

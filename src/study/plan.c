@@ -32,8 +32,7 @@ void plan_close(struct plan *p) {
     *p = (struct plan){.first = NULL};
 }
 
-int plan_open_with(const struct plan *p, const char *define, struct record_cache *records,
-                   struct plan *out, struct error *e) {
+int plan_open_with(const struct plan *p, const char *define, struct plan *out, struct error *e) {
     const struct deck *from = p->first->deck;
     const size_t n = (size_t)p->n_define + 1;
     const char **all = malloc(n * sizeof *all);
@@ -48,7 +47,7 @@ int plan_open_with(const struct plan *p, const char *define, struct record_cache
     }
     all[n - 1] = define;
     int status = deck_open_text(from->path, from->text, all, (int)n, &deck, e);
-    if (status == STATUS_OK && (status = model_build_shared(deck, records, &m, e)) != STATUS_OK) {
+    if (status == STATUS_OK && (status = model_build(deck, &m, e)) != STATUS_OK) {
         status = diagnostics_cause(&deck->diagnostics, e);
         deck_free(deck);
     }

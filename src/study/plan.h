@@ -23,13 +23,11 @@ struct plan {
 int plan_init(struct plan *p, const struct study_request *q, struct error *e);
 void plan_close(struct plan *p);
 
-// The plan of the same deck with another -D, NAME=VALUE, on top. `define` is borrowed; so is
-// `records`, NULL: no cache. The values of its runs have the places of those of `p`. *out is to be
-// given to plan_close_with, whatever happens. Errors: STATUS_INPUT (the deck has an error with that
-// value, or another shape), STATUS_SYSTEM.
-struct record_cache;
-int plan_open_with(const struct plan *p, const char *define, struct record_cache *records,
-                   struct plan *out, struct error *e);
+// The plan of the same deck with another -D, NAME=VALUE, on top. `define` is borrowed. The values
+// of its runs have the places of those of `p`. *out is to be given to plan_close_with, whatever
+// happens. Errors: STATUS_INPUT (the deck has an error with that value, or another shape),
+// STATUS_SYSTEM.
+int plan_open_with(const struct plan *p, const char *define, struct plan *out, struct error *e);
 void plan_close_with(struct plan *p);
 
 // The value that each sweep takes in a run, fixed ones included; room for STUDY_SWEEPS_MAX.
