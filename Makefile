@@ -185,7 +185,8 @@ coverage: setup  ## the tests, and the share of lines of each file that they run
 
 fuzz:  ## random input to every reader, FUZZ_SECONDS each, by clang's libFuzzer
 	$(SETUP) build fuzz
-	@$(MAKE) fuzz-run BUILD=build/fuzz CC=clang SANITIZE=fuzzer-no-link,address,undefined
+	@$(MAKE) fuzz-run BUILD=build/fuzz CC=clang CFLAGS='-O1 -g' \
+	    SANITIZE=fuzzer-no-link,address,undefined
 
 .PHONY: fuzz-run
 fuzz-run: $(FUZZERS)

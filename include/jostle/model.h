@@ -41,44 +41,44 @@ enum foundation_quantity {
 struct tangent_damping;
 struct building {
     const char *name;
-    int n_floor;   // degrees of freedom: the floors, then sway and rocking of a foundation
-    int n_level;   // floors
+    int n_dof;     // degrees of freedom: the floors, then sway and rocking of a foundation
+    int n_floor;   // floors
     int first;     // index of floor 1 among all degrees of freedom
     int isolated;  // storey of the isolators, from 1; 0: none
     const struct building *fixed;         // the same without its foundation; NULL: it has none
     const struct foundation *foundation;  // NULL: none
-    const double *mass;                   // [M] (n_floor)
+    const double *mass;                   // [M] (n_dof)
     const double
-        *stiffness;        // [F/L] (n_floor) initial, of the storey below each floor, all its parts
+        *stiffness;        // [F/L] (n_dof) initial, of the storey below each floor, all its parts
                            // together: its shear over its drift where no other storey drifts
-    const double *spring;  // [F/L] (n_floor) the same of the shear storeys alone, and of P-delta,
+    const double *spring;  // [F/L] (n_dof) the same of the shear storeys alone, and of P-delta,
                            // which takes P/h off: it may be negative beside parts
-    const double *axial;   // [F] (n_floor) gravity load P that each storey carries, for P-delta;
+    const double *axial;   // [F] (n_dof) gravity load P that each storey carries, for P-delta;
                            // NULL: without P-delta. The next three have values only with it
-    const double *pdelta;  // [F/L] (n_floor) P/h, which P-delta takes off the stiffness
-    const double *theta;   // (n_floor) stability coefficient P drift / (V h) in the first mode
+    const double *pdelta;  // [F/L] (n_dof) P/h, which P-delta takes off the stiffness
+    const double *theta;   // (n_dof) stability coefficient P drift / (V h) in the first mode
     double buckling;       // factor on all P at which the building buckles on initial stiffness
-    const double *height;  // [L] (n_floor) storey heights; NULL: not given
-    const double *omega;   // [1/T] (n_floor) circular frequencies of the building alone, ascending
-    const double *shape;   // (n_floor, n_floor) row m: mode m+1, largest entry 1
-    const double *damping_diagonal;  // [F T/L] (n_floor) of the damping matrix
-    const double *damping_off;       // [F T/L] (n_floor) entry i couples floors i+1 and i+2; last 0
-    const double *damping_full;      // (n_floor, n_floor) symmetric to the bit; NULL: the two above
+    const double *height;  // [L] (n_dof) storey heights; NULL: not given
+    const double *omega;   // [1/T] (n_dof) circular frequencies of the building alone, ascending
+    const double *shape;   // (n_dof, n_dof) row m: mode m+1, largest entry 1
+    const double *damping_diagonal;  // [F T/L] (n_dof) of the damping matrix
+    const double *damping_off;       // [F T/L] (n_dof) entry i couples floors i+1 and i+2; last 0
+    const double *damping_full;      // (n_dof, n_dof) symmetric to the bit; NULL: the two above
     int n_part;                      // beside the shear storeys; with any, damping_full is there
     const struct part *part;         // (n_part)
-    const double *part_stiffness;    // [F/L] (n_floor, n_floor) initial d shear / d drift of all
+    const double *part_stiffness;    // [F/L] (n_dof, n_dof) initial d shear / d drift of all
                                      // parts; NULL: there is none
-    const double *part_dashpot;      // [F T/L] (n_floor, n_floor) initial d shear / d drift rate
+    const double *part_dashpot;      // [F T/L] (n_dof, n_dof) initial d shear / d drift rate
     int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
                                      // index of the first among those of all buildings
-    const double *force_by_action;   // (n_floor + n_hinge, n_force in whole lanes) transposed: by
+    const double *force_by_action;   // (n_dof + n_hinge, n_force in whole lanes) transposed: by
                                      // unit drifts, and unit departures of hinges from their lines
     int n_hinge;                     // of its frame
     int departure, first_hinge;      // offset of these in the state's storey history, and the index
                                      // of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
     double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
-    const double *damping_storey;    // [F T/L] (n_floor) and beta times the initial stiffness of
+    const double *damping_storey;    // [F T/L] (n_dof) and beta times the initial stiffness of
                                      // each storey, unless it is left out
     struct tangent_damping *tangent;  // damping on the tangent stiffness; NULL: none
     const struct word *damping;       // the last statement of Rayleigh damping; NULL: none
@@ -292,12 +292,12 @@ void model_free(struct model *m);  // NULL is allowed
 // Rows of the histories: t = 0, every output.every-th step, and the end.
 long model_rows(const struct model *m);
 
-// The damping forces C v of building `g`; v and force are (n_floor) [L/T] [F].
+// The damping forces C v of building `g`; v and force are (n_dof) [L/T] [F].
 void building_damping_force(const struct building *g, const double *v, double *force);
 
-// The tangents of its storeys (n_floor), and with parts theirs by drifts and by rates.
+// The tangents of its storeys (n_dof), and with parts theirs by drifts and by rates.
 static inline int building_n_tangent(const struct building *g) {
-    return g->n_floor + (g->n_part > 0 ? 2 * g->n_floor * g->n_floor : 0);
+    return g->n_dof + (g->n_part > 0 ? 2 * g->n_dof * g->n_dof : 0);
 }
 
 // Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN

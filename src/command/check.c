@@ -53,7 +53,7 @@ static int last_alike(const struct model *m, const struct building *g, const str
                       int first) {
     const struct storey_law *law = foundation_storey(m, g, first)->law;
     int last = first;
-    while (last + 1 < g->n_level && own->mass[last + 1] == own->mass[first] &&
+    while (last + 1 < g->n_floor && own->mass[last + 1] == own->mass[first] &&
            own->stiffness[last + 1] == own->stiffness[first] &&
            (!g->height || g->height[last + 1] == g->height[first]) &&
            foundation_storey(m, g, last + 1)->law == law) {
@@ -67,7 +67,7 @@ static int print_storeys(const struct model *m, const struct building *g) {
     const struct building *own = g->fixed ? g->fixed : g;
     PRINTER_ADD(&t, storey_columns);
     printer_head(&t);
-    for (int i = 0, last; i < g->n_level; i = last + 1) {
+    for (int i = 0, last; i < g->n_floor; i = last + 1) {
         char floors[32];
         last = last_alike(m, g, own, i);
         snprintf(floors, sizeof floors, last > i ? "%d:%d" : "%d", i + 1, last + 1);
@@ -84,7 +84,7 @@ static int print_storeys(const struct model *m, const struct building *g) {
 // The loads of P-delta at the base, and how far the building is from buckling under them.
 static void print_pdelta(const struct building *g, const struct unit_texts *t) {
     int most = 0;
-    for (int i = 1; i < g->n_level; i++) {
+    for (int i = 1; i < g->n_floor; i++) {
         most = g->theta[i] > g->theta[most] ? i : most;
     }
     safe_line(stdout,
@@ -96,7 +96,7 @@ static void print_pdelta(const struct building *g, const struct unit_texts *t) {
 // The drifts at which a run ends.
 static void print_collapse(const struct model *m, const struct building *g) {
     double least = INFINITY, most = 0.0;
-    for (int i = g->first; m->collapse && i < g->first + g->n_level; i++) {
+    for (int i = g->first; m->collapse && i < g->first + g->n_floor; i++) {
         least = fmin(least, m->collapse[i]);
         most = isinf(m->collapse[i]) ? most : fmax(most, m->collapse[i]);
     }
@@ -122,14 +122,14 @@ static void print_foundation(const struct model *m, const struct foundation *f) 
 static int print_building(const struct model *m, const struct building *g,
                           const struct unit_texts *t) {
     double mass = 0.0;
-    for (int i = 0; i < g->n_level; i++) {
+    for (int i = 0; i < g->n_floor; i++) {
         mass += g->mass[i];
     }
     fputc('\n', stdout);
-    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_level,
-              g->n_level == 1 ? "" : "s", mass, t->mass);
+    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
+              g->n_floor == 1 ? "" : "s", mass, t->mass);
     // Periods and damping ratios of the first modes.
-    for (int k = 0; k < g->n_floor && k < MODES_SHOWN; k++) {
+    for (int k = 0; k < g->n_dof && k < MODES_SHOWN; k++) {
         double ratio = building_damping_ratio(g, k + 1);
         if (g->omega[k] == 0.0) {
             printf("  mode %d: rigid body\n", k + 1);
@@ -150,7 +150,7 @@ static int print_building(const struct model *m, const struct building *g,
         if (own->part[i].kind->traits & PART_SHARELESS) {
             continue;
         }
-        safe_line(stdout, "  %s: %d x %d from %s", own->part[i].name, g->n_level, g->n_level,
+        safe_line(stdout, "  %s: %d x %d from %s", own->part[i].name, g->n_floor, g->n_floor,
                   own->part[i].source);
     }
     if (g->isolated > 0) {
@@ -239,7 +239,7 @@ static void print_time(const struct model *m, const struct unit_texts *t) {
         double omega = 0.0;
         for (int k = 0; k < m->n_building; k++) {
             const struct building *g = &m->building[k];
-            omega = fmax(omega, g->omega[g->n_floor - 1]);
+            omega = fmax(omega, g->omega[g->n_dof - 1]);
         }
         if (m->integrator == INTEGRATOR_NEWMARK) {
             printf("\nnewmark beta %g gamma %g", m->beta, m->gamma);
@@ -286,10 +286,10 @@ static int check(void *options, const struct model *m) {
     for (int i = 0; i < m->n_load; i++) {
         const struct load *load = &m->load[i];
         const struct building *g = m->building;
-        while (load->dof >= g->first + g->n_floor) {
+        while (load->dof >= g->first + g->n_dof) {
             g++;
         }
-        if (load->dof - g->first >= g->n_level) {
+        if (load->dof - g->first >= g->n_floor) {
             continue;  // it belongs to a foundation
         }
         fputs(i ? "" : "\n", stdout);

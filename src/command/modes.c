@@ -23,8 +23,8 @@ static double mass_share(const struct building *g, const double *phi) {
     double total = 0.0;
     double excited = 0.0;
     double modal = 0.0;
-    for (int i = 0; i < g->n_floor; i++) {
-        const bool turns = g->fixed && i + 1 == g->n_floor;  // the ground does not turn
+    for (int i = 0; i < g->n_dof; i++) {
+        const bool turns = g->fixed && i + 1 == g->n_dof;  // the ground does not turn
         total += turns ? 0.0 : g->mass[i];
         excited += turns ? 0.0 : g->mass[i] * phi[i];
         modal += g->mass[i] * phi[i] * phi[i];
@@ -33,7 +33,7 @@ static double mass_share(const struct building *g, const double *phi) {
 }
 
 static const double *shape_of(const struct building *g, int mode) {
-    return g->shape + (size_t)mode * (size_t)g->n_floor;
+    return g->shape + (size_t)mode * (size_t)g->n_dof;
 }
 
 // In text a line is a mode, in data a floor of a mode.
@@ -86,11 +86,11 @@ static int print_shapes(const struct building *g, int first, int last) {
     }
     printf("\n");
     printer_head(&t);
-    for (int i = g->n_floor - 1; i >= 0; i--) {
-        if (i < g->n_level) {
+    for (int i = g->n_dof - 1; i >= 0; i--) {
+        if (i < g->n_floor) {
             printer_whole(&t, i + 1);
         } else {
-            printer_text(&t, i == g->n_level ? "sway" : "rock");
+            printer_text(&t, i == g->n_floor ? "sway" : "rock");
         }
         for (int m = first; m < last; m++) {
             printer_number(&t, shape_of(g, m)[i]);
@@ -110,7 +110,7 @@ static int print_pdelta(const struct model *m, const struct building *g) {
     printf("\nP-delta: buckling factor %.4g; stability coefficient in mode 1\n", g->buckling);
     PRINTER_ADD(&t, columns);
     printer_head(&t);
-    for (int i = g->n_level - 1; i >= 0; i--) {
+    for (int i = g->n_floor - 1; i >= 0; i--) {
         printer_whole(&t, i + 1);
         printer_number(&t, g->axial[i]);
         printer_number(&t, g->theta[i]);
@@ -121,16 +121,16 @@ static int print_pdelta(const struct model *m, const struct building *g) {
 
 static int print_building(const struct model *m, const struct building *g) {
     struct printer t;
-    safe_line(stdout, "building %s, %d floor%s", g->name, g->n_level, g->n_level == 1 ? "" : "s");
+    safe_line(stdout, "building %s, %d floor%s", g->name, g->n_floor, g->n_floor == 1 ? "" : "s");
     fputc('\n', stdout);
     open_table(&t, m, FORM_TEXT);
-    for (int k = 0; k < g->n_floor; k++) {
+    for (int k = 0; k < g->n_dof; k++) {
         print_mode(&t, g, k, 0);
     }
     int status = printer_close(&t);
-    for (int k = 0; k < g->n_floor && status == EXIT_DONE; k += MODES_IN_A_ROW) {
+    for (int k = 0; k < g->n_dof && status == EXIT_DONE; k += MODES_IN_A_ROW) {
         const int last = k + MODES_IN_A_ROW;
-        status = print_shapes(g, k, last < g->n_floor ? last : g->n_floor);
+        status = print_shapes(g, k, last < g->n_dof ? last : g->n_dof);
     }
     return status == EXIT_DONE && g->axial ? print_pdelta(m, g) : status;
 }
@@ -147,8 +147,8 @@ static int print_modes(void *options, const struct model *m) {
         open_table(&t, m, o->form);
         for (int k = 0; k < m->n_building; k++) {
             const struct building *g = &m->building[k];
-            for (int i = 0; i < g->n_floor * g->n_level; i++) {
-                print_mode(&t, g, i / g->n_level, i % g->n_level);
+            for (int i = 0; i < g->n_dof * g->n_floor; i++) {
+                print_mode(&t, g, i / g->n_floor, i % g->n_floor);
             }
         }
         return printer_close(&t);

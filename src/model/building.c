@@ -8,7 +8,7 @@
 #include "core/lanes.h"
 
 void building_damping_force(const struct building *g, const double *v, double *force) {
-    const int n = g->n_floor;
+    const int n = g->n_dof;
     if (g->damping_full) {
         lanes_add_symmetric(n, g->damping_full, v, NULL, force);
         return;
@@ -21,8 +21,8 @@ void building_damping_force(const struct building *g, const double *v, double *f
 }
 
 double building_damping_ratio(const struct building *g, int mode) {
-    assert(mode >= 1 && mode <= g->n_floor && g->n_floor <= FLOORS_MAX);
-    int n = g->n_floor;
+    assert(mode >= 1 && mode <= g->n_dof && g->n_dof <= FLOORS_MAX);
+    int n = g->n_dof;
     const double *phi = g->shape + (size_t)(mode - 1) * (size_t)n;
     double force[FLOORS_MAX];
     double damping = 0.0;

@@ -206,7 +206,7 @@ static void add_modal(const struct building_draft *d, const double *ratio, const
 // Adds a1 K of the marked storeys, and a0 M.
 static void add_proportional(const struct building_draft *d, const struct building *g, double a0,
                              double a1, const struct matrix *c) {
-    const int n = g->n_floor;
+    const int n = g->n_dof;
     for (int i = 0; i < n; i++) {
         c->marked[i] = c->mark[i] * g->spring[i];
         c->storey[i] += a1 * (c->mark[i] * g->stiffness[i]);
@@ -225,7 +225,7 @@ static void add_proportional(const struct building_draft *d, const struct buildi
 // Adds the parts of statements with -storeys or -tangent. False: no memory.
 static bool add_apart(struct arena *a, const struct building_draft *d, struct building *g,
                       const struct sums *s, const struct matrix *c) {
-    const int n = g->n_floor;
+    const int n = g->n_dof;
     for (int k = 0; k < s->n_apart; k++) {
         const struct proportional *p = &s->apart[k];
         mark_storeys(d, p->of->storeys, c->mark);
@@ -280,7 +280,7 @@ static bool refuse_tangent(struct builder *b, const struct building_draft *d,
 
 static bool alloc(struct arena *a, const struct building_draft *d, const struct building *g,
                   struct sums *s, struct matrix *c) {
-    const size_t n = (size_t)g->n_floor, most = (size_t)d->damping.n;
+    const size_t n = (size_t)g->n_dof, most = (size_t)d->damping.n;
     const bool modal = damping_is_modal(d);
     *s = (struct sums){
         .dashpot = arena_alloc(a, n, sizeof *s->dashpot),
@@ -305,7 +305,7 @@ static bool alloc(struct arena *a, const struct building_draft *d, const struct 
 
 void damping_matrix(struct builder *b, const struct building_draft *d, const double *omega,
                     const double *shape, struct building *building) {
-    assert(d->n_floor == building->n_floor && (shape || !damping_is_modal(d)));
+    assert(d->n_floor == building->n_dof && (shape || !damping_is_modal(d)));
     struct sums s;
     struct matrix c;
     if (!alloc(b->arena, d, building, &s, &c)) {

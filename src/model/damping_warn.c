@@ -38,8 +38,8 @@ static double yield_of(const struct model *m, const struct building *g, int i) {
 // True if storey i is an isolator: less than half as stiff as the storey above, and all storeys
 // above stay elastic.
 static bool isolates(const struct model *m, const struct building *g, int i) {
-    bool elastic = i + 1 < g->n_level && g->stiffness[i] < 0.5 * g->stiffness[i + 1];
-    for (int j = i + 1; elastic && j < g->n_level; j++) {
+    bool elastic = i + 1 < g->n_floor && g->stiffness[i] < 0.5 * g->stiffness[i + 1];
+    for (int j = i + 1; elastic && j < g->n_floor; j++) {
         elastic = isinf(yield_of(m, g, j));
     }
     return elastic;
@@ -48,7 +48,7 @@ static bool isolates(const struct model *m, const struct building *g, int i) {
 // Does Rayleigh damping give the building dashpots that do not follow the tangent stiffness?
 static bool has_dashpots(const struct building *g) {
     bool has = g->damping_alpha > 0.0;
-    for (int i = 0; i < g->n_level; i++) {
+    for (int i = 0; i < g->n_floor; i++) {
         has |= g->damping_storey[i] > 0.0;
     }
     return has;
@@ -61,7 +61,7 @@ double damping_warning(const struct model *m, const struct building *g, const do
     // The storey with the largest share.
     struct share share = {0};
     double above = 0.0;
-    for (int i = g->n_level - 1; i >= 0; i--) {
+    for (int i = g->n_floor - 1; i >= 0; i--) {
         above += g->mass[i];
         const double by_rate = rate[i] / yield_of(m, g, i);
         const double mass = isolates(m, g, i) ? g->damping_alpha * above * by_rate : 0.0;

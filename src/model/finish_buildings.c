@@ -18,9 +18,9 @@
 
 // An earlier building with the same masses and stiffnesses, which has the same modes; NULL: none.
 static const struct building *twin(const struct building *first, int n, const struct building *of) {
-    size_t bytes = (size_t)of->n_floor * sizeof *of->mass;
+    size_t bytes = (size_t)of->n_dof * sizeof *of->mass;
     for (int i = 0; i < n; i++) {
-        if (first[i].n_floor == of->n_floor && first[i].n_part == 0 && of->n_part == 0 &&
+        if (first[i].n_dof == of->n_dof && first[i].n_part == 0 && of->n_part == 0 &&
             !first[i].pdelta && memcmp(first[i].mass, of->mass, bytes) == 0 &&
             memcmp(first[i].spring, of->spring, bytes) == 0) {
             return &first[i];
@@ -40,13 +40,13 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
         damping_matrix(b, d, g->omega, NULL, g);
         return STATUS_OK;
     }
-    size_t n = (size_t)g->n_floor;
+    size_t n = (size_t)g->n_dof;
     double *omega = arena_alloc(b->arena, n, sizeof *omega);
     double *shape = arena_alloc(b->arena, n * n, sizeof *shape);
     if (!omega || !shape) {
         return error_no_memory(e);
     }
-    int status = modes_solve(g->n_floor, g->mass, g->spring, g->part_stiffness, omega, shape, e);
+    int status = modes_solve(g->n_dof, g->mass, g->spring, g->part_stiffness, omega, shape, e);
     if (status != STATUS_OK) {
         return status;
     }
@@ -55,7 +55,7 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
     if (status != STATUS_OK) {
         return status;
     }
-    modes_scale_to_largest(g->n_floor, shape);
+    modes_scale_to_largest(g->n_dof, shape);
     g->omega = omega;
     g->shape = shape;
     return STATUS_OK;
@@ -63,7 +63,7 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
 
 // Computes the initial stiffness and damping of all parts, and of the storeys with them.
 static void sum_parts(struct builder *b, struct building *g, const struct part *part, int n_part) {
-    const size_t n = (size_t)g->n_floor;
+    const size_t n = (size_t)g->n_dof;
     size_t n_history = 0, n_scratch = 0;
     for (int i = 0; i < n_part; i++) {
         n_history += (size_t)part[i].n_history;
@@ -109,7 +109,7 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
 static void finish_storeys(struct builder *b, struct model *m, struct building *g,
                            const struct building_draft *d, struct storey *storey) {
     g->elastic = true;
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_dof; i++) {
         struct storey *s = &storey[g->first + i];
         const bool in_part = g->fixed || rate_storeys_of(g, i);
         *s = in_part ? (struct storey){0} : d->storey[i];
@@ -139,14 +139,14 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
     // does not identify its line (`branch`); and with parts, if all storeys are elastic and all
     // parts are of straight lines.
     g->predictable = !g->elastic && (g->n_part == 0 || (!yields && !g->smooth));
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_dof; i++) {
         const struct storey_law *law = storey[g->first + i].law;
         g->predictable &= law->n_history == 0 || ((law->traits & STOREY_STRAIGHT) && !law->branch);
     }
     m->elastic &= g->elastic;
     if (g->predictable && g->n_part > 0) {
         g->part_tangent = m->n_part_tangent;
-        m->n_part_tangent += building_n_tangent(g) - g->n_floor;
+        m->n_part_tangent += building_n_tangent(g) - g->n_dof;
     }
 }
 
@@ -195,8 +195,8 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     for (int i = 0, first = 0; i < m->n_body; i++) {
         struct building_draft *d = builder_draft(b, i);
         building[i] = (struct building){.name = d->name,
+                                        .n_dof = d->n_floor,
                                         .n_floor = d->n_floor,
-                                        .n_level = d->n_floor,
                                         .isolated = d->isolated,
                                         .first = first,
                                         .mass = d->mass,
@@ -217,12 +217,12 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
         finish_storeys(b, m, &building[i], d, storey);
         const struct building *g = &building[i];
         size_t bytes = (size_t)d->n_floor * sizeof *mass;
-        memcpy(mass + g->first, g->mass, (size_t)g->n_floor * sizeof *mass);
+        memcpy(mass + g->first, g->mass, (size_t)g->n_dof * sizeof *mass);
         memcpy(displacement + g->first, d->displacement, bytes);
         memcpy(velocity + g->first, d->velocity, bytes);
-        first += g->n_floor;
+        first += g->n_dof;
     }
-    assert(building[m->n_body - 1].first + building[m->n_body - 1].n_floor == m->n_dof);
+    assert(building[m->n_body - 1].first + building[m->n_body - 1].n_dof == m->n_dof);
     finish_grounds(b, m, building);
     finish_columns(b, m, building);
     m->building = building;
@@ -254,7 +254,7 @@ void finish_chain(struct builder *b, struct model *m) {
     };
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
-        for (int i = 0; i < g->n_floor; i++) {
+        for (int i = 0; i < g->n_dof; i++) {
             int j = g->first + i;
             x[MASS][j] = g->mass[i];
             x[STIFFNESS][j] = g->spring[i];
@@ -262,7 +262,7 @@ void finish_chain(struct builder *b, struct model *m) {
             if (!g->damping_full) {
                 x[OWN][j] = g->damping_diagonal[i];
                 x[BELOW][j] = i > 0 ? g->damping_off[i - 1] : 0.0;
-                x[ABOVE][j] = i + 1 < g->n_floor ? g->damping_off[i] : 0.0;
+                x[ABOVE][j] = i + 1 < g->n_dof ? g->damping_off[i] : 0.0;
             }
         }
         m->chain.full_damping |= g->damping_full != NULL;

@@ -28,7 +28,7 @@ static void take_statement(struct builder *b, const struct model *m, const struc
         const struct selection *s = c->storeys ? &c->storeys[k] : NULL;
         const int building = s ? s->building : k;
         const struct building *g = &m->building[building];
-        for (int i = 0; i < (s ? s->n_floor : g->n_level); i++) {
+        for (int i = 0; i < (s ? s->n_floor : g->n_floor); i++) {
             if (!take(b, c, building, s ? s->floor[i] - 1 : i, limit + g->first)) {
                 return;
             }
@@ -41,7 +41,7 @@ static bool take_heights(const struct model *m, double *limit) {
     bool any = false;
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        for (int i = 0; g->axial && !g->elastic && i < g->n_level; i++) {
+        for (int i = 0; g->axial && !g->elastic && i < g->n_floor; i++) {
             limit[g->first + i] = g->height[i];
             any = true;
         }
@@ -53,7 +53,7 @@ static bool take_heights(const struct model *m, double *limit) {
 static void check_start(struct builder *b, const struct model *m, const double *limit) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        for (int i = 0; i < g->n_level; i++) {
+        for (int i = 0; i < g->n_floor; i++) {
             const int at = g->first + i;
             const double drift = m->displacement[at] - (i > 0 ? m->displacement[at - 1] : 0.0);
             if (fabs(drift) >= limit[at]) {

@@ -114,8 +114,8 @@ static void report(struct builder *b, const struct finding *f) {
 }
 
 bool finish_stands(const struct building *g) {
-    assert(g->n_floor > 0);
-    return gsl_stats_min(g->stiffness, 1, (size_t)g->n_floor) > 0.0;
+    assert(g->n_dof > 0);
+    return gsl_stats_min(g->stiffness, 1, (size_t)g->n_dof) > 0.0;
 }
 
 static void check_buildings(struct builder *b, const struct model *m) {
@@ -125,13 +125,13 @@ static void check_buildings(struct builder *b, const struct model *m) {
         const struct building *g = &m->building[i];
         const struct word *w = &builder_draft(b, i)->word;
         if (finish_stands(g)) {
-            const struct magnitude kind = first_period(g->n_level);
+            const struct magnitude kind = first_period(g->n_floor);
             look(&kind, &period, w, g->name, 2.0 * M_PI / g->omega[0] * u->time);
         }
         if (g->height) {
-            const double mean = gsl_stats_mean(g->height, 1, (size_t)g->n_level) * u->length;
+            const double mean = gsl_stats_mean(g->height, 1, (size_t)g->n_floor) * u->length;
             look(&mean_storey, &storey, w, g->name, mean);
-            look(&total_height, &height, w, g->name, mean * g->n_level);
+            look(&total_height, &height, w, g->name, mean * g->n_floor);
         }
     }
     report(b, &period);

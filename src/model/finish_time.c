@@ -80,7 +80,7 @@ static double most_at_a_floor(const struct model *m, int i, enum bilateral_row w
 double model_fastest(const struct model *m, int i) {
     assert(i >= 0 && i < m->n_body);
     const struct building *g = &m->building[i];
-    return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + most_at_a_floor(m, i, BILATERAL_STIFFNESS));
+    return sqrt(pow(g->omega[g->n_dof - 1], 2.0) + most_at_a_floor(m, i, BILATERAL_STIFFNESS));
 }
 
 // The largest stable omega dt.
@@ -100,7 +100,7 @@ static void check_stability(struct builder *b, struct model *m) {
                 b->deck, &b->step,
                 "step %.6g %s is unstable with beta = %g: building %s%s needs at most %.4g %s",
                 m->dt, unit, m->beta, g->name,
-                omega > g->omega[g->n_floor - 1] ? " with its links" : "", limit / omega, unit);
+                omega > g->omega[g->n_dof - 1] ? " with its links" : "", limit / omega, unit);
             return;
         }
     }

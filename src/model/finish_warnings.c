@@ -256,7 +256,7 @@ static void check_between(struct builder *b, const struct model *m, const struct
     }
     const int right = struck_column_host(m, l->building[1]);
     for (int k = struck_column_host(m, l->building[0]) + 1; k < right; k++) {
-        if (m->building[k].n_level >= l->floor[0] && m->building[k].n_level >= l->floor[1]) {
+        if (m->building[k].n_floor >= l->floor[0] && m->building[k].n_floor >= l->floor[1]) {
             deck_warning(b->deck, &d->word, "building %s is between the floors of contact %s",
                          m->building[k].name, l->name);
         }

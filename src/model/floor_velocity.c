@@ -94,7 +94,7 @@ static int excite(struct mode *k, const struct signal *s, double share, struct e
 static double begin(struct mode *k) {
     const struct building *g = k->building;
     double excited = 0.0, displacement = 0.0, velocity = 0.0;
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_dof; i++) {
         double momentum = g->mass[i] * k->phi[i];
         k->mass += momentum * k->phi[i];
         excited += momentum;
@@ -116,7 +116,7 @@ static int respond(struct mode *k, struct error *e) {
     }
     for (int i = 0; i < m->n_load && status == STATUS_OK; i++) {
         int floor = m->load[i].dof - g->first;
-        if (floor >= 0 && floor < g->n_floor) {
+        if (floor >= 0 && floor < g->n_dof) {
             status = excite(k, &m->load[i].signal, k->phi[floor] / k->mass, e);
         }
     }
@@ -128,14 +128,14 @@ static int add_mode(const struct model *m, const struct building *g, int number,
     struct mode k = {
         .model = m,
         .building = g,
-        .phi = g->shape + (size_t)number * (size_t)g->n_floor,
+        .phi = g->shape + (size_t)number * (size_t)g->n_dof,
         .omega = g->omega[number],
         .scratch = scratch,
     };
     double ratio = building_damping_ratio(g, number + 1);
     k.ratio = isnan(ratio) ? 0.0 : fmin(ratio, RATIO_MAX);
     int status = respond(&k, e);
-    for (int i = 0; i < g->n_floor && status == STATUS_OK; i++) {
+    for (int i = 0; i < g->n_dof && status == STATUS_OK; i++) {
         double drift = k.phi[i] - (i > 0 ? k.phi[i - 1] : 0.0);
         velocity[i] += k.phi[i] * k.phi[i] * k.square;
         drift_rate[i] += drift * drift * k.square;
@@ -149,13 +149,13 @@ int floor_velocity(const struct model *m, int i, double *velocity, double *drift
     const struct building *g = &m->building[i];
     struct arena *scratch = arena_create();
     int status = scratch ? STATUS_OK : error_no_memory(e);
-    for (int j = 0; j < g->n_floor; j++) {
+    for (int j = 0; j < g->n_dof; j++) {
         velocity[j] = drift_rate[j] = 0.0;
     }
-    for (int k = 0; k < g->n_floor && k < MODES_MAX && status == STATUS_OK; k++) {
+    for (int k = 0; k < g->n_dof && k < MODES_MAX && status == STATUS_OK; k++) {
         status = add_mode(m, g, k, scratch, velocity, drift_rate, e);
     }
-    for (int j = 0; j < g->n_floor; j++) {
+    for (int j = 0; j < g->n_dof; j++) {
         velocity[j] = sqrt(velocity[j]);
         drift_rate[j] = sqrt(drift_rate[j]);
     }

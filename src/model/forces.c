@@ -16,7 +16,7 @@ static const struct building *forces_own(const struct building *g) {
 
 static bool forces_storeys_resist(const struct building *g) {
     bool resist = false;
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_dof; i++) {
         resist |= g->spring[i] > 0.0;
     }
     return resist;
@@ -38,7 +38,7 @@ static int forces_count_shares(const struct building *g, int number) {
     const struct part *part = number > 0 ? &own->part[number - 1] : NULL;
     const bool linear = part ? part->kind->traits & PART_LINEAR || frame_of(part)
                              : g->storeys_linear && forces_storeys_resist(own);
-    return forces_shared(g) && linear ? own->n_floor : 0;
+    return forces_shared(g) && linear ? own->n_dof : 0;
 }
 
 // The storey shears of the shares below `number`, and the members of the parts below `part`.
@@ -145,7 +145,7 @@ static void forces_fill_part(const struct building *g, double *by_action, int p,
 // By the drifts of the storeys themselves. `room` (2 (n_floor + n_hinge)) is scratch.
 static void forces_fill(const struct building *g, double *by_action, double *room) {
     const struct building *own = forces_own(g);
-    const size_t n = (size_t)own->n_floor;
+    const size_t n = (size_t)own->n_dof;
     const size_t stride = (size_t)lanes_whole(g->n_force);
     const int storeys = forces_of_share(g, 0);
     for (size_t i = 0; storeys >= 0 && i < n; i++) {
@@ -161,9 +161,9 @@ static void forces_fill(const struct building *g, double *by_action, double *roo
 static void forces_found(const struct building *g, const double *by_own, double *by_action) {
     const size_t stride = (size_t)lanes_whole(g->n_force);
     const int storeys = forces_of_share(g, 0), foundation = forces_of_foundation(g);
-    for (int j = 0; j < g->n_floor; j++) {
+    for (int j = 0; j < g->n_dof; j++) {
         double *to = by_action + (size_t)j * stride;
-        for (int i = 0; i < g->n_level; i++) {
+        for (int i = 0; i < g->n_floor; i++) {
             const double entry = foundation_deformation(g, i, j);
             for (size_t q = 0; q < stride; q++) {
                 to[q] += by_own[(size_t)i * stride + q] * entry;
@@ -196,11 +196,11 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
         return true;
     }
     const size_t stride = (size_t)lanes_whole(g->n_force);
-    const size_t n_action = (size_t)g->n_floor + (size_t)g->n_hinge;
+    const size_t n_action = (size_t)g->n_dof + (size_t)g->n_hinge;
     double *by_action = arena_alloc(a, n_action * stride, sizeof *by_action);
     double *room = arena_alloc(a, 2 * n_action, sizeof *room);
     double *by_own =
-        g->fixed ? arena_alloc(a, (size_t)g->n_level * stride, sizeof *by_own) : by_action;
+        g->fixed ? arena_alloc(a, (size_t)g->n_floor * stride, sizeof *by_own) : by_action;
     if (!by_action || !room || !by_own) {
         return false;
     }
@@ -217,9 +217,9 @@ void forces_at(const struct building *g, const double *drift, const double *hist
                double *force) {
     const size_t n = (size_t)lanes_whole(g->n_force);
     memset(force, 0, n * sizeof *force);
-    for (int j = 0; j < g->n_floor + g->n_hinge; j++) {
+    for (int j = 0; j < g->n_dof + g->n_hinge; j++) {
         const double *row = g->force_by_action + (size_t)j * n;
-        const double action = j < g->n_floor ? drift[j] : history[g->departure + j - g->n_floor];
+        const double action = j < g->n_dof ? drift[j] : history[g->departure + j - g->n_dof];
         LANES_LOOP
         for (size_t i = 0; i < n; i++) {
             force[i] += row[i] * action;

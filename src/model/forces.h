@@ -41,7 +41,7 @@ int forces_quantities(const struct building *g);
 // one are added. False: no memory.
 bool forces_create(struct building *g, bool linear, struct model *m, struct arena *a);
 
-// The forces of the building at these drifts (n_floor), n_force rounded up to whole lanes.
+// The forces of the building at these drifts (n_dof), n_force rounded up to whole lanes.
 // `history` is the storey history of the state.
 void forces_at(const struct building *g, const double *drift, const double *history, double *force);
 

@@ -85,7 +85,7 @@ static const double *founded_matrix(struct arena *a, const struct founded *f,
 // dashpots below the slab add to it.
 static const double *founded_damping(struct arena *a, const struct building *fixed,
                                      const struct foundation *draft, double height) {
-    const int n = fixed->n_floor, all = n + 2;
+    const int n = fixed->n_dof, all = n + 2;
     double *c = arena_alloc(a, (size_t)all * (size_t)all, sizeof *c);
     double *unit = arena_alloc(a, (size_t)n, sizeof *unit);
     double *force = arena_alloc(a, (size_t)n, sizeof *force);
@@ -146,7 +146,7 @@ static struct part *founded_part(struct arena *a, const struct building_draft *d
     if (!f || !part) {
         return NULL;
     }
-    *f = (struct founded){.n = fixed->n_floor};
+    *f = (struct founded){.n = fixed->n_dof};
     if (!founded_take_storeys(a, f, fixed, d->storey, height, &n_history)) {
         return NULL;
     }
@@ -164,7 +164,7 @@ static struct part *founded_part(struct arena *a, const struct building_draft *d
 // Masses, and the stiffness at rest, of the building with its part; false: no memory.
 static bool founded_properties(struct arena *a, const struct building *fixed, double height,
                                struct building *out) {
-    const size_t n = (size_t)fixed->n_floor, all = n + 2;
+    const size_t n = (size_t)fixed->n_dof, all = n + 2;
     const size_t n_history = (size_t)out->part->n_history;
     double *mass = arena_alloc(a, all, sizeof *mass);
     double *spring = arena_alloc(a, all, sizeof *spring);
@@ -197,9 +197,9 @@ static bool founded_properties(struct arena *a, const struct building *fixed, do
 int foundation_put(struct builder *b, const struct building_draft *d, const struct building *fixed,
                    int *n_history, struct building *out, struct error *e) {
     struct arena *a = b->arena;
-    const size_t all = (size_t)fixed->n_floor + 2;
+    const size_t all = (size_t)fixed->n_dof + 2;
     assert(fixed->height);
-    const double height = level_of_floor(fixed->height, fixed->n_floor);
+    const double height = level_of_floor(fixed->height, fixed->n_dof);
     struct building *kept = arena_alloc(a, 1, sizeof *kept);
     struct part *part = founded_part(a, d, fixed, height);
     double *omega = arena_alloc(a, all, sizeof *omega);
@@ -213,7 +213,7 @@ int foundation_put(struct builder *b, const struct building_draft *d, const stru
     *out = *fixed;
     out->fixed = kept;
     out->foundation = d->foundation;
-    out->n_floor = (int)all;
+    out->n_dof = (int)all;
     out->n_part = 1;
     out->part = part;
     out->omega = omega;
@@ -247,9 +247,9 @@ int foundation_loads(struct builder *b, const struct model *m, struct load *out)
         for (int k = 0; g->fixed && k < ground->n_signal; k++) {
             const struct signal *s = &ground->signal[k];
             struct load *load = &out[n++];
-            const double inertia = g->mass[g->n_floor - 1];
+            const double inertia = g->mass[g->n_dof - 1];
             struct error e;
-            *load = (struct load){.dof = g->first + g->n_floor - 1, .signal = *s};
+            *load = (struct load){.dof = g->first + g->n_dof - 1, .signal = *s};
             load->signal.amplitude *= inertia;
             load->signal.peak *= inertia;
             if (s->value && signal_init_samples(&load->signal, b->arena, s->value, s->n, s->dt,
@@ -270,21 +270,21 @@ void foundation_storeys(const struct building *g, const double *history, const d
                         const double *shear, double *own_drift, double *own_shear) {
     const struct founded *f = g->fixed ? g->part->data : NULL;
     const struct founded_motion slab = f ? founded_motion(f, drift) : (struct founded_motion){0};
-    for (int i = 0; i < g->n_level; i++) {
+    for (int i = 0; i < g->n_floor; i++) {
         own_drift[i] = f ? founded_deformation(f, i, drift, slab) : drift[i];
         own_shear[i] = shear[i] - (f ? shear[f->n] : tangent_damping_shear(g, history, i));
     }
 }
 
 const struct storey *foundation_storey(const struct model *m, const struct building *g, int i) {
-    assert(i >= 0 && i < g->n_level);
+    assert(i >= 0 && i < g->n_floor);
     const struct founded *f = g->fixed ? g->part->data : NULL;
     const struct storey *in_part = f ? &f->storey[i] : rate_storeys_of(g, i);
     return in_part ? in_part : &m->storey[g->first + i];
 }
 
 struct foundation_row foundation_row(const struct building *g, int i) {
-    assert(g->fixed && i >= 0 && i < g->n_level);
+    assert(g->fixed && i >= 0 && i < g->n_floor);
     const struct founded *f = g->part->data;
     const int slab = g->first + f->n;
     return (struct foundation_row){.dof = {g->first + i, i > 0 ? g->first + i - 1 : slab, slab + 1},
@@ -292,18 +292,18 @@ struct foundation_row foundation_row(const struct building *g, int i) {
 }
 
 double foundation_deformation(const struct building *g, int i, int j) {
-    assert(g->fixed && i >= 0 && i < g->n_level && j >= 0 && j < g->n_floor);
+    assert(g->fixed && i >= 0 && i < g->n_floor && j >= 0 && j < g->n_dof);
     return founded_entry(g->part->data, i, j);
 }
 
 double foundation_lean(const struct building *g, int i) {
-    assert(g->fixed && i >= 0 && i < g->n_level);
+    assert(g->fixed && i >= 0 && i < g->n_floor);
     return ((const struct founded *)g->part->data)->share[i];
 }
 
 double foundation_by_drift(const struct building *g, int q, int j) {
-    const double height = level_of_floor(g->height, g->n_level);
-    const double sway = j <= g->n_level ? 1.0 : 0.0, rocking = 1.0 / height;
+    const double height = level_of_floor(g->height, g->n_floor);
+    const double sway = j <= g->n_floor ? 1.0 : 0.0, rocking = 1.0 / height;
     const struct foundation *f = g->foundation;
     return (double[]){sway, rocking, f->sway * sway, f->rocking * rocking}[q];
 }
@@ -312,7 +312,7 @@ double foundation_across(const struct model *m, int dof, const double *x) {
     for (int k = 0; m->storeys_differ && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         const int i = dof - g->first;
-        if (g->fixed && i >= 0 && i < g->n_level) {
+        if (g->fixed && i >= 0 && i < g->n_floor) {
             const struct foundation_row r = foundation_row(g, i);
             return x[r.dof[0]] - x[r.dof[1]] + r.weight[2] * x[r.dof[2]];
         }

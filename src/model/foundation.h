@@ -23,7 +23,7 @@ const struct storey *foundation_storey(const struct model *m, const struct build
 // So it is on a foundation, and with damping on the tangent stiffness, which adds to the shears.
 bool foundation_differs(const struct building *g);
 
-// Storey deformations and shears (n_level) of a building, from drifts and shears (n_floor) of its
+// Storey deformations and shears (n_floor) of a building, from drifts and shears (n_dof) of its
 // degrees of freedom, which are other arrays, and the storey history of the state.
 void foundation_storeys(const struct building *g, const double *history, const double *drift,
                         const double *shear, double *own_drift, double *own_shear);

@@ -76,7 +76,7 @@ static double count_storeys(const struct model *m, const struct link *l, double 
         const struct building *g = l->building[i] == WALL ? NULL : &m->building[l->building[i]];
         for (int k = 0; g && k < link_entries(l, i); k++) {
             const int floor = link_entry(l, i, k).dof - g->first;
-            for (int j = floor; j <= floor + 1 && j < g->n_floor; j++) {
+            for (int j = floor; j <= floor + 1 && j < g->n_dof; j++) {
                 storey = fmax(storey, j + 1 == g->isolated ? 0.0 : g->stiffness[j]);
             }
         }

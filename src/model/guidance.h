@@ -52,7 +52,7 @@ double guidance_round(double step);
 
 // Estimates the largest velocities of the floors of building `i`, relative to its ground, and the
 // largest drift rates of its storeys. The building is alone and elastic. `velocity` and
-// `drift_rate` are (n_floor) [L/T]. Errors: STATUS_SYSTEM (no memory).
+// `drift_rate` are (n_dof) [L/T]. Errors: STATUS_SYSTEM (no memory).
 int floor_velocity(const struct model *m, int i, double *velocity, double *drift_rate,
                    struct error *e);
 
@@ -60,7 +60,7 @@ int floor_velocity(const struct model *m, int i, double *velocity, double *drift
 enum { DAMPING_TEXT_SIZE = 512 };
 
 // Writes the warning about the dashpots of Rayleigh damping in building `g`, whose storeys have the
-// largest drift rates `rate` (n_floor) [L/T]. `known` is "estimated " for estimated rates, else "".
+// largest drift rates `rate` (n_dof) [L/T]. `known` is "estimated " for estimated rates, else "".
 // Returns the force of the dashpots divided by the yield force; 0: too small for a warning.
 double damping_warning(const struct model *m, const struct building *g, const double *rate,
                        const char *known, char text[DAMPING_TEXT_SIZE]);

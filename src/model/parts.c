@@ -38,7 +38,7 @@ double parts_linear_stored(const struct part *p, const double *history, const do
 void parts_respond(const struct building *g, const double *history, const double *drift,
                    const double *rate, const struct part_sums *to, double *after) {
     if (g->elastic && !to->by_drift && !to->by_rate) {
-        lanes_add_symmetric(g->n_floor, g->part_stiffness, drift, to->shear, to->shear);
+        lanes_add_symmetric(g->n_dof, g->part_stiffness, drift, to->shear, to->shear);
         return;
     }
     for (int i = 0; i < g->n_part; i++) {

@@ -6,7 +6,7 @@
 #include "jostle/model.h"
 
 // Adds the shears and tangents of all parts of building `g` at these drifts and drift rates
-// (n_floor). `history` is the storey history of a state. `after` is the storey history of the next
+// (n_dof). `history` is the storey history of a state. `after` is the storey history of the next
 // state, or NULL (struct part_kind). The function does not read the rates of an elastic building.
 void parts_respond(const struct building *g, const double *history, const double *drift,
                    const double *rate, const struct part_sums *to, double *after);

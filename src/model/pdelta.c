@@ -14,7 +14,7 @@
 // The factor at which shear storeys buckle, and which storey (from 0) does.
 static double pdelta_buckling_of_chain(const struct building *g, int *storey) {
     double least = INFINITY;
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_dof; i++) {
         const double factor = g->pdelta[i] > 0.0 ? g->spring[i] / g->pdelta[i] : INFINITY;
         if (factor < least) {
             least = factor;
@@ -27,7 +27,7 @@ static double pdelta_buckling_of_chain(const struct building *g, int *storey) {
 // The factor at which a building with parts buckles; 0 if it does not stand without P-delta. False:
 // no memory.
 static bool pdelta_buckling_with_parts(const struct building *g, double *factor) {
-    const size_t n = (size_t)g->n_floor;
+    const size_t n = (size_t)g->n_dof;
     gsl_matrix *d = gsl_matrix_alloc(n, n), *p = gsl_matrix_calloc(n, n);
     gsl_vector *mu = gsl_vector_alloc(n);
     gsl_eigen_gensymm_workspace *w = gsl_eigen_gensymm_alloc(n);
@@ -55,7 +55,7 @@ static bool pdelta_buckling_with_parts(const struct building *g, double *factor)
 static void pdelta_coefficients(const struct building *g, double omega, const double *shape,
                                 double *theta) {
     double inertia = 0.0;
-    for (int i = g->n_floor - 1; i >= 0; i--) {
+    for (int i = g->n_dof - 1; i >= 0; i--) {
         const double drift = shape[i] - (i > 0 ? shape[i - 1] : 0.0);
         inertia += omega * omega * g->mass[i] * shape[i];
         const double stiffness = g->n_part == 0 ? g->spring[i] : inertia / drift;
@@ -70,7 +70,7 @@ static bool pdelta_buckles(struct builder *b, const struct building_draft *d,
     if (g->buckling > 1.0) {
         return false;
     }
-    if (g->n_part == 0 && g->n_floor > 1) {
+    if (g->n_part == 0 && g->n_dof > 1) {
         snprintf(where, sizeof where, " in storey %d", storey + 1);
     }
     deck_error(b->deck, &d->pdelta,
@@ -82,7 +82,7 @@ static bool pdelta_buckles(struct builder *b, const struct building_draft *d,
 
 int pdelta_apply(struct builder *b, const struct building_draft *d, struct building *g,
                  double *omega, double *shape, struct error *e) {
-    const size_t n = (size_t)g->n_floor;
+    const size_t n = (size_t)g->n_dof;
     double *axial = arena_alloc(b->arena, n, sizeof *axial);
     double *pdelta = arena_alloc(b->arena, n, sizeof *pdelta);
     double *theta = arena_alloc(b->arena, n, sizeof *theta);
@@ -110,7 +110,7 @@ int pdelta_apply(struct builder *b, const struct building_draft *d, struct build
     }
     pdelta_coefficients(g, omega[0], shape, theta);
     g->spring = spring;
-    return modes_solve(g->n_floor, g->mass, spring, g->part_stiffness, omega, shape, e);
+    return modes_solve(g->n_dof, g->mass, spring, g->part_stiffness, omega, shape, e);
 }
 
 void pdelta_check_founded(struct builder *b, const struct building_draft *d,

@@ -84,7 +84,7 @@ void rate_storeys_put(struct builder *b, struct building_draft *d, struct buildi
 }
 
 const struct storey *rate_storeys_of(const struct building *g, int i) {
-    assert(i >= 0 && i < g->n_floor);
+    assert(i >= 0 && i < g->n_dof);
     for (int k = 0; k < g->n_part; k++) {
         if (g->part[k].kind == &rate_storeys && rate_storeys_all(&g->part[k])[i].law) {
             return &rate_storeys_all(&g->part[k])[i];

@@ -58,14 +58,14 @@ double stability_limit(double ratio) {
 
 // Entry (i, j) of a full damping matrix, including the dashpots of parts.
 static double full_entry(const struct building *g, int i, int j) {
-    const int n = g->n_floor;
+    const int n = g->n_dof;
     return g->damping_full[i * n + j] +
            (g->n_part > 0 ? parts_on_floors(g->part_dashpot, n, i, j) : 0.0);
 }
 
 struct stability stability_of(const struct building *g) {
-    struct stability s = {.alone = INFINITY, .square = pow(g->omega[g->n_floor - 1], 2.0)};
-    for (int i = 0; i < g->n_floor; i++) {
+    struct stability s = {.alone = INFINITY, .square = pow(g->omega[g->n_dof - 1], 2.0)};
+    for (int i = 0; i < g->n_dof; i++) {
         double ratio = building_damping_ratio(g, i + 1);
         if (g->omega[i] > 0.0) {
             s.alone = fmin(s.alone, DECAYS * stability_limit(ratio) / g->omega[i]);
@@ -74,7 +74,7 @@ struct stability stability_of(const struct building *g) {
     // A motion decays at the rate c / 2m, and c / m of one floor against the others is at least
     // that of the floor with the least.
     double least = INFINITY;
-    int n = g->n_floor;
+    int n = g->n_dof;
     for (int i = 0; i < n; i++) {
         double own = g->damping_full ? full_entry(g, i, i) : g->damping_diagonal[i];
         double sum = own;

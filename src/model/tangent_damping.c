@@ -134,7 +134,7 @@ bool tangent_damping_matters(const struct building_draft *d, const struct buildi
 }
 
 struct tangent_damping *tangent_damping_create(struct arena *a, const struct building *g) {
-    const size_t n = (size_t)g->n_floor;
+    const size_t n = (size_t)g->n_dof;
     struct tangent_damping *t = arena_alloc(a, 1, sizeof *t);
     double *beta = arena_alloc(a, n * n, sizeof *beta);
     double *initial = arena_alloc(a, n * n, sizeof *initial);
@@ -148,13 +148,13 @@ struct tangent_damping *tangent_damping_create(struct arena *a, const struct bui
         }
     }
     *t = (struct tangent_damping){
-        .n = g->n_floor, .beta = beta, .initial = initial, .spring = g->spring};
+        .n = g->n_dof, .beta = beta, .initial = initial, .spring = g->spring};
     return t;
 }
 
 // Adds beta_ij K_ij to the dashpots of the parts, and zeros for their stiffness if there are none.
 static bool tangent_damping_sum(struct arena *a, struct building *g) {
-    const size_t n = (size_t)g->n_floor, square = n * n;
+    const size_t n = (size_t)g->n_dof, square = n * n;
     double *dashpot = arena_alloc(a, square, sizeof *dashpot);
     for (size_t i = 0; dashpot && i < square; i++) {
         dashpot[i] = g->tangent->beta[i] * g->tangent->initial[i] +

@@ -24,7 +24,7 @@ bool tangent_damping_matters(const struct building_draft *d, const struct buildi
 // Room for coefficients of 0 and the initial stiffness of building `g`; NULL: no memory.
 struct tangent_damping *tangent_damping_create(struct arena *a, const struct building *g);
 
-// Adds the part to building `g`, whose storeys of the chain are `storey` (n_floor) and whose
+// Adds the part to building `g`, whose storeys of the chain are `storey` (n_dof) and whose
 // `tangent` is set. Its history is behind the n_history values that there are.
 void tangent_damping_put(struct builder *b, struct building_draft *d, struct building *g,
                          const struct storey *storey, int *n_history);

@@ -31,7 +31,7 @@ static bool storey_resists(const struct building *own, int i) {
 
 // A building of one floor that nothing holds.
 static bool is_body(const struct building *g) {
-    return g->n_floor == 1 && g->n_part == 0 && !storey_resists(g, 0);
+    return g->n_dof == 1 && g->n_part == 0 && !storey_resists(g, 0);
 }
 
 static int write_ground(const struct deck_view *v, FILE *to) {
@@ -43,7 +43,7 @@ static int write_yielding(const struct deck_view *v, FILE *to) {
     int n = 0;
     for (int k = 0; k < v->at.n; k++) {
         const struct building *g = &v->m->building[k];
-        for (int i = 0; i < g->n_level; i++) {
+        for (int i = 0; i < g->n_floor; i++) {
             if (foundation_storey(v->m, g, i)->law->n_history > 0) {
                 deck_put_box(to, elevation_x(&v->at, k, 0), elevation_x(&v->at, k, 1),
                              elevation_level(&v->at, k, i), elevation_level(&v->at, k, i + 1));
@@ -84,7 +84,7 @@ static int write_floors(const struct deck_view *v, FILE *to) {
     int n = 0;
     for (int k = 0; k < v->at.n; k++) {
         const struct building *g = &v->m->building[k];
-        for (int i = 1; i <= g->n_level && !is_body(g); i++) {
+        for (int i = 1; i <= g->n_floor && !is_body(g); i++) {
             const double level = elevation_level(&v->at, k, i);
             deck_put_line(to, elevation_x(&v->at, k, 0), level, elevation_x(&v->at, k, 1), level);
             n++;
@@ -106,7 +106,7 @@ static int write_storeys(const struct deck_view *v, FILE *to) {
     int n = 0;
     for (int k = 0; k < v->at.n; k++) {
         const struct building *g = &v->m->building[k];
-        for (int i = 0; i < g->n_level; i++) {
+        for (int i = 0; i < g->n_floor; i++) {
             if (storey_resists(without_foundation(g), i)) {
                 put_sides(v, to, k, i);
                 n++;
@@ -121,7 +121,7 @@ static int write_matrices(const struct deck_view *v, FILE *to) {
     for (int k = 0; k < v->at.n; k++) {
         const struct building *g = without_foundation(&v->m->building[k]);
         for (int p = 0; p < g->n_part; p++) {
-            for (int i = 0; !frame_of(&g->part[p]) && i < g->n_floor; i++) {
+            for (int i = 0; !frame_of(&g->part[p]) && i < g->n_dof; i++) {
                 put_sides(v, to, k, i);
                 n++;
             }
@@ -248,7 +248,7 @@ static struct deck_view view_of(const struct model *m) {
     struct deck_view v = {.m = m};
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        if (!elevation_add(&v.at, &(struct elevation_building){g->name, g->n_level, g->height})) {
+        if (!elevation_add(&v.at, &(struct elevation_building){g->name, g->n_floor, g->height})) {
             break;
         }
     }
@@ -292,10 +292,10 @@ static void write_head(const struct deck_view *v, const bool *there, struct canv
 // "4, 5 × 3.2": the heights of the storeys, from the ground.
 static void write_heights(const struct building *g, char *text, size_t size) {
     size_t n = 0;
-    for (int i = 0, last; i < g->n_level && n < size; i = last + 1) {
+    for (int i = 0, last; i < g->n_floor && n < size; i = last + 1) {
         char height[32];
         last = i;
-        while (last + 1 < g->n_level && g->height[last + 1] == g->height[i]) {
+        while (last + 1 < g->n_floor && g->height[last + 1] == g->height[i]) {
             last++;
         }
         script_number(g->height[i], height, sizeof height);
@@ -329,13 +329,13 @@ static void write_numbers(const struct deck_view *v, int k, struct canvas *c) {
     const double x = elevation_x(&v->at, k, 0.5), room = 0.96 * v->at.slot;
     char text[512];
     double mass = 0;
-    for (int i = 0; i < g->n_level; i++) {
+    for (int i = 0; i < g->n_floor; i++) {
         mass += g->mass[i];
     }
     if (g->height) {
         write_heights(g, text, sizeof text);
     } else {
-        snprintf(text, sizeof text, "%d", g->n_level);
+        snprintf(text, sizeof text, "%d", g->n_floor);
     }
     elevation_below(&v->at, c, text, x, LINE_STOREYS, room);
     elevation_number(&v->at, c, mass, x, LINE_MASS);
@@ -356,7 +356,7 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     write_head(&v, there, c);
     elevation_open(&v.at, c, N_LINE);
     for (int k = 0; k < v.at.n; k++) {
-        v.dense = v.dense || !canvas_has_room(c, 2 * v.m->building[k].n_level);
+        v.dense = v.dense || !canvas_has_room(c, 2 * v.m->building[k].n_floor);
     }
     write_line_names(&v, c);
     for (int k = 0; k < v.at.n; k++) {

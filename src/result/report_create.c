@@ -85,7 +85,7 @@ static void members_fill(struct report_building *to, struct arena *a, const stru
 
 static void share_fill(struct report_share *to, struct arena *a, const struct building *b,
                        int share, const struct results *r) {
-    const size_t n = (size_t)b->n_level;
+    const size_t n = (size_t)b->n_floor;
     const char *name = forces_share_name(b, share);
     double *shear = arena_alloc(a, n, sizeof *shear), *time = arena_alloc(a, n, sizeof *time);
     to->name = arena_text(a, name, strlen(name));
@@ -122,11 +122,11 @@ static void foundation_fill(struct report_building *to, struct arena *a, const s
 
 static void building_fill(struct report_building *to, struct arena *a, const struct building *b,
                           const struct results *r) {
-    const size_t n = (size_t)b->n_level;
+    const size_t n = (size_t)b->n_floor;
     const struct building *own = b->fixed ? b->fixed : b;  // storeys without the foundation
     double *period = arena_alloc(a, n, sizeof *period);
     to->name = arena_text(a, b->name, strlen(b->name));
-    to->n_floor = b->n_level;
+    to->n_floor = b->n_floor;
     to->isolated = b->isolated;
     to->mass = copy(a, own->mass, n);
     to->stiffness = copy(a, own->stiffness, n);
@@ -196,7 +196,7 @@ static void collapse_fill(struct report_collapse *to, const struct model *m,
     *to = (struct report_collapse){.building = ""};
     for (int k = 0; c && c->happened && k < m->n_building; k++) {
         const int floor = c->dof - m->building[k].first;
-        if (floor >= 0 && floor < m->building[k].n_level) {
+        if (floor >= 0 && floor < m->building[k].n_floor) {
             *to =
                 (struct report_collapse){1, c->time, report->building[k].name, floor + 1, c->drift};
         }

@@ -21,7 +21,7 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
         [FIELD_ONE] = 1,
         [FIELD_AT] = 1,
         [FIELD_BUILDINGS] = m->n_body,
-        [FIELD_BUILDING_FLOORS] = m->building[k].n_floor,
+        [FIELD_BUILDING_FLOORS] = m->building[k].n_dof,
         [FIELD_BUILDING_TANGENTS] = building_n_tangent(&m->building[k]),
         [FIELD_COLUMNS] = m->n_column,
         [FIELD_FLOORS] = m->n_dof,

@@ -164,7 +164,7 @@ static void forcing_on_floors(struct state *s, const struct model *m, const stru
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         const double a = s->ground_a[g->ground];
-        for (int i = 0; i < g->n_floor; i++) {
+        for (int i = 0; i < g->n_dof; i++) {
             s->base[g->first + i] = a;
         }
     }

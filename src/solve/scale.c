@@ -49,7 +49,7 @@ void scale_expect(struct scales *s, const struct model *m) {
 
 static double scale_largest_of(const double *x, const struct building *g) {
     double largest = 0.0;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
+    for (int i = g->first; i < g->first + g->n_dof; i++) {
         largest = x[i] > largest ? x[i] : largest;
     }
     return largest;
@@ -89,7 +89,7 @@ void scale_update(struct scales *s, const struct model *m, const struct results 
         double of_u = scale_over(fmax(scale_largest_of(u, g), SHARE * s->most_u));
         double of_v = scale_over(fmax(scale_largest_of(v, g), SHARE * s->most_v));
         of_v = s->square ? fmax(of_v, scale_over_accelerations(s, m, r, k)) : of_v;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
+        for (int i = g->first; i < g->first + g->n_dof; i++) {
             s->over_u[i] = of_u;
             s->over_v[i] = of_v;
         }

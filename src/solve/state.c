@@ -56,7 +56,7 @@ bool state_memory_alloc(struct memory *s, const struct model *m, struct arena *a
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->predictable && g->n_part > 0) {
-            const size_t n = (size_t)g->n_floor * (size_t)g->n_floor;
+            const size_t n = (size_t)g->n_dof * (size_t)g->n_dof;
             double *own = s->part_tangent + g->part_tangent;
             memcpy(own, g->part_stiffness, n * sizeof *own);
             memcpy(own + n, g->part_dashpot, n * sizeof *own);
@@ -102,7 +102,7 @@ void state_open_where(struct state *s, const struct model *m, state_question *op
 
 void state_storeys(struct state *s, const struct model *m, const struct building *g,
                    const double *from, double *after) {
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
+    for (int i = g->first; i < g->first + g->n_dof; i++) {
         const struct storey *law = &m->storey[i];
         const struct storey_response r = law->law->respond(
             law->constant, from + law->history, s->drift[i], after ? after + law->history : NULL);
@@ -110,14 +110,14 @@ void state_storeys(struct state *s, const struct model *m, const struct building
         s->tangent[i] = r.tangent;
     }
     // As in storey_respond; it would take time in each storey without P-delta.
-    for (int i = g->first; g->pdelta && i < g->first + g->n_floor; i++) {
+    for (int i = g->first; g->pdelta && i < g->first + g->n_dof; i++) {
         s->shear[i] -= m->storey[i].pdelta * s->drift[i];
         s->tangent[i] -= m->storey[i].pdelta;
     }
 }
 
 void state_rates(struct state *s, const struct building *g, const double *v) {
-    for (int i = g->first; g->n_part > 0 && !g->elastic && i < g->first + g->n_floor; i++) {
+    for (int i = g->first; g->n_part > 0 && !g->elastic && i < g->first + g->n_dof; i++) {
         s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
     }
 }

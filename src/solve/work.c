@@ -84,14 +84,14 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
 static int work_refactor(struct work *w, struct effective *e, int k) {
     const struct building *g = e[k].building;
     const double *tangent = w->memory->tangent + g->first;
-    size_t size = (size_t)g->n_floor * sizeof *tangent;
+    size_t size = (size_t)g->n_dof * sizeof *tangent;
     if (g->n_part > 0 && g->smooth) {
         return STATUS_OK;
     }
     const double *parts = w->memory->part_tangent + g->part_tangent;
     const size_t parts_size =
-        g->predictable ? (size_t)(building_n_tangent(g) - g->n_floor) * sizeof *parts : 0;
-    double *own_parts = e[k].tangent + g->n_floor;
+        g->predictable ? (size_t)(building_n_tangent(g) - g->n_dof) * sizeof *parts : 0;
+    double *own_parts = e[k].tangent + g->n_dof;
     bool same = g->elastic || (memcmp(e[k].tangent, tangent, size) == 0 &&
                                memcmp(own_parts, parts, parts_size) == 0);
     if (same && e[k].b == w->b && e[k].g == w->g) {

@@ -180,12 +180,12 @@ static int check_buildings(const struct plan *p, long run, const struct model *m
         if (strcmp(a->name, b->name) != 0) {
             return differs(p, run, e, "names of buildings");
         }
-        if (a->n_level != b->n_level || !a->fixed != !b->fixed) {
+        if (a->n_floor != b->n_floor || !a->fixed != !b->fixed) {
             struct plan_text t;
             return error_set(e, STATUS_INPUT,
                              "%s has %d floors in building %s, the first run has %d; all runs of "
                              "a study need the same",
-                             plan_describe(p, run, &t), b->n_level, b->name, a->n_level);
+                             plan_describe(p, run, &t), b->n_floor, b->name, a->n_floor);
         }
         if (a->isolated != b->isolated) {
             return differs(p, run, e, "isolators of buildings");

@@ -71,8 +71,8 @@ bool refinement_is_within(const struct convergence *c, double value, double rtol
 // The largest value of the floors or storeys of a building in summaries.
 static double largest(const struct building *g, const double *value) {
     double most = 0.0;
-    for (int i = 0; i < g->n_level; i++) {
-        most = floor_is_summarised(g->isolated, g->n_level, i) ? fmax(most, value[g->first + i])
+    for (int i = 0; i < g->n_floor; i++) {
+        most = floor_is_summarised(g->isolated, g->n_floor, i) ? fmax(most, value[g->first + i])
                                                                : most;
     }
     return most;
@@ -85,7 +85,7 @@ static double all_impacts(const struct model *m, const struct results *r, int i)
 
 static double roof_displacement(const struct model *m, const struct results *r, int i) {
     const struct building *g = &m->building[i];
-    return r->peak[PEAK_DISPLACEMENT][g->first + g->n_level - 1];
+    return r->peak[PEAK_DISPLACEMENT][g->first + g->n_floor - 1];
 }
 
 static double drift(const struct model *m, const struct results *r, int i) {

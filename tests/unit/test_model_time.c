@@ -304,7 +304,7 @@ static void parameters_and_expressions_reach_the_model(void **state) {
                                "initial $left -velocity 1\nstep fixed 1\nduration 10\n";
     struct model *m = defined_model(text, NULL, 0);
     assert_string_equal(m->building[0].name, "Tower");
-    assert_int_equal(m->building[1].n_floor, 4);
+    assert_int_equal(m->building[1].n_dof, 4);
     assert_close(m->mass[1], 0.1, 1e-14);  // 100 t in kN s^2/mm
     assert_close(m->link[0].gap, 10.0, 1e-14);
     assert_string_equal(m->link[0].name, "Tower:3-B:3");

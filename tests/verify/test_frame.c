@@ -34,7 +34,7 @@ struct statics {
 static struct statics statics_of(struct model *m, const double *load) {
     struct statics s = {.model = m, .building = &m->building[0]};
     const struct building *g = s.building;
-    const size_t n = (size_t)g->n_floor;
+    const size_t n = (size_t)g->n_dof;
     double stiffness[256], shear[16];
     assert_true(n <= 16 && g->n_force <= 2048);
     for (size_t i = n; i-- > 0;) {
@@ -75,7 +75,7 @@ struct member_forces {
 
 static void assert_statics(struct statics *s, const double *u, const struct member_forces *want,
                            size_t n, double size) {
-    for (int i = 0; i < s->building->n_floor; i++) {
+    for (int i = 0; i < s->building->n_dof; i++) {
         assert_close(s->u[i], u[i], 1e-9);
     }
     for (size_t i = 0; i < n; i++) {
@@ -90,7 +90,7 @@ static void assert_statics(struct statics *s, const double *u, const struct memb
 
 static void assert_periods(const char *deck, const double *period, int n, double rtol) {
     struct model *m = analysis_model("%s" STILL, deck);
-    assert_int_equal(m->building[0].n_floor, n);
+    assert_int_equal(m->building[0].n_dof, n);
     for (int i = 0; i < n; i++) {
         assert_close(2.0 * acos(-1.0) / m->building[0].omega[i], period[i], rtol);
     }
@@ -189,7 +189,7 @@ static void the_frame_of_sap2000_has_its_published_answers(void **state) {
 // Compares the stiffness on drifts of the first building with a diagonal one.
 static void assert_shear_building(struct model *m, const double *spring, double rtol) {
     const struct building *g = &m->building[0];
-    const int n = g->n_floor;
+    const int n = g->n_dof;
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
             assert_near(g->part_stiffness[i * n + j], i == j ? spring[i] : 0.0, rtol * spring[i]);

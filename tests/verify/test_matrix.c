@@ -73,7 +73,7 @@ static void assert_alike(const struct analysis *got, const struct analysis *want
     }
     for (int i = 0; i < want->model->n_building; i++) {
         const struct building *a = &got->model->building[i], *b = &want->model->building[i];
-        assert_near(difference(a->omega, b->omega, a->n_floor), 0, 1e-12);
+        assert_near(difference(a->omega, b->omega, a->n_dof), 0, 1e-12);
     }
 }
 

@@ -31,7 +31,7 @@ static int watch(void *context, const struct row_view *row, struct error *e) {
         }
     }
     const int n_part = (g->fixed ? g->fixed : g)->n_part;
-    for (int i = 0; i < g->n_level; i++) {
+    for (int i = 0; i < g->n_floor; i++) {
         double sum = 0;
         for (int k = 0; k <= n_part; k++) {
             sum += row->member_force[forces_of_share(g, k) + i];

@@ -111,7 +111,7 @@ static void put(struct model *m, struct part *part, int n, double *tangents) {
     static const double zero[8] = {0};
     const struct part_sums sums = {.by_drift = tangents,
                                    .by_rate = tangents + (size_t)STOREYS * STOREYS};
-    assert_int_equal(g->n_floor, STOREYS);
+    assert_int_equal(g->n_dof, STOREYS);
     memset(tangents, 0, (size_t)2 * STOREYS * STOREYS * sizeof *tangents);
     for (int i = 0; i < n; i++) {
         part[i].n = STOREYS;

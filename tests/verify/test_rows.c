@@ -95,7 +95,7 @@ static void a_row_of_all_heights_is_solved_to_the_bits_of_each(void **state) {
             double alone[FLOORS_MAX];
             const struct building *g = &m->building[k];
             effective_solve(&e[k], 1, kept + g->first, alone);
-            assert_memory_equal(q + g->first, alone, (size_t)g->n_floor * sizeof *q);
+            assert_memory_equal(q + g->first, alone, (size_t)g->n_dof * sizeof *q);
         }
     }
     arena_free(a);
@@ -185,7 +185,7 @@ static void penetrations_of_runs_of_links_are_those_of_each(void **state) {
         gaps_touch(&gaps, k);
         for (int j = 0; j < gaps.n_touched; j++) {
             const struct building *g = &m->building[gaps.touched[j]];
-            fill(&random, s.u + g->first, g->n_floor);
+            fill(&random, s.u + g->first, g->n_dof);
         }
         gaps_update_touched(&gaps, &s);
         assert_penetrations(m, &s);

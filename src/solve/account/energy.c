@@ -52,7 +52,7 @@ struct energy_sums energy_sums_of(const struct energy_account *a, const struct m
     }
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
+        for (int i = g->first; i < g->first + g->n_dof; i++) {
             const struct storey *law = &m->storey[i];
             const bool is_elastic = law->law->n_history == 0 && (g->n_part == 0 || g->elastic);
             *(is_elastic ? &elastic : &other) += storey_stored(law, s->storey_history, s->drift[i]);

@@ -86,7 +86,7 @@ void peaks_founded(struct results *r, const struct model *m, const struct state 
         foundation_storeys(g, s->storey_history, s->drift + g->first, s->shear + g->first, drift,
                            shear);
         for (int q = 0; q < 2; q++) {
-            for (int i = 0; i < g->n_level; i++) {
+            for (int i = 0; i < g->n_floor; i++) {
                 peak_larger(fabs(value[q][i]), s->time, &r->founded_peak[q][g->first + i],
                             &r->founded_time[q][g->first + i]);
             }
@@ -97,7 +97,7 @@ void peaks_founded(struct results *r, const struct model *m, const struct state 
 void peaks_finish(struct results *r, const struct model *m) {
     for (int k = 0; m->storeys_differ && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        const size_t size = foundation_differs(g) ? (size_t)g->n_level * sizeof(double) : 0;
+        const size_t size = foundation_differs(g) ? (size_t)g->n_floor * sizeof(double) : 0;
         for (int q = 0; q < 2; q++) {
             const enum peak p = founded_quantity[q];
             memcpy(r->peak[p] + g->first, r->founded_peak[q] + g->first, size);

@@ -128,11 +128,11 @@ static bool residual_drift_improve(struct settling *r, double *size) {
 // does not let them come there. False: no memory.
 static bool residual_drift_settle(const struct model *m, const struct state *s,
                                   const struct building *b, double *out) {
-    const size_t n = (size_t)b->n_floor;
+    const size_t n = (size_t)b->n_dof;
     struct arena *a = arena_create();
     struct settling r = {m, b, s->storey_history, .n = n};
     double **const array[] = {&r.tangent, &r.shear, &r.change, &r.x, &r.trial, &r.still};
-    assert(b->n_part > 0 && b->first + b->n_floor <= m->n_dof);
+    assert(b->n_part > 0 && b->first + b->n_dof <= m->n_dof);
     for (size_t i = 0; a && i < sizeof array / sizeof array[0]; i++) {
         *array[i] = arena_alloc(a, i == 0 ? n * n : n, sizeof(double));
     }
@@ -163,7 +163,7 @@ static void residual_drift_storeys(const struct model *m, const struct state *s,
                                    const struct building *b, const double *drift, double *out) {
     const struct building *own = b->fixed ? b->fixed : b;
     const double *history = s->storey_history + (b->fixed ? b->part->history : 0);
-    for (int i = 0; i < b->n_level; i++) {
+    for (int i = 0; i < b->n_floor; i++) {
         const struct storey *storey = foundation_storey(m, b, i);
         const struct unloading u = {storey, history};
         out[i] = storey->law->n_history == 0

@@ -182,7 +182,7 @@ static double contact_rounding(const struct work *w, const double *x) {
     double largest = 0.0;
     for (int i = 0; i < w->gaps.n_touched; i++) {
         const struct building *g = &w->model->building[w->gaps.touched[i]];
-        for (int j = g->first; j < g->first + g->n_floor; j++) {
+        for (int j = g->first; j < g->first + g->n_dof; j++) {
             largest = number_max(largest, fabs(x[j]));
         }
     }

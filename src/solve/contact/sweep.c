@@ -38,7 +38,7 @@ bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct are
     };
     for (int side = 0; side < 2; side++) {
         if (l->row[side].n > 0) {
-            p->combined[side] = lanes_array(a, m->building[l->building[side]].n_floor);
+            p->combined[side] = lanes_array(a, m->building[l->building[side]].n_dof);
         }
     }
     return !arena_failed(a);
@@ -46,7 +46,7 @@ bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct are
 
 // A^-1 b' of an end that is a row, into `column` (n_floor in whole lanes).
 static struct reach sweep_combine(struct effective *a, const struct link_row *row, double *column) {
-    const int n = lanes_whole(a->building->n_floor);
+    const int n = lanes_whole(a->building->n_dof);
     struct reach reach = {n, 0};
     memset(column, 0, (size_t)n * sizeof *column);
     for (int i = 0; i < row->n; i++) {
@@ -78,7 +78,7 @@ static double sweep_find_column(const struct work *w, struct link_scratch *p, in
         const struct link_entry e = link_entry(l, side, i);
         flexibility += e.weight * column[e.dof - first];
     }
-    for (int i = 0; i < a->building->n_floor; i++) {
+    for (int i = 0; i < a->building->n_dof; i++) {
         size += fabs(column[i]);
     }
     p->flexibility += flexibility;

@@ -256,7 +256,7 @@ void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_
 double dp_rates_creep(const struct dp *p, int i, double x);
 
 // The storey shears of the parts of building `g` at displacements u and velocities v (n_dof), an
-// array (n_floor): p->system.part_shear, at the drifts part_drift. The history is one of states,
+// array (n_dof): p->system.part_shear, at the drifts part_drift. The history is one of states,
 // `after` becomes that at the end, or is NULL.
 const double *dp_rates_parts(const struct dp *p, const struct building *g, const double *history,
                              const double *u, const double *v, double *after);

@@ -16,7 +16,7 @@
 static void dp_forces_of(const struct dp *p, const struct building *g, const double *x,
                          double *out) {
     double *drift = p->system.part_drift;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
+    for (int i = g->first; i < g->first + g->n_dof; i++) {
         drift[i] = x[i] - x[p->system.below[i]];
     }
     forces_at(g, drift + g->first, p->next.storey_history, out);
@@ -110,11 +110,11 @@ static void dp_forces_columns(const struct dp *p) {
 // Shear of storey i of a linear building with a foundation, or its rate (foundation.c).
 static double dp_forces_founded_shear(const struct dp *p, const struct building *g, const double *x,
                                       int i) {
-    const int n = g->n_floor;
+    const int n = g->n_dof;
     double sum = 0.0;
     for (int j = 0; j < n; j++) {
         const double drift = x[g->first + j] - x[p->system.below[g->first + j]];
-        sum += (g->part_stiffness[i * n + j] - g->part_stiffness[g->n_level * n + j]) * drift;
+        sum += (g->part_stiffness[i * n + j] - g->part_stiffness[g->n_floor * n + j]) * drift;
     }
     return sum;
 }
@@ -136,12 +136,12 @@ static void dp_forces_founded(const struct dp *p, const struct building *g) {
     const double *const x[] = {p->now.u, p->next.u, p->now.v, p->next.v, p->now.a, p->next.a};
     const double *shear = p->system.part_shear + g->first;
     double end[6];
-    for (int i = 0; i < g->n_level; i++) {
+    for (int i = 0; i < g->n_floor; i++) {
         const struct foundation_row row = foundation_row(g, i);
         const struct motion deformation = dp_forces_sum(p, 3, row.dof, row.weight);
         dp_forces_founded_motion(p, 0, g->first + i, &deformation);
         if (!g->elastic) {
-            dp_forces_note_founded(p, 1, g->first + i, shear[i] - shear[g->n_level], p->next.time);
+            dp_forces_note_founded(p, 1, g->first + i, shear[i] - shear[g->n_floor], p->next.time);
             continue;
         }
         for (int k = 0; k < 6; k++) {

@@ -176,7 +176,7 @@ static void dp_floor_at(struct dp *p, const struct state *s, int i) {
 // the storey below floor i where all is linear, or its rate where x are velocities.
 static double dp_linear_shear(const struct dp *p, const struct building *g, const double *x,
                               int i) {
-    const int n = g->n_floor, row = i - g->first;
+    const int n = g->n_dof, row = i - g->first;
     double sum = 0.0;
     for (int j = 0; j < n; j++) {
         const double drift = x[g->first + j] - x[p->system.below[g->first + j]];
@@ -192,7 +192,7 @@ static void dp_part_shears(struct dp *p, const struct building *g) {
         dp_rates_parts(p, g, dp_is_instant(p) ? now->storey_history : p->system.part_history,
                        next->u, next->v, next->storey_history);
     }
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
+    for (int i = g->first; i < g->first + g->n_dof; i++) {
         if (!g->elastic) {
             const double storey = dp_system_shear(p, i, next->drift[i]);
             dp_note(p, PEAK_SHEAR, i, storey + p->system.part_shear[i], next->time);

@@ -29,11 +29,11 @@ const double *dp_rates_parts(const struct dp *p, const struct building *g, const
                              const double *u, const double *v, double *after) {
     const struct dp_system *s = &p->system;
     double *shear = s->part_shear + g->first;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
+    for (int i = g->first; i < g->first + g->n_dof; i++) {
         s->part_drift[i] = u[i] - u[s->below[i]];
         s->part_rate[i] = v[i] - v[s->below[i]];
     }
-    memset(shear, 0, (size_t)g->n_floor * sizeof *shear);
+    memset(shear, 0, (size_t)g->n_dof * sizeof *shear);
     parts_respond(g, history, s->part_drift + g->first, s->part_rate + g->first,
                   &(struct part_sums){.shear = shear, .scratch = s->part_scratch}, after);
     return shear;
@@ -44,9 +44,9 @@ static void dp_part_rates(const struct dp *p, const struct building *g, struct d
     const struct dp_system *s = &p->system;
     const double *shear = dp_rates_parts(p, g, p->now.storey_history, r->u, r->v, NULL);
     double power = 0.0;
-    for (int floor = 0; floor < g->n_floor; floor++) {
+    for (int floor = 0; floor < g->n_dof; floor++) {
         const int i = g->first + floor;
-        const double above = floor + 1 < g->n_floor ? shear[floor + 1] : 0.0;
+        const double above = floor + 1 < g->n_dof ? shear[floor + 1] : 0.0;
         const double spring = p->model->storey[i].law->n_history == 0 ? g->spring[floor] : 0.0;
         r->a[i] += (above - shear[floor]) * s->mobility[i];
         power += (shear[floor] + spring * s->part_drift[i]) * s->part_rate[i];
@@ -72,7 +72,7 @@ static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
 // storeys with a history.
 static void dp_building_rates(const struct dp *p, const struct building *g, struct dp_rates *r) {
     const struct dp_system *s = &p->system;
-    const int end = g->first + g->n_floor;
+    const int end = g->first + g->n_dof;
     const double ground = r->ground.a[g->ground];
     for (int i = g->first; p->model->n_ground > 1 && i < end; i++) {
         r->a[i] -= ground;
@@ -181,7 +181,7 @@ static struct dp_range dp_range(const struct model *m, int building) {
     }
     const struct building *g = &m->building[building];
     return (struct dp_range){lanes_whole(g->first + 1) - LANES_WIDTH,
-                             lanes_whole(g->first + g->n_floor)};
+                             lanes_whole(g->first + g->n_dof)};
 }
 
 void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r) {

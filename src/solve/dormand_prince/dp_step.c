@@ -165,7 +165,7 @@ void dp_step_start(struct dp *p) {
     f->alone = m->control.longest;
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
-        omega = fmax(omega, g->omega[g->n_floor - 1]);
+        omega = fmax(omega, g->omega[g->n_dof - 1]);
         f->building[k] = stability_of(g);
         f->alone = fmin(f->alone, stability_step(&f->building[k], 0.0, 0.0));
         p->scales.square[k] = f->building[k].square;
@@ -224,7 +224,7 @@ static double dp_way_stop(const struct dp *p, const struct building *g, double x
     enum { POINTS = 4 };
     static const double SAME = 1e-9;
     double next = (floor(x * POINTS + SAME) + 1.0) / POINTS;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
+    for (int i = g->first; i < g->first + g->n_dof; i++) {
         const struct motion m = dp_motion_floor(p, i, p->system.below[i]);
         const struct motion_pieces s = dp_motion_cut(&m);
         for (int j = 1; j < s.n; j++) {
@@ -252,9 +252,9 @@ static double dp_way_error(const struct dp *p, int k) {
         history = after;
     }
     const double *shear = dp_rates_parts(p, g, p->now.storey_history, p->next.u, p->next.v, NULL);
-    memcpy(kept, shear, (size_t)g->n_floor * sizeof *kept);
+    memcpy(kept, shear, (size_t)g->n_dof * sizeof *kept);
     dp_rates_parts(p, g, after, p->next.u, p->next.v, NULL);
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_dof; i++) {
         const double change = fabs(shear[i] - kept[i]);
         largest = change > 0.0 ? fmax(largest, change / (g->stiffness[i] * allowed)) : largest;
     }

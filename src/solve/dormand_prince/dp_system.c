@@ -80,7 +80,7 @@ static void dp_fill_rows(struct dp *p, int i) {
     struct dp_system *s = &p->system;
     const struct building *g = &p->model->building[s->building[i]];
     for (int j = i > g->first ? i - 1 : i; j <= i; j++) {
-        const bool roof = j + 1 == g->first + g->n_floor;
+        const bool roof = j + 1 == g->first + g->n_dof;
         const double above = roof ? 0.0 : s->tangent[j + 1];
         s->row[DP_K_BELOW][j] = j > g->first ? -s->tangent[j] * s->mobility[j] : 0.0;
         s->row[DP_K_OWN][j] = (s->tangent[j] + above) * s->mobility[j];
@@ -140,7 +140,7 @@ void dp_system_start(struct dp *p) {
     struct dp_system *s = &p->system;
     (void)forcing_turn(&s->forcing, p->now.time);
     for (int k = 0; k < m->n_body; k++) {
-        for (int i = 0; i < m->building[k].n_floor; i++) {
+        for (int i = 0; i < m->building[k].n_dof; i++) {
             dp_start_floor(p, k, i);
         }
     }

@@ -51,7 +51,7 @@ bool ensemble_alike(const struct model *a, const struct model *b) {
                  a->n_link == b->n_link && a->beta == b->beta && a->gamma == b->gamma &&
                  a->dt == b->dt && a->output.every == b->output.every;
     for (int k = 0; alike && k < a->n_building; k++) {
-        alike = a->building[k].n_floor == b->building[k].n_floor;
+        alike = a->building[k].n_dof == b->building[k].n_dof;
     }
     for (int i = 0; alike && i < a->n_dof; i++) {
         alike = a->storey[i].law->n_history == b->storey[i].law->n_history;

@@ -28,7 +28,7 @@ void ensemble_contacts_fill(struct ensemble_lanes *e, int lane, const struct mod
     for (int i = 0; i < 2; i++) {
         g->building[i] = l->building[i];
         g->apart |=
-            l->building[i] != WALL && m->building[l->building[i]].n_floor > INVERSE_FLOORS_MAX;
+            l->building[i] != WALL && m->building[l->building[i]].n_dof > INVERSE_FLOORS_MAX;
     }
     for (int i = 0; !g->apart && i < l->law->n_constant; i++) {
         g->constant[i][lane] = l->constant[i];
@@ -43,7 +43,7 @@ static void ensemble_reach(struct closed_contact *g, const struct model *m,
         if (g->building[i] != WALL) {
             const struct building *b = &m->building[g->building[i]];
             const int from = q->first[i] - b->first, beyond = from + q->lanes[i];
-            const int to = beyond < b->n_floor ? beyond : b->n_floor;
+            const int to = beyond < b->n_dof ? beyond : b->n_dof;
             g->apart |= g->to[i] != 0 && (g->from[i] != from || g->to[i] != to);
             g->from[i] = from;
             g->to[i] = to;

@@ -10,7 +10,7 @@
 
 static void ensemble_alloc_building(struct ensemble_building *b, const struct building *g,
                                     struct arena *a) {
-    const int n = g->n_floor;
+    const int n = g->n_dof;
     const bool low = n <= INVERSE_FLOORS_MAX;
     *b = (struct ensemble_building){
         .shape = g,
@@ -83,7 +83,7 @@ static bool ensemble_put(double *to, int i, int lane, double x) {
 static bool ensemble_fill_building(struct ensemble_building *b, int lane, const struct chain *c,
                                    struct effective *home) {
     bool small = true;
-    const int n = b->shape->n_floor;
+    const int n = b->shape->n_dof;
     b->multiplies = b->inverse && effective_prefers_inverse(home);
     for (int i = 0; i < n; i++) {
         const int j = b->shape->first + i;
@@ -142,10 +142,10 @@ static bool ensemble_are_same(double *x, int n_number, int n) {
 void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
     for (int k = 0; k < e->n_building; k++) {
         struct ensemble_building *b = &e->building[k];
-        const int n_floor = b->shape->n_floor;
+        const int n_dof = b->shape->n_dof;
         double *array[] = {b->number, b->factor, b->inverse};
-        const int size[] = {n_floor * NUMBER_COUNT, n_floor * FACTOR_COUNT,
-                            b->inverse ? n_floor * n_floor : 0};
+        const int size[] = {n_dof * NUMBER_COUNT, n_dof * FACTOR_COUNT,
+                            b->inverse ? n_dof * n_dof : 0};
         b->once = !e->line;
         for (int i = 0; i < 3; i++) {
             b->once = b->once && ensemble_are_same(array[i], size[i], n);
@@ -264,7 +264,7 @@ void ensemble_lanes_sum(const struct ensemble_lanes *e, struct energy_sums *sums
     for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
         const bool once = b->once;
         wide under = {0.0};
-        for (int i = 0; i < b->shape->n_floor; i++) {
+        for (int i = 0; i < b->shape->n_dof; i++) {
             const struct ensemble_state *s = &e->now[b->shape->first + i];
             const wide drift = s->u - under;
             kinetic_2x += ENSEMBLE_AT(b->number, i * NUMBER_COUNT + NUMBER_MASS) * s->v * s->v;

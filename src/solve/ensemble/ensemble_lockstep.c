@@ -77,7 +77,7 @@ static void lockstep_gather_live(const struct ensemble_lanes *e, int lane,
 // Gives it the trial and the corrections of building k.
 static void lockstep_show(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct building *g = e->building[k].shape;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
+    for (int i = g->first; i < g->first + g->n_dof; i++) {
         r->work.u_trial[i] = e->trial[i].u[lane];
         r->work.v_trial[i] = e->trial[i].v[lane];
         r->work.correction[i] = e->correction[i][lane];
@@ -181,7 +181,7 @@ static int lockstep_solve_run(const struct ensemble_lanes *e, int lane, struct r
     const int status = contact_solve(&r->work, r->now, r->next);
     for (int i = 0; status == STATUS_OK && i < g->n_touched; i++) {
         struct ensemble_building *b = &e->building[g->touched[i]];
-        for (int j = b->shape->first; j < b->shape->first + b->shape->n_floor; j++) {
+        for (int j = b->shape->first; j < b->shape->first + b->shape->n_dof; j++) {
             e->correction[j][lane] = r->work.correction[j];
         }
         b->pushed = true;

@@ -126,7 +126,7 @@ LANES_INLINE void ensemble_account(const struct ensemble_lanes *e,
         .first = first,
     };
     ensemble_part_active(e, p, &step.active);
-    const int n = b->shape->n_floor;
+    const int n = b->shape->n_dof;
     floor_bits *beyond = ensemble_flags(&w->beyond, p);
     if (floors_take(&step, 0, n, ensemble_part(w->input_2x, p), ensemble_part(w->damping_2x, p))) {
         const double *all = ensemble_part(e->peak[first].of, p);
@@ -204,7 +204,7 @@ LANES_INLINE void ensemble_begin_by(const struct ensemble_lanes *e,
                                     struct ensemble_line *line, int p, const wide *ground,
                                     ptrdiff_t trial) {
     const struct floors_pass pass = ensemble_pass(e, b, once, line, p, ground, trial);
-    floors_begin(&pass, 0, b->shape->n_floor, NULL, ensemble_flags(&e->works->left, p));
+    floors_begin(&pass, 0, b->shape->n_dof, NULL, ensemble_flags(&e->works->left, p));
 }
 
 LANES_INLINE void ensemble_end_by(const struct ensemble_lanes *e, const struct ensemble_building *b,
@@ -216,12 +216,12 @@ LANES_INLINE void ensemble_end_by(const struct ensemble_lanes *e, const struct e
         ensemble_account(e, b, once, line, p);
     }
     if (b->multiplies) {
-        ensemble_multiply(&pass, ensemble_held_part(b->inverse, once, p), b->shape->n_floor, q);
+        ensemble_multiply(&pass, ensemble_held_part(b->inverse, once, p), b->shape->n_dof, q);
     } else {
-        ensemble_substitute(&pass, ensemble_held_part(b->factor, once, p), b->shape->n_floor, q);
+        ensemble_substitute(&pass, ensemble_held_part(b->factor, once, p), b->shape->n_dof, q);
     }
     floor_lanes under = none, drift, shear;
-    for (ptrdiff_t i = 0; line && i < b->shape->n_floor; i++) {
+    for (ptrdiff_t i = 0; line && i < b->shape->n_dof; i++) {
         const floor_lanes u = MOTION_AT(pass.next.u, i);
         floors_strain(&pass, i, &under, &u, &drift, &shear, ensemble_flags(&e->works->left, p));
         under = u;
@@ -371,7 +371,7 @@ FLOORS_CLONES static void ensemble_move_pushed(struct ensemble_lanes *e, const w
         const ptrdiff_t first = b->shape->first;
         for (int p = 0; b->pushed && p < FLOORS_PARTS; p++) {
             const struct floors_pass pass = ensemble_pass(e, b, false, e->line, p, base, first);
-            floors_finish(&pass, 0, b->shape->n_floor, ensemble_part(e->correction + first, p),
+            floors_finish(&pass, 0, b->shape->n_dof, ensemble_part(e->correction + first, p),
                           ensemble_flags(&e->works->left, p));
         }
         b->pushed = false;

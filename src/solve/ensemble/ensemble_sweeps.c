@@ -47,7 +47,7 @@ LANE_INLINE void sweep_sizes(const struct ensemble_lanes *e, const struct closed
 // q += f times column `floor` of A^-1, from floor `from` on.
 LANE_INLINE void ensemble_add_column(wide *q, const struct ensemble_building *b, bool once,
                                      int floor, int from, int to, const wide *f) {
-    for (int i = from, at = floor * b->shape->n_floor; i < to; i++) {
+    for (int i = from, at = floor * b->shape->n_dof; i < to; i++) {
         q[i] += *f * ENSEMBLE_AT(b->inverse, at + i);
     }
 }

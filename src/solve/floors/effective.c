@@ -38,15 +38,15 @@ static double *padded(const double *matrix, int n, int stride, struct arena *a) 
 
 static void alloc_one(struct effective *e, const struct building *building, enum effective_use use,
                       struct arena *a) {
-    size_t n = (size_t)building->n_floor;
+    size_t n = (size_t)building->n_dof;
     e->building = building;
     e->use = building->damping_full ? EFFECTIVE_LONG : building->smooth ? EFFECTIVE_BRIEFLY : use;
     e->b = e->g = NAN;
     e->tangent = arena_alloc(a, (size_t)building_n_tangent(building), sizeof *e->tangent);
-    e->stride = lanes_whole(building->n_floor);
+    e->stride = lanes_whole(building->n_dof);
     e->inverse = lanes_array(a, e->stride * e->stride);
-    e->damping = padded(building->damping_full, building->n_floor, e->stride, a);
-    e->parts = padded(building->part_stiffness, building->n_floor, e->stride, a);
+    e->damping = padded(building->damping_full, building->n_dof, e->stride, a);
+    e->parts = padded(building->part_stiffness, building->n_dof, e->stride, a);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     e->reach = arena_alloc(a, n, sizeof *e->reach);
     if (e->tangent) {
@@ -64,7 +64,7 @@ enum { ABREAST_LEAST = 3, ABREAST_LEAST_LOW = 6 };
 // Are n buildings of one height solved together? Never those of models of few floors, which
 // floor_steps.h solves by their inverses.
 static bool are_together(const struct effective *e, int n) {
-    const int floors = e->building->n_floor;
+    const int floors = e->building->n_dof;
     const bool inverts = e->use == EFFECTIVE_LONG && floors <= INVERSE_FLOORS_MAX;
     bool together = n >= ABREAST_LEAST;
     if (inverts) {
@@ -78,7 +78,7 @@ static bool are_together(const struct effective *e, int n) {
 
 // The factors of n buildings of one height, with zeros behind those of the last floor.
 static void alloc_factors(struct effective *e, int n, struct arena *a) {
-    const size_t floors = (size_t)lanes_whole(e->building->n_floor);
+    const size_t floors = (size_t)lanes_whole(e->building->n_dof);
     const size_t line = EFFECTIVE_ABREAST * sizeof(double);
     const bool together = are_together(e, n);
     for (int k = 0; k < n && !arena_failed(a); k++) {
@@ -92,7 +92,7 @@ static void alloc_factors(struct effective *e, int n, struct arena *a) {
 
 int effective_alike(const struct building *building, int n) {
     int k = 1;
-    while (k < n && k < EFFECTIVE_ABREAST && building[k].n_floor == building->n_floor) {
+    while (k < n && k < EFFECTIVE_ABREAST && building[k].n_dof == building->n_dof) {
         k++;
     }
     return k;
@@ -112,18 +112,18 @@ bool effective_alloc(struct effective *e, const struct building *building, int n
 
 // Diagonal entry i of M + b K; the entry to its right is -b tangent[i + 1].
 static double diagonal(const struct effective *e, double b, int i) {
-    double above = i + 1 < e->building->n_floor ? e->tangent[i + 1] : 0.0;
+    double above = i + 1 < e->building->n_dof ? e->tangent[i + 1] : 0.0;
     return e->building->mass[i] + b * (e->tangent[i] + above);
 }
 
 static double right_of(const struct effective *e, double b, int i) {
-    return i + 1 < e->building->n_floor ? -b * e->tangent[i + 1] : 0.0;
+    return i + 1 < e->building->n_dof ? -b * e->tangent[i + 1] : 0.0;
 }
 
 static int factor_tridiagonal(struct effective *e, double b, double g) {
     const struct building *building = e->building;
     double carried = 0.0;
-    for (int i = 0; i < building->n_floor; i++) {
+    for (int i = 0; i < building->n_dof; i++) {
         double d = diagonal(e, b, i) + g * building->damping_diagonal[i] - carried;
         double off = right_of(e, b, i) + g * building->damping_off[i];
         if (!(d > 0.0)) {
@@ -134,14 +134,14 @@ static int factor_tridiagonal(struct effective *e, double b, double g) {
         e->factor[(ptrdiff_t)i * EFFECTIVE_ABREAST] = factor;
         carried = off * factor;
     }
-    memset(e->ready, 0, (size_t)building->n_floor * sizeof *e->ready);
+    memset(e->ready, 0, (size_t)building->n_dof * sizeof *e->ready);
     e->n_ready = 0;
     return STATUS_OK;
 }
 
 // b times the tangents of the parts by drifts and g times those by rates, on floors i and j.
 static double of_parts(const struct effective *e, double b, double g, size_t i, size_t j) {
-    const size_t n = (size_t)e->building->n_floor;
+    const size_t n = (size_t)e->building->n_dof;
     const double *by_drift = e->tangent + n, *by_rate = by_drift + n * n;
     return b * parts_on_floors(by_drift, (int)n, (int)i, (int)j) +
            g * parts_on_floors(by_rate, (int)n, (int)i, (int)j);
@@ -149,7 +149,7 @@ static double of_parts(const struct effective *e, double b, double g, size_t i, 
 
 static int factor_full(struct effective *e, double b, double g) {
     const struct building *building = e->building;
-    size_t n = (size_t)building->n_floor;
+    size_t n = (size_t)building->n_dof;
     size_t stride = (size_t)e->stride;
     for (size_t i = 0; i < n; i++) {
         double *row = e->inverse + i * stride;
@@ -173,7 +173,7 @@ static int factor_full(struct effective *e, double b, double g) {
     for (size_t i = 0; i < n; i++) {
         e->reach[i] = (struct reach){0, e->stride};
     }
-    e->n_ready = building->n_floor;
+    e->n_ready = building->n_dof;
     return STATUS_OK;
 }
 
@@ -182,14 +182,14 @@ int effective_factor(struct effective *e, double b, double g) {
     e->b = status == STATUS_OK ? b : NAN;
     e->g = g;
     bool at_once = status == STATUS_OK && e->building->elastic && effective_prefers_inverse(e);
-    for (int i = 0; at_once && i < e->building->n_floor; i++) {
+    for (int i = 0; at_once && i < e->building->n_dof; i++) {
         effective_column(e, i);
     }
     return status;
 }
 
 static void solve_tridiagonal(const struct effective *e, double *r) {
-    const int n = e->building->n_floor;
+    const int n = e->building->n_dof;
     const double *l = e->factor, *p = e->pivot + (ptrdiff_t)(n - 1) * EFFECTIVE_ABREAST;
     for (int i = 1; i < n; i++, l += EFFECTIVE_ABREAST) {
         r[i] = FORWARD(r[i], *l, r[i - 1]);
@@ -214,7 +214,7 @@ enum { FOUR = LANES_VECTOR, FOURS = EFFECTIVE_ABREAST / FOUR };
 #define ABREAST(x, i) ((lanes *)((x) + (ptrdiff_t)(i)*EFFECTIVE_ABREAST))
 
 LANES_INLINE void abreast_forward(const struct effective *e, const double *r) {
-    const int floors = e->building->n_floor, last = e->abreast - 1;
+    const int floors = e->building->n_dof, last = e->abreast - 1;
     lanes carried[FOURS] = {{0.0}};
     for (int i = 0; i < floors; i += FOUR) {
         lanes in[FOURS][FOUR];
@@ -235,7 +235,7 @@ LANES_INLINE void abreast_forward(const struct effective *e, const double *r) {
 }
 
 LANES_INLINE void abreast_backward(const struct effective *e, double *q) {
-    const int floors = e->building->n_floor;
+    const int floors = e->building->n_dof;
     lanes above[FOURS] = {{0.0}};
     for (int i = (floors - 1) / FOUR * FOUR; i >= 0; i -= FOUR) {
         lanes out[FOURS][FOUR];
@@ -258,7 +258,7 @@ LANES_INLINE void abreast_backward(const struct effective *e, double *q) {
 
 LANES void effective_solve(struct effective *e, int n, double *r, double *q) {
     for (struct effective *last = e + n; e < last;) {
-        const int floors = e->building->n_floor;
+        const int floors = e->building->n_dof;
         int solved = 1;
         if (effective_has_inverse(e)) {
             floors_multiply(e->inverse, floors, false, r, q);
@@ -293,14 +293,14 @@ static struct reach reach_of(const struct effective *e, int i) {
     while (from > 0 && fabs(row[from - 1]) > least) {
         from--;
     }
-    while (to < e->building->n_floor && fabs(row[to]) > least) {
+    while (to < e->building->n_dof && fabs(row[to]) > least) {
         to++;
     }
     return (struct reach){from / LANES_WIDTH * LANES_WIDTH, lanes_whole(to)};
 }
 
 void effective_resume(struct effective *e) {
-    const int n = e->building->n_floor;
+    const int n = e->building->n_dof;
     for (int i = 0; i < n; i++) {
         e->reach[i].from = e->ready[i];  // which effective_factor forgets
     }
@@ -321,7 +321,7 @@ const double *effective_column(struct effective *e, int i) {
         solve_tridiagonal(e, column);
         e->ready[i] = true;
         e->reach[i] = reach_of(e, i);
-        while (e->n_ready < e->building->n_floor && e->ready[e->n_ready]) {
+        while (e->n_ready < e->building->n_dof && e->ready[e->n_ready]) {
             e->n_ready++;
         }
     }

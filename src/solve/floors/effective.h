@@ -59,12 +59,11 @@ void effective_resume(struct effective *e);
 // Whether solves multiply by the inverse, once it is there.
 static inline bool effective_prefers_inverse(const struct effective *e) {
     return e->use == EFFECTIVE_LONG &&
-           (e->building->damping_full ||
-            (e->building->n_floor <= INVERSE_FLOORS_MAX && !e->between));
+           (e->building->damping_full || (e->building->n_dof <= INVERSE_FLOORS_MAX && !e->between));
 }
 
 static inline bool effective_has_inverse(const struct effective *e) {
-    return e->n_ready == e->building->n_floor && effective_prefers_inverse(e);
+    return e->n_ready == e->building->n_dof && effective_prefers_inverse(e);
 }
 
 // q = A^-1 r for n buildings, whose floors follow each other in r and q, arrays of core/lanes.h.

@@ -50,7 +50,7 @@ LANES_INLINE void floors_solve_block(const struct floors_pass *p, const struct w
     double *r = p->residual + bottom;
     q += bottom;
     for (; e < end && (are_low || effective_has_inverse(e)); e++) {
-        const int n = e->building->n_floor;
+        const int n = e->building->n_dof;
         floors_multiply(e->inverse, n, false, r, q);
         r += n;
         q += n;
@@ -339,8 +339,7 @@ FLOORS_CLONES static void floor_steps_correct(struct work *w, const struct state
         const ptrdiff_t first = g->first;
         pass.u_trial = w->u_trial + first;
         pass.v_trial = w->v_trial + first;
-        floors_finish(&pass, first, first + lanes_whole(g->n_floor), w->correction + first,
-                      &beyond);
+        floors_finish(&pass, first, first + lanes_whole(g->n_dof), w->correction + first, &beyond);
     }
 }
 

@@ -22,7 +22,7 @@ static int block_size(const struct model *m, int k) {
     while (k + n < m->n_body && floors < FLOORS_LEAST) {
         const struct building *b = &m->building[k + n];
         int alike = effective_alike(b, m->n_body - k - n);
-        floors += alike * b->n_floor;
+        floors += alike * b->n_dof;
         n += alike;
     }
     return n;
@@ -31,7 +31,7 @@ static int block_size(const struct model *m, int k) {
 static struct floor_block block_from(const struct model *m, int k, int first) {
     struct floor_block b = {.building = k, .n_building = block_size(m, k), .first = first};
     const struct building *last = &m->building[k + b.n_building - 1];
-    int end = last->first + last->n_floor;
+    int end = last->first + last->n_dof;
     b.n = lanes_whole(end) - first;
     b.end = k + b.n_building < m->n_body ? end / LANES_WIDTH * LANES_WIDTH : lanes_whole(end);
     return b;
@@ -101,7 +101,7 @@ LANES void floors_trial(struct work *w, const struct state *now, int k) {
     const double *restrict u = now->u, *restrict v = now->v, *restrict a = now->a;
     double *restrict u_t = w->u_trial, *restrict v_t = w->v_trial;
     const double h = w->h, half = h * h / 2.0;
-    for (int i = g->first, end = i + lanes_whole(g->n_floor); i < end; i++) {
+    for (int i = g->first, end = i + lanes_whole(g->n_dof); i < end; i++) {
         u_t[i] = TRIAL_U(u[i], v[i], a[i], h, half);
         v_t[i] = TRIAL_V(v[i], a[i], h);
     }

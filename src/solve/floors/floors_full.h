@@ -18,7 +18,7 @@ FLOORS_CLONES static void floors_full_forces(const struct work *w, const struct 
     alignas(LANES_LINE) double drift[FLOORS_MAX], force[FLOORS_MAX], shear[FLOORS_MAX];
     for (int k = b->building; k < b->building + b->n_building; k++) {
         const struct effective *e = &w->effective[k];
-        const int n = e->building->n_floor;
+        const int n = e->building->n_dof;
         const ptrdiff_t at = e->building->first - b->first;
         const bool with_parts = e->parts && with_shears;
         double *residual = w->floors.residual + at;
@@ -52,7 +52,7 @@ FLOORS_CLONES static void floors_full_strain(const struct work *w, struct state 
         const struct effective *e = &w->effective[k];
         if (e->parts) {
             const double *drift = s->drift + e->building->first;
-            floors_multiply(e->parts, e->building->n_floor, true, drift,
+            floors_multiply(e->parts, e->building->n_dof, true, drift,
                             s->shear + e->building->first);
         }
     }
@@ -72,7 +72,7 @@ FLOORS_CLONES static void floors_full_work(const struct work *w, const struct st
         for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
             FLOORS_SET(mean_2x, i) = FLOORS_AT(s0->v + first, i) + FLOORS_AT(s1->v + first, i);
         }
-        floors_multiply(e->damping, e->building->n_floor, false, mean_2x, force_2x);
+        floors_multiply(e->damping, e->building->n_dof, false, mean_2x, force_2x);
         for (int i = 0; i < e->stride; i += LANES_WIDTH) {
             EACH_OF_LANES(j) {
                 const ptrdiff_t at = i + j * FLOORS_VECTOR;

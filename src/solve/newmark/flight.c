@@ -89,7 +89,7 @@ static bool flight_find_lines(struct flight *f, const double *history) {
     for (int k = 0; k < f->model->n_body; k++) {
         const struct effective *e = &f->work->effective[k];
         const struct building *g = e->building;
-        for (int i = 0; i < g->n_floor; i++) {
+        for (int i = 0; i < g->n_dof; i++) {
             const int at = g->first + i;
             const struct storey *s = &f->model->storey[at];
             const double *h = s->law->n_history > 0 ? history + s->history : NULL;

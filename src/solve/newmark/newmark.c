@@ -64,7 +64,7 @@ LANES static bool newmark_agrees(const struct work *w, const struct state *next,
 static bool newmark_parts_agree(const struct work *w, const struct state *next, int k) {
     const struct building *g = &w->model->building[k];
     const struct storeys *from = &w->storeys;
-    const int first = g->first, n = g->n_floor;
+    const int first = g->first, n = g->n_dof;
     const double *tangent = w->effective[k].tangent;
     const double *by_drift = tangent + n, *by_rate = by_drift + (size_t)n * (size_t)n;
     bool agree = true;
@@ -93,7 +93,7 @@ static bool newmark_parts_agree(const struct work *w, const struct state *next, 
 static int newmark_linearise_parts(struct work *w, const struct state *now, const struct state *at,
                                    int k) {
     const struct building *g = &w->model->building[k];
-    const size_t n = (size_t)g->n_floor, size = 2 * n * n * sizeof(double);
+    const size_t n = (size_t)g->n_dof, size = 2 * n * n * sizeof(double);
     double *by_drift = w->effective[k].tangent + n;
     double *memory = w->memory->part_tangent + g->part_tangent;
     memset(by_drift, 0, size);
@@ -113,7 +113,7 @@ static int newmark_linearise_parts(struct work *w, const struct state *now, cons
 static int newmark_linearise(struct work *w, const struct state *now, const struct state *at,
                              int k) {
     const struct building *g = &w->model->building[k];
-    const size_t n = (size_t)g->n_floor;
+    const size_t n = (size_t)g->n_dof;
     double *tangent = w->effective[k].tangent;
     int status = STATUS_OK;
     memcpy(tangent, at->tangent + g->first, n * sizeof *tangent);
@@ -133,7 +133,7 @@ static int newmark_linearise(struct work *w, const struct state *now, const stru
 static void newmark_extrapolate(const struct work *w, const struct state *from, int k) {
     const struct building *g = &w->model->building[k];
     const struct storeys *trial = &w->storeys;
-    const int first = g->first, n = g->n_floor;
+    const int first = g->first, n = g->n_dof;
     const double *tangent = w->effective[k].tangent;
     const double *by_drift = tangent + n, *by_rate = by_drift + (ptrdiff_t)n * n;
     for (int i = 0; i < n; i++) {
@@ -161,7 +161,7 @@ static int newmark_relinearise(struct work *w, const struct state *now, const st
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->elastic || (g->n_part > 0 ? newmark_parts_agree(w, next, k)
-                                         : newmark_agrees(w, next, g->first, g->n_floor))) {
+                                         : newmark_agrees(w, next, g->first, g->n_dof))) {
             continue;
         }
         w->factors += *agree;
@@ -191,7 +191,7 @@ static int newmark_solve_links(struct work *w, const struct state *now, struct s
 static int newmark_not_finite(const struct model *m, const struct state *s, struct error *e) {
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
-        for (int i = 0; i < g->n_floor; i++) {
+        for (int i = 0; i < g->n_dof; i++) {
             int j = g->first + i;
             if (!isfinite(s->u[j]) || !isfinite(s->v[j]) || !isfinite(s->a[j])) {
                 return error_set(e, STATUS_FAILED,
@@ -209,7 +209,7 @@ LANES static void newmark_predict_shears(const struct building *g, const double 
     const double *shear_0 = now->shear + g->first, *drift_0 = now->drift + g->first;
     const double *restrict drift = next->drift + g->first;
     double *restrict shear = next->shear + g->first;
-    for (int i = 0; i < g->n_floor; i++) {
+    for (int i = 0; i < g->n_dof; i++) {
         shear[i] = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
     }
 }
