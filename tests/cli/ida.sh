@@ -29,6 +29,15 @@ run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.
 expect "threads change nothing" 'cmp one.tsv "$out"'
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --points --tsv
 expect "--points has every run" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq "$(awk -F "\t" "NR > 1 { n += \$6 } END { print n + 1 }" one.tsv)" ] && awk -F "\t" "FNR > 1 && (\$4 > 0.02) != \$5 { bad = 1 } END { exit bad }" "$out"'
+# With a hazard curve that is straight in logarithms the rate is H(median) exp((k beta)^2 / 2).
+printf '1e-6 1e12\n1e6 1e-12\n' >hazard.txt
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt --tsv
+expect "a hazard curve gives the annual rate" '[ $status -eq 0 ] && awk -F "\t" "NR > 1 { want = \$10 ^ -2 * exp(2 * \$11 ^ 2); d = \$12 / want - 1; n += d * d < 1e-18 } END { exit !(n == NR - 1 && n > 1) }" "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt
+expect "and so does the text" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -qE "^exceeded [0-9.e+]+ times a year, once in [0-9.e-]+ years; probability in 50 years [0-9.]+ %$" "$out"'
+printf '1 1\n2 1\n' >hazard.txt
+run "$jostle" ida linear.deck --limit drift=20mm --over record --hazard hazard.txt
+expect "a hazard curve must fall" '[ $status -eq 2 ] && grep -q "hazard.txt: the rate does not fall from intensity 1 to 2" "$err"'
 run "$jostle" ida linear.deck --limit drift=20mm --over record --range 0.2:0.4
 expect "what is exceeded from the lowest intensity on, or never, is told" '[ $status -eq 1 ] && grep -q "always exceeded" "$out" && grep -q "never exceeded" "$out" && said "searches never exceed the limit; search further with --range"'
 expect "text has the curve of each group" '[ "$(grep -c "^mass = [12]: " "$out")" -eq 2 ]'
