@@ -70,6 +70,20 @@ sed -i 's/^building A.*/building A -floors 1 -mass 100t -stiffness ${4MN\/m * (2
 run "$jostle" ida wrong.deck --limit drift-ratio:A=50% --range 1:20
 expect "a search that fails is told with its run" '[ $status -eq 1 ] && said "44 of 44 searches failed, the first: run 1 (record = 01): at sa = 2.8561: wrong.deck:4:"'
 
+# Values of the intensity and of samples that follow from parameters, and paired samples.
+cat >used.deck <<'END'
+param top 3m/s
+param stiffest 900
+sweep im range 0.5m/s $top 7
+sweep k values 100 400 $stiffest -as pair
+sweep a values 1 1 1 -as pair
+building A -floors 1 -mass $a -stiffness $k
+initial A:1 -velocity $im
+step fixed 0.1ms
+duration 0.4
+END
+run "$jostle" ida used.deck --limit drift=0.07 --over pair --tolerance 0.1% --tsv
+expect "sweeps may use parameters, and may be paired" '[ $status -eq 0 ] && [ "$(awk -F "\t" "NR == 1 { for (i = 1; i <= NF; i++) at[\$i] = i; next } { low = \$at[\"below [m/s]\"] / sqrt(\$at[\"k\"]); high = \$at[\"above [m/s]\"] / sqrt(\$at[\"k\"]); n += low < 0.07001 && high > 0.06999 } END { print n }" "$out")" = 3 ]'
 run "$jostle" ida linear.deck
 expect "a limit or a collapse is needed" '[ $status -eq 2 ] && said "give --limit EDP=VALUE or --collapse"'
 run "$jostle" ida linear.deck --limit drift
