@@ -224,8 +224,8 @@ bench: setup  ## times per step of some models; BENCH=-t: columns separated by t
 
 bench-docs: setup  ## bench; its cases that have a target into docs/performance.md
 	@$(MAKE) $(PROGRAM) $(B)/bench
-	@$(B)/bench $(PROGRAM) $(B) | awk '!model || $$NF != "-" { print } /^model/ { model = 1 }' \
-	    >$(B)/bench.txt
+	@$(B)/bench $(PROGRAM) $(B) >$(B)/bench.all
+	@awk '!model || $$NF != "-" { print } /^model/ { model = 1 }' $(B)/bench.all >$(B)/bench.txt
 	@RECORDS= bash tests/bench/studies.sh $(PROGRAM) $(B)/studies >$(B)/studies.txt
 	@sh tests/support/with_block.sh bench $(B)/bench.txt <docs/performance.md | \
 	    sh tests/support/with_block.sh studies $(B)/studies.txt >$(B)/performance.md
