@@ -39,6 +39,7 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, grown),
     FIELD_VALUE(struct dp, jumped),
     FIELD_VALUE(struct dp, is_steep),
+    FIELD_VALUE(struct dp, slow),
     FIELD_VALUE(struct dp, pace),
     FIELD_VALUE(struct dp, event),
     FIELD_VALUE(struct dp, last_link),
@@ -93,11 +94,12 @@ static void dp_start(struct run *r) {
     state_open_where(&p->now, p->model, state_rests);
     dp_bind(&p->stage[0], &p->now);
     dp_bind(&p->stage[DP_LAST], &p->next);
+    scale_expect(&p->scales, p->model);
+    p->slow = p->model->control.tolerance * p->scales.most_v / SCALE_EXPECTED;
     dp_rates_start(p);
     dp_rates_at(p, p->now.time, DP_ALL, &p->stage[0]);
     dp_step_gaps(p, &p->now, p->rate[0]);
     dp_step_start(p);
-    scale_expect(&p->scales, p->model);
     p->grown = p->jumped = true;
     dp_peaks_jump(p);
     p->before = p->energy = r->energy;

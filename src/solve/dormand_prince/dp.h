@@ -162,6 +162,7 @@ struct dp {
     bool grown;            // motions have grown since the scales were made
     bool jumped;           // something has jumped at `now`, and no peaks have been taken since
     bool is_steep;         // a force may begin with an infinite slope at `now`
+    double slow;           // [L/T] below it, dampers with an infinite slope at v = 0 are linear
     struct pace pace;      // of all steps
 
     // Its event.

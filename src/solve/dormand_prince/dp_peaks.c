@@ -297,6 +297,7 @@ static void dp_rescale(struct dp *p) {
     if (p->grown) {
         p->grown = false;
         scale_update(&p->scales, p->model, p->results);
+        p->slow = fmax(p->slow, p->model->control.tolerance * p->scales.most_v);
     }
 }
 
