@@ -128,7 +128,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= s->law->n_history == 0;
         g->smooth |= s->law->n_history > 0 && !(s->law->traits & STOREY_STRAIGHT);
     }
-    forces_create(g, g->elastic, m, b->arena);
+    g->storeys_linear = g->elastic;
     const bool yields = !g->elastic;
     for (int i = 0; i < g->n_part; i++) {
         const unsigned traits = g->part[i].kind->traits;
@@ -169,12 +169,15 @@ static int count_floors(struct builder *b) {
 static void finish_columns(struct builder *b, struct model *m, struct building *building) {
     struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
     for (int i = 0; column && i < m->n_column; i++) {
-        column[i] = struck_column_draft(b, i)->column;
-        building[m->n_building + i].ground = building[column[i].building].ground;
-        struck_column_place(&column[i], building[m->n_building + i].first,
-                            building[column[i].building].first);
+        struct building *point = &building[m->n_building + i];
+        const struct building *host = &building[struck_column_draft(b, i)->column.building];
+        point->ground = host->ground;
+        column[i] = struck_column_place(b, i, point->first, host->first);
     }
     m->column = column;
+    for (int i = 0; column && i < m->n_building && !arena_failed(b->arena); i++) {
+        forces_create(&building[i], i, m, b->arena);
+    }
 }
 
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {

@@ -19,6 +19,9 @@ static void dp_forces_of(const struct dp *p, const struct building *g, const dou
     for (int i = g->first; i < g->first + g->n_dof; i++) {
         drift[i] = x[i] - x[p->system.below[i]];
     }
+    for (int i = 0; i < g->n_struck; i++) {
+        drift[g->struck[i]] = x[g->struck[i]];
+    }
     forces_at(g, drift + g->first, p->next.storey_history, out);
 }
 
@@ -65,7 +68,7 @@ static struct motion dp_forces_sum(const struct dp *p, int n, const int *dof,
     struct motion m = {.h = p->h};
     const struct state *end[] = {&p->now, &p->next};
     for (int i = 0; i < n; i++) {
-        for (int k = 0; k < 2 && dof[i] != WALL; k++) {
+        for (int k = 0; k < 2; k++) {
             m.d[k] += weight[i] * end[k]->u[dof[i]];
             m.v[k] += weight[i] * end[k]->v[dof[i]];
             m.a[k] += weight[i] * end[k]->a[dof[i]];
@@ -98,7 +101,8 @@ static void dp_forces_columns(const struct dp *p) {
         }
         for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
             struct column_peak *peak = &p->results->column[i][q];
-            const struct motion force = dp_forces_sum(p, 3, c->dof, c->force[q]);
+            const struct motion force =
+                dp_forces_sum(p, c->n_dof, c->dof, c->force + (ptrdiff_t)q * c->n_dof);
             const struct motion_pieces s = dp_motion_cut(&force);
             for (int j = 1; j <= s.n; j++) {
                 peaks_column(peak, s.d[j], p->now.time + s.x[j] * p->h);
