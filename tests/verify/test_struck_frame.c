@@ -383,7 +383,6 @@ static const char two_buildings[] =
 static const char shaken[] = "ground record input/records/ELCENTRO_1940_NS.AT2 -scale 2\n"
                              "duration 6\nstep fixed 0.5ms\n";
 
-// Only the roof of A, at 12.75 m, meets a floor of B, at 13 m.
 static void columns_by_level_are_those_written_out_by_hand(void **state) {
     (void)state;
     static const char section[] = "-E 30GPa -I 0.002m^4 -mass 600kg -n 3 -damping 2%";
