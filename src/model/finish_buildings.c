@@ -89,6 +89,10 @@ static void sum_parts(struct builder *b, struct building *g, const struct part *
     g->part_dashpot = sums.by_rate;
 }
 
+static void count_scratch(struct model *m, const struct part *p) {
+    m->n_part_scratch = p->n_scratch > m->n_part_scratch ? p->n_scratch : m->n_part_scratch;
+}
+
 static void finish_parts(struct builder *b, struct model *m, struct building *g,
                          struct building_draft *d) {
     rate_storeys_put(b, d, g);
@@ -96,8 +100,7 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     for (int i = 0; i < d->parts.n; i++) {
         part[i].history = m->n_storey_history;
         m->n_storey_history += part[i].n_history;
-        m->n_part_scratch =
-            part[i].n_scratch > m->n_part_scratch ? part[i].n_scratch : m->n_part_scratch;
+        count_scratch(m, &part[i]);
     }
     g->part = part;
     g->n_part = d->parts.n;
@@ -155,6 +158,9 @@ static void finish_damping(struct builder *b, struct model *m, struct building *
     if (g->tangent && !d->foundation) {
         m->storeys_differ = true;
         tangent_damping_put(b, d, g, storey + g->first, &m->n_storey_history);
+        for (int i = 0; i < g->n_part; i++) {
+            count_scratch(m, &g->part[i]);
+        }
     }
 }
 
