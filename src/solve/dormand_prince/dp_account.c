@@ -163,4 +163,10 @@ void dp_account_step(struct dp *p) {
         p->energy.contact += share.work;
     }
     dp_integrate(p, time, &p->energy);
+    for (int n = 0; n < p->system.n_inelastic; n++) {
+        const int i = p->system.inelastic[n];
+        for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
+            p->energy.storey_own[i] += time[s] * p->stage[s]->power[i];
+        }
+    }
 }

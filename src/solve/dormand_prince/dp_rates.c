@@ -22,6 +22,7 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp_rates, input),
     FIELD_VALUE(struct dp_rates, damping),
     FIELD_VALUE(struct dp_rates, storey),
+    FIELD_ARRAY(struct dp_rates, power, FIELD_FLOORS),
 };
 const struct fields dp_rates_fields = FIELDS(list);
 
@@ -59,7 +60,8 @@ static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
     const struct dp_system *s = &p->system;
     const int below = s->below[i];
     const double shear = dp_system_shear(p, i, r->u[i] - r->u[below]);
-    r->storey += shear * (r->v[i] - r->v[below]);
+    r->power[i] = shear * (r->v[i] - r->v[below]);
+    r->storey += r->power[i];
     if (s->calls[i]) {
         r->a[i] -= shear * s->mobility[i];
     }
