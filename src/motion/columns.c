@@ -186,12 +186,11 @@ static bool choose_column(struct columns *c) {
 
 static bool columns_read(const struct record_reader *r) {
     struct table table;
-    if (!table_find(r->text, &table)) {
-        return record_fail(r, 0, "the file has no line of numbers");
+    if (table_read(r->text, &table, r->e) != STATUS_OK) {
+        return false;
     }
     struct columns c = {.reading = r, .table = &table, .has_time = table.n_column > 1};
-    if (table_check(r->text, &table, r->e) != STATUS_OK || !choose_column(&c) ||
-        !read_caption(&c)) {
+    if (!choose_column(&c) || !read_caption(&c)) {
         return false;
     }
     r->out->noted_dt = table_noted_step(r->text, &table, &r->out->noted_line);

@@ -196,12 +196,13 @@ int record_read_text(struct arena *a, const struct record_request *request,
                            f->name);
     }
     struct record_content content = {0};
-    if (!f->read(&(struct record_reader){a, request, &stripped, &content, e})) {
+    const struct record_reader reader = {a, request, &stripped, &content, e};
+    if (!f->read(&reader)) {
         out->wrong = content.wrong;
         return e->status;
     }
     out->format = f->name;
-    return record_check(request, &stripped, &content, out, e);
+    return record_check(&reader, out) ? STATUS_OK : e->status;
 }
 
 int record_read(struct arena *a, const struct record_request *request, struct record *out,

@@ -95,9 +95,8 @@ const char *foreign_format(const struct record_text *t);
 const char *foreign_file(const struct record_text *t);
 
 // Decides time step and unit from those of the user and the file, and checks that the record is
-// plausible as an accelerogram.
-int record_check(const struct record_request *request, const struct record_text *t,
-                 const struct record_content *content, struct record *out, struct error *e);
+// plausible as an accelerogram. False after an error.
+bool record_check(const struct record_reader *r, struct record *out);
 
 // Units as record files and users write them.
 

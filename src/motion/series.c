@@ -15,10 +15,7 @@ static bool series_matches(const struct record_text *t) {
 
 static bool series_read(const struct record_reader *r) {
     struct table table;
-    if (!table_find(r->text, &table)) {
-        return record_fail(r, 0, "the file has no line of numbers");
-    }
-    if (table_check(r->text, &table, r->e) != STATUS_OK) {
+    if (table_read(r->text, &table, r->e) != STATUS_OK) {
         return false;
     }
     if (table.comma) {
