@@ -25,12 +25,15 @@ sh tests/support/with_block.sh study "$folder/study" <docs/studies.md >"$folder/
 "$jostle" run input/ida.deck -o "$folder/ida.h5" -q --force
 "$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% >"$folder/fragility"
 "$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 >"$folder/hits"
+"$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 --hazard input/hazard.txt |
+    tail -n 15 >"$folder/hazard"
 "$jostle" ida input/ida.deck --limit drift-ratio:A=2% >"$folder/adaptive"
 "$jostle" run input/collapse.deck -o "$folder/collapse.h5" -q --force
 "$jostle" fragility "$folder/collapse.h5" --collapse | grep -e '^collapse' -e '^median' >"$folder/collapse"
 "$jostle" show "$folder/ida.h5" --long --edp drift-ratio:A | sed -n 1,5p >"$folder/long"
 sh tests/support/with_block.sh fragility "$folder/fragility" <docs/ida.md |
     sh tests/support/with_block.sh hits "$folder/hits" |
+    sh tests/support/with_block.sh hazard "$folder/hazard" |
     sh tests/support/with_block.sh adaptive "$folder/adaptive" |
     sh tests/support/with_block.sh collapse "$folder/collapse" |
     sh tests/support/with_block.sh long "$folder/long" >"$folder/ida.md"
