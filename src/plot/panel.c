@@ -76,6 +76,12 @@ void panel_series(struct canvas *c, struct style s, const char *data, ...) {
     }
 }
 
+void panel_upright(const struct canvas *c, double x, const char *colour, const char *look) {
+    fprintf(c->to,
+            "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' %s\n", x,
+            x, colour, look);
+}
+
 void panel_close(struct canvas *c) {
     fprintf(c->to, "\nunset label\nunset arrow\nunset object\n");
 }

@@ -88,6 +88,17 @@ int runs_lack_contacts(const struct runs *s, struct error *e);
 // Contacts of two runs are the same if they join the same floors.
 void runs_hardest_contact(const struct runs *s, int *contact);
 
+// The sides that figures show: those of the hardest contact of the first run, or the roofs of its
+// first two buildings.
+struct facing {
+    int contact[RUNS_MAX];  // the hardest in each run; below 0: none
+    int building[2];        // -1: a wall, or none
+    int floor[2];           // from 0
+    double level[2];        // between that floor and the one below; NAN: at the floor
+    double weight[2];       // of the floor there
+};
+void runs_facing(const struct runs *s, struct facing *f);
+
 // Index in `run` of the first run's contact `i`; -1 if it is not there.
 int runs_same_contact(const struct runs *s, int run, int i);
 
