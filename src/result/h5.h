@@ -132,6 +132,8 @@ void h5_fail(struct h5 *h, const char *format, ...) __attribute__((format(printf
 // Creates a group; it is open, -1 after a failure.
 hid_t h5_group(struct h5 *h, hid_t parent, const char *name);
 void h5_close(struct h5 *h, hid_t object);  // a group or dataset; negative is allowed
+// Gives back an identifier of any kind, a type, space or list; 0 and negative ones are allowed.
+void h5_drop(hid_t id);
 // Gives the object another name, in the group `parent`.
 void h5_hard_link(struct h5 *h, hid_t object, hid_t parent, const char *name);
 

@@ -88,9 +88,7 @@ static herr_t visit_object(hid_t group, const char *name, const H5L_info_t *info
     if (visited < 0) {
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, context);
     }
-    if (object >= 0) {
-        H5Oclose(object);
-    }
+    h5_drop(object);
     return visited;
 }
 
@@ -108,12 +106,8 @@ static bool fails_again(const char *path) {
     if (!visited && !second[0]) {
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, second);
     }
-    if (file >= 0) {
-        H5Fclose(file);
-    }
-    if (access >= 0) {
-        H5Pclose(access);
-    }
+    h5_drop(file);
+    h5_drop(access);
     return first[0] && strcmp(first, second) == 0;
 }
 

@@ -61,6 +61,14 @@ static void get_columns(struct result_file *r, const struct spot *p, const struc
     }
 }
 
+// The columns of the envelope in the group.
+static void get_envelope(struct result_file *f, const struct spot *group,
+                         const struct column_table *t, void *base, size_t n) {
+    const struct spot envelope = open_spot(f, group, "envelope");
+    get_columns(f, &envelope, t, base, n);
+    close_spot(f, &envelope);
+}
+
 static void get_attributes(struct result_file *f) {
     struct report *r = f->report;
     h5_get_units(&f->h, r->arena, &r->units);
@@ -123,9 +131,7 @@ static void get_shares(struct result_file *f, const struct spot *building,
     get_column(f, &parts, &layout_share, 0, b->share, n);
     for (size_t i = 0; f->reading == READ_VALUES && i < n && !f->h.failed; i++) {
         const struct spot share = open_spot(f, &parts, b->share[i].name);
-        const struct spot envelope = open_spot(f, &share, "envelope");
-        get_columns(f, &envelope, &layout_share_peak, &b->share[i], (size_t)b->n_floor);
-        close_spot(f, &envelope);
+        get_envelope(f, &share, &layout_share_peak, &b->share[i], (size_t)b->n_floor);
         close_spot(f, &share);
     }
     b->n_share = f->h.failed ? 0 : (int)n;
@@ -136,10 +142,8 @@ static void get_shares(struct result_file *f, const struct spot *building,
 static void get_foundation(struct result_file *f, const struct spot *building,
                            struct report_building *b) {
     const struct spot foundation = open_spot(f, building, "foundation");
-    const struct spot envelope = open_spot(f, &foundation, "envelope");
     b->foundation = h5_alloc(&f->h, f->report->arena, 1, sizeof *b->foundation);
-    get_columns(f, &envelope, &layout_foundation, b->foundation, 1);
-    close_spot(f, &envelope);
+    get_envelope(f, &foundation, &layout_foundation, b->foundation, 1);
     close_spot(f, &foundation);
 }
 
@@ -265,9 +269,7 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
             const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
             r->report->fields |= h5_has(&r->h, links.own, g->field[i]) ? bit : 0;
         }
-        const struct spot envelope = open_spot(r, &links, "envelope");
-        get_columns(r, &envelope, g->peaks, link, n);
-        close_spot(r, &envelope);
+        get_envelope(r, &links, g->peaks, link, n);
     }
     close_spot(r, &links);
     *n_link = (int)n;
