@@ -173,7 +173,7 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
     const struct axis y = study_abscissa_axis(v->s);
     study_panel(c, 3.2, &x, &y);
     for (int i = 0; i < p->n_limit; i++) {
-        panel_upright(c, v->demand.factor * p->limit[i], "#000000", "lw 1.5");
+        panel_upright(c, v->demand.factor * p->limit[i], panel_line("#000000", 1.5));
     }
     panel_series(c, panel_line(record_colour, 0.8), "$samples using 1:2");
     for (int i = CURVES - 1; v->s->n_sample > 1 && i >= 0; i--) {

@@ -76,10 +76,14 @@ void panel_series(struct canvas *c, struct style s, const char *data, ...) {
     }
 }
 
-void panel_upright(const struct canvas *c, double x, const char *colour, const char *look) {
+void panel_upright(const struct canvas *c, double x, struct style s) {
     fprintf(c->to,
-            "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' %s\n", x,
-            x, colour, look);
+            "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' lw %g", x,
+            x, s.colour, s.width);
+    if (s.dash) {
+        fprintf(c->to, " dt %s", s.dash);
+    }
+    fprintf(c->to, "\n");
 }
 
 void panel_close(struct canvas *c) {

@@ -221,7 +221,7 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
     const double end[] = {sheet->match.low, sheet->match.high};
     for (int i = 0; sheet->target && i < 2; i++) {
         if (end[i] > p.x.span.low && end[i] < p.x.span.high) {
-            panel_upright(&c, end[i], target.colour, "lw 1 dt (2,4)");
+            panel_upright(&c, end[i], (struct style){STYLE_LINE, target.colour, 1, "(2,4)", 0, 0});
         }
     }
     draw_series(sheet, &c);
