@@ -30,15 +30,8 @@ static long run_of(const struct ida_print *p, int group, int sample) {
 
 static void add_sweeps(struct ida_print *p) {
     for (int i = 0; i < p->view->n_sweep; i++) {
-        for (const struct sweep *s = p->view->sweep[i]; s && i != p->roles->abscissa;
-             s = s->along) {
-            printer_add(&p->table,
-                        &(struct printer_column){.head = s->name,
-                                                 .key = s->name,
-                                                 .width = s->number ? 12 : -24,
-                                                 .digits = 6,
-                                                 .look = s->number ? LOOK_G : LOOK_TAIL},
-                        1);
+        if (i != p->roles->abscissa) {
+            printer_show_sweep(&p->table, p->view->sweep[i]);
         }
     }
 }

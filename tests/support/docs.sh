@@ -22,6 +22,9 @@ sh tests/support/with_block.sh deck "$folder/deck" <README.md |
 "$jostle" run input/gap_study.deck -o "$folder/gap_study.h5" --force >"$folder/printed"
 sed -e "s|$folder/||" -e '/^wall time/d' "$folder/printed" >"$folder/study"
 sh tests/support/with_block.sh study "$folder/study" <docs/studies.md >"$folder/studies.md"
+"$jostle" sensitivity input/monte_carlo.deck --edp force -D record=ELCENTRO_1940_NS >"$folder/ranked"
+sh tests/support/with_block.sh sensitivity "$folder/ranked" <"$folder/studies.md" >"$folder/studies.ranked"
+mv "$folder/studies.ranked" "$folder/studies.md"
 "$jostle" run input/ida.deck -o "$folder/ida.h5" -q --force
 "$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% >"$folder/fragility"
 "$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 >"$folder/hits"
