@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The summary of a run as text: tables by the printer, between them sentences. Long tables are cut
-// to the most severe entries, and a line says so. All values as data: show_table.c, show_json.c.
+// to the most severe entries, and a line says so. All values as data: show_report.c.
 #include <math.h>
 #include <string.h>
 
