@@ -44,6 +44,22 @@ static int tag(const struct option_row *r, char *text, size_t size) {
                     r->value ? " " : "", r->value ? r->value : "");
 }
 
+void option_wrap(const char *text, int column, int width) {
+    int at = column;
+    for (const char *word = text; *word; word += strspn(word, " ")) {
+        const size_t n = strcspn(word, " ");
+        const int wide = text_columns(word, n);
+        if (at > column && at + 1 + wide > width) {
+            printf("\n%*s", column, "");
+            at = column;
+        }
+        at += printf(at > column ? " " : "") + wide;
+        printf("%.*s", (int)n, word);
+        word += n;
+    }
+    printf("\n");
+}
+
 static void print_rows(const struct option_row *row, int column) {
     char text[64];
     for (const struct option_row *r = row; r->doc; r++) {
@@ -52,20 +68,7 @@ static void print_rows(const struct option_row *row, int column) {
         } else {
             printf("  %-*s", column - 2, text);
         }
-        // Prints the text, wrapped, from a column on.
-        int at = column;
-        for (const char *word = r->doc; *word; word += strspn(word, " ")) {
-            const size_t n = strcspn(word, " ");
-            const int width = text_columns(word, n);
-            if (at > column && at + 1 + width > HELP_WIDTH) {
-                printf("\n%*s", column, "");
-                at = column;
-            }
-            at += printf(at > column ? " " : "") + width;
-            printf("%.*s", (int)n, word);
-            word += n;
-        }
-        printf("\n");
+        option_wrap(r->doc, column, HELP_WIDTH);
     }
 }
 
