@@ -114,7 +114,7 @@ static int find_letter(const struct scan *s, int letter) {
     return -1;
 }
 
-// Is it one of the options, as in `-o --force`, where a value is forgotten?
+// Is the word an option, as in `-o --force`, where the value of -o is missing?
 static bool is_option(const struct scan *s, const char *word) {
     if (word[0] == '-' && !is_long(word)) {
         return find_letter(s, word[1]) >= 0;
@@ -287,14 +287,14 @@ static int read_option(struct scan *s, char **argv) {
     int at = -1;
     const int answer = (s->list->dash == DASH_ONE ? getopt_long_only : getopt_long)(
         s->argc, argv, s->letters, s->option, &at);
-    // getopt_long takes the beginning of a name, too. A slip may be that of another option, and a
-    // script breaks by an option to come.
+    // getopt_long also accepts the beginning of a name. jostle does not: a typing error may be the
+    // beginning of another option, and a new option would change the meaning of a script.
     if (at >= 0 && !is_whole(word, s->row[at]->name)) {
         return refuse_word(s, word);
     }
     if (answer == '?' || answer == ':') {
-        // getopt_long found an error in a word. '?': unknown option; ':': no value. A word may have
-        // several letters; the wrong letter is in optopt.
+        // '?': unknown option; ':': no value. A word may have several letters; optopt is the wrong
+        // one.
         const char letter[] = {'-', (char)optopt, '\0'};
         const char *shown = optopt == 0 || optopt > UCHAR_MAX ? word : letter;
         return answer == ':' ? command_usage(s->list->command, "option '%s' needs a value", shown)

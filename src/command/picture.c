@@ -47,7 +47,7 @@ static int name_pair(const char *folder, const char *name, struct pair *p, struc
     return STATUS_OK;
 }
 
-// Both get their names, or neither. If the script cannot have its own, new data does not stay.
+// Publishes both files or none: removes the data if the script cannot be published.
 static int publish_pair(struct partial_file *data, struct partial_file *script, struct error *e) {
     int status = partial_file_publish(data, e);
     if (status != STATUS_OK) {
@@ -115,7 +115,8 @@ static void become_gnuplot(const char *folder) {
     _exit(errno == ENOENT ? NOT_FOUND : NOT_FOUND - 1);
 }
 
-// Waits for the end of gnuplot. No signal ends it once its number may be that of another process.
+// Waits for the end of gnuplot. After that, no signal is sent to its number, which another process
+// may have.
 static int wait_for(pid_t child, int *state) {
     siginfo_t ended;
     int status;
@@ -174,7 +175,7 @@ static int run_gnuplot(const char *folder, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "gnuplot failed: %s", line[0] ? line : "no message");
 }
 
-// gnuplot ends as if all was well where the disk was full.
+// gnuplot reports no error when the disk is full.
 static bool is_whole(FILE *picture, const char *last_mark) {
     char tail[FIGURE_TAIL];
     const size_t n_mark = strlen(last_mark);
@@ -192,7 +193,7 @@ static int copy_into(FILE *to, FILE *from, const char *last_mark, struct error *
     char block[BUFSIZ];
     for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;) {
         if (fwrite(block, 1, n, to) < n) {
-            return STATUS_OK;  // told when the file is published
+            return STATUS_OK;  // reported when the file is published
         }
     }
     if (ferror(from)) {

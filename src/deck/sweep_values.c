@@ -304,7 +304,7 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
     return good;
 }
 
-// True if `text` may be a file relative to the deck or to the file of the sweep.
+// True if `text` may be a file, relative to the deck or to the file of the sweep.
 static bool may_be_file(struct deck *d, const struct sweep *s, const char *text) {
     const struct source top = {.name = d->path};
     const char *path[] = {source_path(d, &top, text), source_path(d, s->origin, text)};

@@ -29,8 +29,8 @@ static int check(const struct subject *p, struct error *e) {
     return runs_need(p->runs, FIELD_DISPLACEMENT, "floor displacements", e);
 }
 
-// The right side as the left one sees it: by the penetration where the file has it, which holds for
-// different grounds too; otherwise by the displacements.
+// Moves the right side by the gap, so that both curves meet at an impact. The penetration is used
+// if the file has it, because it also holds for different grounds; otherwise the displacements.
 static int shift_right(struct view *v, struct error *e) {
     const struct report *r = v->s->r[0];
     struct data *d = &v->data[0];
@@ -100,7 +100,7 @@ static void write_floor_name(const struct view *v, int side, char *text, size_t 
     }
 }
 
-// What the contact met with, in each run.
+// The impacts of the contact in each run.
 struct hits {
     char force[RUNS_MAX][32];  // the largest
     long impacts[RUNS_MAX];

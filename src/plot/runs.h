@@ -8,7 +8,7 @@
 #include "plot/canvas.h"
 #include "plot/legend.h"
 
-// Histories side by side, the time first, to be written into a script.
+// Histories as columns, the first of which has the times.
 
 enum { DATA_COLUMNS_MAX = 8 };
 struct data {
@@ -69,15 +69,15 @@ struct history {
     int floor;  // from 0
 };
 
-// Reads histories of a run, a column each, to be given to data_free in any case. Errors:
-// STATUS_INPUT (they take too much memory; a damaged file), STATUS_SYSTEM.
+// Reads histories of a run, one in each column. Call data_free afterwards, also after an error.
+// Errors: STATUS_INPUT (they take too much memory; a damaged file), STATUS_SYSTEM.
 int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
               struct error *e);
 
 // True if all runs hold all these histories, bits of enum field.
 bool runs_have(const struct runs *s, unsigned fields);
 
-// STATUS_OK if they do; else the error "FILE has no WHAT; see output -fields".
+// STATUS_OK if all runs hold them; otherwise the error "FILE has no WHAT; see output -fields".
 int runs_need(const struct runs *s, unsigned fields, const char *what, struct error *e);
 
 // The errors "FILE has no WHAT", and that the first run has no contacts.

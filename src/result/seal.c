@@ -38,7 +38,7 @@ static struct object *slot_of(const struct walk *w, hobj_ref_t address) {
     return &w->object[i];
 }
 
-// Makes room for one more.
+// Makes room for one more object.
 static bool grow(struct walk *w) {
     if (2 * (w->n_object + 1) <= w->n_slot) {
         return true;
