@@ -99,7 +99,7 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     struct part *part = d->parts.item;
     for (int i = 0; i < d->parts.n; i++) {
         part[i].history = m->n_storey_history;
-        m->n_storey_history += part[i].n_history;
+        m->n_storey_history += d->foundation ? 0 : part[i].n_history;  // else in another part
         count_scratch(m, &part[i]);
     }
     g->part = part;
@@ -218,6 +218,9 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
             const struct building fixed = building[i];
             m->storeys_differ = true;
             status = foundation_put(b, d, &fixed, &m->n_storey_history, &building[i], e);
+            if (status == STATUS_OK) {
+                count_scratch(m, building[i].part);
+            }
         }
         if (status != STATUS_OK) {
             return status;

@@ -108,7 +108,7 @@ static void forces_set_frame(const struct building *g, const struct plane_frame 
 // The rotation of a hinge, and its plastic rotation r - m / k = -s / k.
 static void forces_fill_hinge(const struct building *g, double *by_action, int part, int hinge,
                               double *room) {
-    const struct plane_frame *f = g->part[part].data;
+    const struct plane_frame *f = forces_own(g)->part[part].data;
     const struct hinge *h = hinges_at(f, hinge);
     const ptrdiff_t stride = lanes_whole(g->n_force);
     const int own = f->n_floor + hinge;
@@ -161,6 +161,8 @@ static void forces_fill(const struct building *g, double *by_action, double *roo
 static void forces_found(const struct building *g, const double *by_own, double *by_action) {
     const size_t stride = (size_t)lanes_whole(g->n_force);
     const int storeys = forces_of_share(g, 0), foundation = forces_of_foundation(g);
+    memcpy(by_action + (size_t)g->n_dof * stride, by_own + (size_t)g->n_floor * stride,
+           (size_t)g->n_hinge * stride * sizeof *by_own);
     for (int j = 0; j < g->n_dof; j++) {
         double *to = by_action + (size_t)j * stride;
         for (int i = 0; i < g->n_floor; i++) {
@@ -218,11 +220,13 @@ static void forces_fill_point(const struct building *g, double *by_action,
 bool forces_create(struct building *g, int building, struct model *m, struct arena *a) {
     g->force = m->n_force;
     g->first_hinge = m->n_hinge;
-    for (int i = 0; i < g->n_part; i++) {
-        const struct plane_frame *f = frame_of(&g->part[i]);
+    const struct building *own = forces_own(g);
+    for (int i = 0; i < own->n_part; i++) {
+        const struct plane_frame *f = frame_of(&own->part[i]);
         if (f && f->n_hinge > 0) {
             g->n_hinge = f->n_hinge;
-            g->departure = g->part[i].history + f->n_hinge;  // behind their rotations
+            g->departure = own->part[i].history + f->n_hinge;  // behind their rotations
+            g->departure += g->fixed ? g->part->history : 0;
         }
     }
     m->n_hinge += g->n_hinge;
@@ -238,8 +242,8 @@ bool forces_create(struct building *g, int building, struct model *m, struct are
     const size_t n_action = (size_t)building_n_action(g);
     double *by_action = arena_alloc(a, n_action * stride, sizeof *by_action);
     double *room = arena_alloc(a, 2 * n_action, sizeof *room);
-    double *by_own =
-        g->fixed ? arena_alloc(a, (size_t)g->n_floor * stride, sizeof *by_own) : by_action;
+    const size_t n_own = (size_t)own->n_dof + (size_t)g->n_hinge;
+    double *by_own = g->fixed ? arena_alloc(a, n_own * stride, sizeof *by_own) : by_action;
     if (!by_action || !room || !by_own) {
         return false;
     }

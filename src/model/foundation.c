@@ -53,14 +53,20 @@ static const double *founded_matrix(struct arena *a, const struct founded *f,
     const int n = f->n, all = n + 2;
     double *k = arena_alloc(a, (size_t)all * (size_t)all, sizeof *k);
     double *product = arena_alloc(a, (size_t)n * (size_t)all, sizeof *product);  // D B
-    if (!k || !product) {
+    double *linear = arena_alloc(a, (size_t)n * (size_t)n, sizeof *linear);
+    if (!k || !product || !linear) {
         return NULL;
+    }
+    for (int i = 0; i < fixed->n_part; i++) {
+        if (fixed->part[i].kind->traits & PART_LINEAR) {
+            parts_linear_respond(&fixed->part[i], NULL, NULL, NULL,
+                                 &(struct part_sums){.by_drift = linear}, NULL);
+        }
     }
     for (int i = 0; i < n; i++) {
         for (int l = 0; l < n; l++) {
             const bool spring = i == l && f->storey[i].law->n_history == 0;
-            const double d = (fixed->part_stiffness ? fixed->part_stiffness[i * n + l] : 0.0) +
-                             (spring ? fixed->spring[i] : 0.0) +
+            const double d = linear[i * n + l] + (spring ? fixed->spring[i] : 0.0) +
                              (spring && fixed->pdelta ? fixed->pdelta[i] : 0.0);
             for (int j = 0; d != 0.0 && j < all; j++) {
                 product[i * all + j] += d * founded_entry(f, l, j);
@@ -137,9 +143,30 @@ static bool founded_take_storeys(struct arena *a, struct founded *f, const struc
     return own && share;
 }
 
+// Copies the parts of the building, whose histories are behind n_history values, and takes those
+// that are not linear. Returns the scratch that they need; -1: no memory.
+static int founded_take_parts(struct arena *a, struct founded *f, struct building *fixed,
+                              int *n_history) {
+    struct part *all = arena_alloc(a, (size_t)fixed->n_part, sizeof *all);
+    struct part *own = arena_alloc(a, (size_t)fixed->n_part, sizeof *own);
+    int inner = 0;
+    for (int i = 0; all && own && i < fixed->n_part; i++) {
+        all[i] = fixed->part[i];
+        if (!(all[i].kind->traits & PART_LINEAR)) {
+            all[i].history = *n_history;
+            *n_history += all[i].n_history;
+            inner = all[i].n_scratch > inner ? all[i].n_scratch : inner;
+            own[f->n_part++] = all[i];
+        }
+    }
+    fixed->part = all;
+    f->part = own;
+    return all && own ? inner : -1;
+}
+
 // The part of the building and its matrices; NULL: no memory.
 static struct part *founded_part(struct arena *a, const struct building_draft *d,
-                                 const struct building *fixed, double height) {
+                                 struct building *fixed, double height, int first_history) {
     struct founded *f = arena_alloc(a, 1, sizeof *f);
     struct part *part = arena_alloc(a, 1, sizeof *part);
     int n_history = 0;
@@ -150,6 +177,10 @@ static struct part *founded_part(struct arena *a, const struct building_draft *d
     if (!founded_take_storeys(a, f, fixed, d->storey, height, &n_history)) {
         return NULL;
     }
+    const int inner = founded_take_parts(a, f, fixed, &n_history);
+    if (inner < 0) {
+        return NULL;
+    }
     *part = (struct part){
         .kind = n_history > 0 ? &founded_yields : &founded_linear,
         .name = "foundation",
@@ -157,6 +188,8 @@ static struct part *founded_part(struct arena *a, const struct building_draft *d
         .stiffness = founded_matrix(a, f, fixed, d->foundation, height),
         .data = f,
         .n_history = n_history,
+        .history = first_history,
+        .n_scratch = f->n_part > 0 ? founded_n_scratch(f->n, inner) : 0,
     };
     return part->stiffness ? part : NULL;
 }
@@ -173,6 +206,7 @@ static bool founded_properties(struct arena *a, const struct building *fixed, do
     double *initial = arena_alloc(a, all * all, sizeof *initial);
     double *still = arena_alloc(a, all * all, sizeof *still);
     double *history = arena_alloc(a, n_history, sizeof *history);
+    double *scratch = arena_alloc(a, (size_t)out->part->n_scratch, sizeof *scratch);
     if (arena_failed(a)) {
         return false;
     }
@@ -180,7 +214,7 @@ static bool founded_properties(struct arena *a, const struct building *fixed, do
     mass[n] = out->foundation->mass;
     mass[n + 1] = out->foundation->inertia / (height * height);
     out->part->kind->respond(out->part, history, still, still,
-                             &(struct part_sums){.by_drift = initial}, NULL);
+                             &(struct part_sums){.by_drift = initial, .scratch = scratch}, NULL);
     for (size_t i = 0; i < all; i++) {
         stiffness[i] = initial[i * all + i];
     }
@@ -201,14 +235,16 @@ int foundation_put(struct builder *b, const struct building_draft *d, const stru
     assert(fixed->height);
     const double height = level_of_floor(fixed->height, fixed->n_dof);
     struct building *kept = arena_alloc(a, 1, sizeof *kept);
-    struct part *part = founded_part(a, d, fixed, height);
-    double *omega = arena_alloc(a, all, sizeof *omega);
-    double *shape = arena_alloc(a, all * all, sizeof *shape);
-    if (!kept || !part || !omega || !shape) {
+    if (!kept) {
         return error_no_memory(e);
     }
     *kept = *fixed;
-    part->history = *n_history;
+    struct part *part = founded_part(a, d, kept, height, *n_history);
+    double *omega = arena_alloc(a, all, sizeof *omega);
+    double *shape = arena_alloc(a, all * all, sizeof *shape);
+    if (!part || !omega || !shape) {
+        return error_no_memory(e);
+    }
     *n_history += part->n_history;
     *out = *fixed;
     out->fixed = kept;

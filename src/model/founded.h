@@ -5,12 +5,14 @@
 
 #include "jostle/model.h"
 
-// The part of a building with a foundation. The storeys that yield are kept one by one. All that is
-// linear is the stiffness of the part.
+// The part of a building with a foundation. The storeys and parts that yield are kept one by one.
+// All that is linear is the stiffness of the part.
 struct founded {
     int n;                        // storeys
     const double *share;          // (n) r_i
     const struct storey *storey;  // (n) history: offset in that of the part
+    int n_part;
+    const struct part *part;  // (n_part) on the deformations of the storeys; history: likewise
 };
 
 // d e_i / d d_j.
@@ -35,6 +37,9 @@ static inline double founded_deformation(const struct founded *f, int i, const d
                                          struct founded_motion slab) {
     return drift[i] - f->share[i] * slab.turn - (i == 0 ? slab.sway : 0.0);
 }
+
+// The scratch that the part needs, of which its own parts need `inner`.
+int founded_n_scratch(int n, int inner);
 
 // Kinds of the part: all its storeys are linear, or some have a history.
 extern const struct part_kind founded_linear, founded_yields;

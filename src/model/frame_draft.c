@@ -159,22 +159,6 @@ static void drop_pinned(struct builder *b, const struct building_draft *d,
     *hinge = (struct hinge_draft){0};
 }
 
-// Reports the first hinge of a building on a foundation; false after that.
-static bool may_have_hinges(struct builder *b, const struct building_draft *d) {
-    const struct frame_draft *f = d->frame;
-    const int n = d->n_floor * f->n_line;
-    const struct hinge_draft *first = NULL;
-    for (int i = 0; !first && i < 4 * n - 2 * d->n_floor; i++) {
-        const struct hinge_draft *h = i < 2 * n ? &f->column_hinge[i] : &f->beam_hinge[i - 2 * n];
-        first = h->word.text ? h : NULL;
-    }
-    if (d->foundation && first) {
-        deck_error(b->deck, &first->word,
-                   "building %s stands on a foundation: its frame cannot have hinges", d->name);
-    }
-    return !d->foundation || !first;
-}
-
 // Has the storey a column? Reports one that has none.
 static bool has_columns(struct builder *b, const struct building_draft *d, int storey) {
     const struct frame_draft *f = d->frame;
@@ -242,7 +226,7 @@ static void add_frame(struct builder *b, int index) {
     const int n = f->n_line, n_bay = n - 1;
     struct plane_frame *to = begin(b, d, n, d->n_floor * (n + n_bay));
     struct hinge *hinge = arena_alloc(b->arena, 4 * (size_t)d->n_floor * (size_t)n, sizeof *hinge);
-    bool stands = to && hinge && may_have_hinges(b, d);
+    bool stands = to && hinge;
     for (int i = 1; stands && i <= d->n_floor; i++) {
         stands = has_columns(b, d, i);
     }

@@ -239,6 +239,59 @@ static void levels_of_other_buildings_stay_where_they_are(void **state) {
     analysis_free(&a[1]);
 }
 
+// A frame of rigid beams whose columns have equal hinges at all ends is a chain of shear storeys
+// with the law of the hinges: the column, 6 E I/h, is in series with them.
+static void a_frame_with_hinges_is_the_shear_building_on_its_foundation(void **state) {
+    (void)state;
+    const double h = 3, bend = 6 * 2e7 / h, k = 1e8, hardened = 0.05 * k;
+    const double initial = 4 / (h * h) * (k * bend / (k + bend));
+    const double later = 4 / (h * h) * (hardened * bend / (hardened + bend));
+    static const char *const step[] = {"step fixed 1ms",
+                                       "integrator newmark\nstep adaptive -tolerance 1e-7"};
+    static const char *const pdelta[] = {"", "pdelta A -leaning 300e3\n"};
+    for (int i = 0; i < 4; i++) {
+        char text[2][512];
+        snprintf(text[0], sizeof text[0],
+                 "frame A -bays 5 -modulus 2e11 -columns-inextensible\ncolumns A:1:2 -I 1e-4\n"
+                 "beams A:1:2 -I 1e4\n"
+                 "hinges A:1:2 columns bilinear -yield 6e4 -hardening 0.05 -stiffness 1e8\n");
+        snprintf(text[1], sizeof text[1], "storey A:1:2 bilinear -yield %.17g -hardening %.17g\n",
+                 4 * 6e4 / h, later / initial);
+        struct analysis a[2];
+        for (int j = 0; j < 2; j++) {
+            a[j] = analysis_of(
+                "units N m s\nbuilding A -floors 2 -mass 3e4 2e4 -height 3 -stiffness %.17g\n%s"
+                "damping A rayleigh 5%%\n"
+                "foundation A -mass 2e4 -inertia 3e5 -sway 1e8 -rocking 1e9 -sway-dashpot 1e5\n%s"
+                "contact A:2 wall -gap 20mm -law hertz -k 1e9\n"
+                "ground record input/records/ELCENTRO_1940_NS.AT2 -scale 2\nduration 6\n%s\n",
+                j == 0 ? 0.0 : initial, text[j], pdelta[i / 2], step[i % 2]);
+        }
+        const struct results *frame = a[0].results, *chain = a[1].results;
+        assert_true(chain->link[0].impacts > 0 && chain->peak[PEAK_DRIFT][0] > 3e-2);
+        assert_int_equal(frame->link[0].impacts, chain->link[0].impacts);
+        for (int q = 0; q < PEAK_COUNT; q++) {
+            for (int dof = 0; dof < (q == PEAK_DISPLACEMENT ? 4 : 2); dof++) {
+                assert_close(frame->peak[q][dof], chain->peak[q][dof], 1e-6);
+            }
+        }
+        for (int q = 0; q < ENERGY_RESIDUAL; q++) {
+            assert_near(frame->energy[q], chain->energy[q], 1e-6 * analysis_flow(&a[1]));
+        }
+        assert_true(frame->residual_peak < 1e-11 * analysis_flow(&a[0]));
+        const struct building *g = &a[0].model->building[0];
+        const int at = g->force + forces_of_members(g, 0, FRAME_MOMENT_I);
+        const double moment = fmax(frame->force_max[at], -frame->force_min[at]);
+        assert_true(i / 2 == 1 || fabs(moment * 4 / h / chain->peak[PEAK_SHEAR][0] - 1) < 1e-6);
+        // Moments stay on the law of the hinges: m = hardened r + (1 - 0.05) My.
+        const int turn = g->force + forces_of_members(g, 0, FRAME_ROTATION_I);
+        const double most = fmax(frame->force_max[turn], -frame->force_min[turn]);
+        assert_close(moment, hardened * most + 0.95 * 6e4, 1e-6);
+        analysis_free(&a[0]);
+        analysis_free(&a[1]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_building_is_that_of_an_independent_program),
@@ -246,6 +299,7 @@ int main(void) {
         cmocka_unit_test(the_period_is_that_of_veletsos_and_meek),
         cmocka_unit_test(a_stiff_foundation_is_the_fixed_base),
         cmocka_unit_test(members_on_a_foundation_have_forces),
+        cmocka_unit_test(a_frame_with_hinges_is_the_shear_building_on_its_foundation),
         cmocka_unit_test(soil_gives_springs_and_dashpots),
         cmocka_unit_test(levels_of_other_buildings_stay_where_they_are),
     };

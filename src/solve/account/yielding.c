@@ -56,8 +56,9 @@ bool yielding_alloc(struct yielding *y, const struct model *m, struct arena *a) 
             law[y->n] = yielding_storey(m, g, i);
             y->n += law[y->n].storey != NULL;
         }
-        for (int p = 0; p < g->n_part && g->n_hinge > 0; p++) {
-            const struct plane_frame *f = frame_of(&g->part[p]);
+        const struct building *own = g->fixed ? g->fixed : g;
+        for (int p = 0; p < own->n_part && g->n_hinge > 0; p++) {
+            const struct plane_frame *f = frame_of(&own->part[p]);
             for (int i = 0; f && i < f->n_hinge; i++) {
                 law[y->n++] = yielding_hinge(g, f, i);
             }
