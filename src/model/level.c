@@ -124,17 +124,21 @@ double level_weight(struct builder *b, const struct link *l, int side) {
 }
 
 // Adds sign times the row of one end to the n entries. Entries of one floor are added up. Returns
-// the number of entries.
-static int add_end(const struct link *l, int side, double sign, struct link_entry *entry, int n) {
+// the number of entries. A level in the lowest storey of a building on a foundation moves with the
+// slab, which is behind the floors.
+static int add_end(struct builder *b, const struct link *l, int side, double sign,
+                   struct link_entry *entry, int n) {
     const int floor = l->floor[side];
+    const struct building_draft *d = builder_draft(b, l->building[side]);
     const double share = isnan(l->level[side]) ? 1.0 : l->weight[side];
-    const struct link_entry own[] = {{floor - 1, sign * share}, {floor - 2, sign * (1.0 - share)}};
+    const int below = floor == 1 && d->foundation ? d->n_floor : floor - 2;
+    const struct link_entry own[] = {{floor - 1, sign * share}, {below, sign * (1.0 - share)}};
     for (int i = 0; i < 2; i++) {
         int at = 0;
         while (at < n && entry[at].dof != own[i].dof) {
             at++;
         }
-        if (floor - i < 1 || own[i].weight == 0.0) {
+        if (own[i].dof < 0 || own[i].weight == 0.0) {
             continue;
         }
         entry[at] =
@@ -167,12 +171,12 @@ bool level_rows(struct builder *b, struct link *l, const struct word *w) {
     struct link_entry entry[ENTRIES_MAX];
     for (int i = 0; i < 2 && !l->within; i++) {
         if (!isnan(l->level[i]) && l->column[i] < 0) {
-            set_row(b, l, i, entry, add_end(l, i, 1.0, entry, 0));
+            set_row(b, l, i, entry, add_end(b, l, i, 1.0, entry, 0));
         }
     }
     if (l->within) {
         l->building[1] = l->building[0];
-        const int n = add_end(l, 1, -1.0, entry, add_end(l, 0, 1.0, entry, 0));
+        const int n = add_end(b, l, 1, -1.0, entry, add_end(b, l, 0, 1.0, entry, 0));
         if (is_nothing(entry, n)) {
             deck_error(b->deck, w, "both ends of the link are the same");
             return false;

@@ -209,27 +209,30 @@ static void a_load_at_the_point_is_shared_by_both_ends(void **state) {
 // A foundation carries the column along, without a force in it.
 static void on_a_foundation_it_moves_with_the_slab(void **state) {
     (void)state;
-    static const char *const section[] = {"-EI 6e7", "-line 1"};
-    for (int k = 0; k < 2; k++) {
-        for (int floor = 1; floor <= 2; floor++) {
-            const double level = floor == 1 ? 1.0 : 4.5;
-            struct model *m = analysis_model(
-                "units N m s\nbuilding B -floors 2 -mass 60t -height 3.4m 3.1m\n"
-                "frame B -bays 6 -modulus 30e9\ncolumns B:1:2 -I 2e-3 -A 0.1\nbeams B:1:2 -I 3e-3\n"
-                "column B@%gm -name c %s -mass 600\n"
-                "foundation B -mass 100t -inertia 1e6 -sway 4e8 -rocking 2e10\n"
-                "duration 1\nstep fixed 1ms\n",
-                level, section[k]);
-            const double sway = 2e-3, roof = 5e-3;  // displacements of the slab and by rocking
-            const double u[] = {sway + roof * 3.4 / 6.5, sway + roof, sway, roof,
-                                sway + roof * level / 6.5};
-            const struct link *spring = &m->link[0];
-            assert_near(link_at(spring, 0, u), u[4], 1e-15);
-            for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
-                assert_near(struck_column_force(m->column, q, u, 0), 0.0, 1e-9 * 6e7 * 1e-3);
-            }
-            model_free(m);
+    // Without a column, the level itself.
+    static const char *const column[] = {"column B@%gm -name c -EI 6e7 -mass 600\n",
+                                         "column B@%gm -name c -line 1 -mass 600\n", ""};
+    for (int k = 0; k < 6; k++) {
+        const double level = k % 2 == 0 ? 1.0 : 4.5;
+        char text[128];
+        snprintf(text, sizeof text, column[k / 2], level);
+        struct model *m = analysis_model(
+            "units N m s\nbuilding B -floors 2 -mass 60t -height 3.4m 3.1m\n"
+            "frame B -bays 6 -modulus 30e9\ncolumns B:1:2 -I 2e-3 -A 0.1\nbeams B:1:2 -I 3e-3\n%s"
+            "foundation B -mass 100t -inertia 1e6 -sway 4e8 -rocking 2e10\n"
+            "contact wall B@%gm -gap 1m -law linear -k 1e6\nduration 1\nstep fixed 1ms\n",
+            text, level);
+        const double sway = 2e-3, roof = 5e-3;  // displacements of the slab and by rocking
+        const double u[] = {sway + roof * 3.4 / 6.5, sway + roof, sway, roof,
+                            sway + roof * level / 6.5};
+        for (int i = 0; i < m->n_link; i++) {
+            assert_near(link_at(&m->link[i], i == 0, u), u[4], 1e-15);
         }
+        for (int q = 0; m->n_column > 0 && q < COLUMN_FORCE_COUNT; q++) {
+            assert_near(struck_column_force(m->column, q, u, 0), 0.0, 1e-9 * 6e7 * 1e-3);
+        }
+        assert_int_equal(m->n_column, k < 4);
+        model_free(m);
     }
 }
 

@@ -99,6 +99,23 @@ static bool check_kind(struct builder *b, const struct statement *s, const struc
     return false;
 }
 
+// The first contact or link at a level in the lowest storey of the building, which moves with the
+// slab; NULL: none.
+static const struct link *find_level(const struct builder *b, int building) {
+    const struct link_draft *d = b->links.item;
+    for (int i = 0; i < b->links.n; i++) {
+        const struct link *l = &d[i].link;
+        for (int side = 0; side < 2; side++) {
+            const int own = l->building[l->within ? 0 : side];
+            if (own == building && l->floor[side] == 1 && !isnan(l->level[side]) &&
+                l->column[side] < 0) {
+                return l;
+            }
+        }
+    }
+    return NULL;
+}
+
 static void build(struct builder *b, const struct statement *s) {
     if (!builder_plain(b, s, 1, 1, statement_foundation.usage)) {
         return;
@@ -110,7 +127,12 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     struct building_draft *d = builder_draft(b, i);
-    if (d->foundation) {
+    const struct link *low = find_level(b, i);
+    if (low) {
+        deck_error(b->deck, &s->word[1],
+                   "%s %s has named a level in storey 1 before; write the foundation first",
+                   low->bilateral ? "link" : "contact", low->name);
+    } else if (d->foundation) {
         deck_error(b->deck, &s->word[1], "building %s has a foundation already", d->name);
     } else if (d->n_floor > FLOORS_MAX - 2) {
         deck_error(b->deck, &s->word[1], "a building with a foundation has at most %d floors",
