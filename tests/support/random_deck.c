@@ -282,25 +282,60 @@ static void add_frame(struct maker *m, int i) {
     if (random_below(&m->random, 3) == 0) {
         add(m, "pdelta B%d -weight %.4g\n", i, random_logarithmic(&m->random, 1e2, 1e5));
     }
+    if (random_below(&m->random, 4) == 0) {
+        add(m, "wall B%d:1 -EI %.4g -GA 1e9\n", i, random_logarithmic(&m->random, 1e7, 1e10));
+    }
+    const bool founded = random_below(&m->random, 4) == 0;
+    if (founded) {
+        add(m, "foundation B%d -mass 1e5 -inertia 1e6 -sway %.4g -rocking %.4g -sway-dashpot 1e6\n",
+            i, random_logarithmic(&m->random, 1e7, 1e10),
+            random_logarithmic(&m->random, 1e8, 1e11));
+    }
     if (random_below(&m->random, 4)) {
-        add(m, "damping B%d rayleigh %.4g\n", i, random_uniform(&m->random, 0.0, 0.1));
+        add(m, "damping B%d rayleigh %.4g%s\n", i, random_uniform(&m->random, 0.0, 0.1),
+            founded || random_below(&m->random, 2) ? "" : " -tangent");
     }
     if (random_below(&m->random, 4) == 0) {
         add(m, "storey B%d:1 bilinear -yield 1e5 -hardening 0.02 -stiffness 1e7\n", i);
     }
-    add_hinges(m, i);
+    if (random_below(&m->random, 4)) {
+        add_hinges(m, i);
+    }
+}
+
+// Columns of both buildings, which floors strike where they do not meet.
+static void add_columns(struct maker *m) {
+    const char *bays = strstr(m->text, "-bays ");
+    int n = 0;
+    assert_true(bays && sscanf(bays, "-bays %d", &n) == 1);
+    if (random_below(&m->random, 2)) {
+        add(m, "column B1%s -name b -EI %.4g -mass 500\n",
+            random_below(&m->random, 2) ? "" : " bilinear -yield 2e5 -hardening 0.02",
+            random_logarithmic(&m->random, 1e6, 1e8));
+    }
+    if (!strstr(m->text, "hinges") && random_below(&m->random, 4)) {
+        add(m, "column B0 -name a -line %d -mass 500\n", n + 1);
+    } else {
+        add(m, "column B0 -name a -EI %.4g -mass 500 -damping 0.05\n",
+            random_logarithmic(&m->random, 1e6, 1e8));
+    }
+    add(m, "contact B0 B1 -by-level -gap %.5g -law kelvin-voigt -k %.4g -e 0.6\n", gap(m),
+        random_logarithmic(&m->random, 1e7, 1e10));
 }
 
 void random_deck_framed(uint64_t seed, char *text, size_t size) {
     text[0] = '\0';
     struct maker m = {.random = {seed}, .text = text, .size = size, .n_building = 2};
     add_frame(&m, 0);
-    if (random_below(&m.random, 2)) {
+    const bool levels = random_below(&m.random, 2) == 0;
+    if (!levels && random_below(&m.random, 2)) {
         add_building(&m, 1);
     } else {
-        add(&m, "building B1 -floors 2 -mass 5e4 -stiffness 3e7\n");
+        add(&m, "building B1 -floors 2 -mass 5e4 -stiffness 3e7 -height 3.7\n");
     }
-    if (random_below(&m.random, 2)) {
+    if (levels) {
+        add_columns(&m);
+    } else if (random_below(&m.random, 2)) {
         add(&m, "contact B0 B1 -gap %.5g -law kelvin-voigt -k %.4g -e 0.6\n", gap(&m),
             random_logarithmic(&m.random, 1e7, 1e10));
     }

@@ -14,8 +14,9 @@ void random_deck(uint64_t seed, char *text, size_t size);
 // contacts, each with a law of its own; of even numbers none may pull.
 void random_deck_cluster(uint64_t seed, char *text, size_t size);
 
-// Writes deck number `seed` of two buildings, of which one or both are frames whose members have
-// hinges of any storey law, with or without P-delta.
+// Writes deck number `seed` of two buildings, of which the first is a frame, most with hinges of
+// any storey law, and some with a wall, P-delta, a foundation or damping on the tangent stiffness.
+// The floors of half of the pairs meet by level, and strike columns.
 void random_deck_framed(uint64_t seed, char *text, size_t size);
 
 // Deck number `seed` of random_deck with the lines `steps` in place of its integrator and step.

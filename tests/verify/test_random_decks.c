@@ -120,7 +120,7 @@ static void random_decks_that_have_failed_end_well(void **state) {
 
 // Hinges yield, harden, soften and collapse: rows are finite and the account of energy closes, or
 // an error says what no step can solve.
-static void random_frames_with_hinges_end_well(void **state) {
+static void random_frames_end_well(void **state) {
     (void)state;
     const uint64_t n = getenv("JOSTLE_LONG") ? 5000 : 150;
     uint64_t given_up = 0, yielded = 0;
@@ -150,7 +150,7 @@ static void random_frames_with_hinges_end_well(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_decks_that_have_failed_end_well),
-        cmocka_unit_test(random_frames_with_hinges_end_well),
+        cmocka_unit_test(random_frames_end_well),
         cmocka_unit_test(every_random_deck_ends_with_finite_numbers_and_a_closed_account),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
