@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "law/link_law.h"
 #include "model/struck_column.h"
 
 static bool check_order(struct builder *b, struct pairs *p, enum wall_use walls) {
@@ -274,4 +275,33 @@ bool pairs_set_law(struct builder *b, struct link *link, const struct law_choice
     link->restitution = choice->restitution;
     link->calibrated = choice->calibrated;
     return law_choice_prepare(b->deck, choice, link->mass, &link->value, &link->constant);
+}
+
+const struct contact_law *pairs_storey_law(struct builder *b, const struct link_law *from) {
+    const size_t n_row = LINK_ROWS + (size_t)from->n_row;
+    struct contact_law *law = arena_alloc(b->arena, 1, sizeof *law);
+    struct row *row = arena_alloc(b->arena, n_row, sizeof *row);
+    if (!law || !row) {
+        return NULL;
+    }
+    memcpy(row, link_law_rows, sizeof link_law_rows);
+    if (from->n_row > 0) {
+        memcpy(row + LINK_ROWS, from->row, (size_t)from->n_row * sizeof *row);
+    }
+    *law = link_law_make(from);
+    law->row = row;
+    law->n_row = (int)n_row;
+    return law;
+}
+
+const double *pairs_storey_constants(struct builder *b, const struct link_law *from,
+                                     const struct contact_law *law, const double *value,
+                                     const struct word *w) {
+    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
+    struct error e;
+    if (constant && link_law_prepare(from, value, constant, &e) != STATUS_OK) {
+        deck_error(b->deck, w, "%s", e.message);
+        return NULL;
+    }
+    return constant;
 }

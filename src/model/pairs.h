@@ -39,6 +39,15 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good);
 // Sets the law of a link, for the link's effective mass. False after a report.
 bool pairs_set_law(struct builder *b, struct link *link, const struct law_choice *choice);
 
+// The law of links of a storey law: its rows are those of links, then its own. NULL: no memory.
+struct link_law;
+const struct contact_law *pairs_storey_law(struct builder *b, const struct link_law *from);
+
+// Its constants from the values of its rows (NAN: not given); NULL after a report at `w`.
+const double *pairs_storey_constants(struct builder *b, const struct link_law *from,
+                                     const struct contact_law *law, const double *value,
+                                     const struct word *w);
+
 // Ends of contacts and links that are not one floor: a level between two floors, `BUILDING@LEVEL`,
 // and the difference of two ends within one building.
 

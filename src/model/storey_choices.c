@@ -6,17 +6,28 @@
 
 #include "deck/reader.h"
 
-bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, const char *owner) {
+bool storey_choices_rows(struct builder *b, const struct row *row, int n_row,
+                         const struct argument *given, int n, const char *owner, double **value) {
+    static double one = 1.0;  // of a flag
+    const struct argument raised = {.given = true, .n = 1, .number = &one};
     bool good = true;
-    for (int r = 0; r < c->law->n_row; r++) {
-        if (c->given[r].n > 0) {
-            c->value[r] = builder_spread(b, &c->given[r], n, owner);
-            good &= c->value[r] != NULL;
+    for (int r = 0; r < n_row; r++) {
+        const bool flag = row[r].kind == ROW_FLAG && given[r].given;
+        if (flag || given[r].n > 0) {
+            value[r] = builder_spread(b, flag ? &raised : &given[r], n, owner);
+            good &= value[r] != NULL;
         }
-        if (c->value[r] && strcmp(c->law->row[r].key, "yield") == 0) {
-            c->yield = c->value[r];
-            c->yield_row = r;
-        }
+    }
+    return good;
+}
+
+bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, const char *owner) {
+    const struct storey_law *law = c->law;
+    const bool good = storey_choices_rows(b, law->row, law->n_row, c->given, n, owner, c->value);
+    const int yield = storey_choice_row(law, "yield");
+    if (yield >= 0 && c->value[yield]) {
+        c->yield = c->value[yield];
+        c->yield_row = yield;
     }
     return good;
 }
@@ -42,8 +53,7 @@ bool storey_choices_prepare(struct builder *b, const struct word *w, const struc
     double own[STOREY_ROWS_MAX];
     const struct storey_law *law = c->law;
     for (int r = 0; r < law->n_row; r++) {
-        const bool flag = law->row[r].kind == ROW_FLAG && c->given[r].given;
-        own[r] = c->value[r] ? c->value[r][k] : flag ? 1.0 : NAN;
+        own[r] = c->value[r] ? c->value[r][k] : NAN;
     }
     out->yield = c->yield ? c->yield[k] : (double)INFINITY;
     return storey_choices_law(b, w, law, own, stiffness, out);

@@ -10,10 +10,15 @@
 struct storey_choices {
     const struct storey_law *law;
     struct argument given[STOREY_ROWS_MAX];  // (law->n_row)
-    double *value[STOREY_ROWS_MAX];          // (n) of each row with numbers; NULL: others
+    double *value[STOREY_ROWS_MAX];          // (n) of each row that is given; NULL: others
     double *yield;                           // of the row `yield`; NULL: not given
     int yield_row;
 };
+
+// Spreads the given options of these rows over n laws: value[r] (n), flags as 1. `owner` is as in
+// builder_spread. False after a report.
+bool storey_choices_rows(struct builder *b, const struct row *row, int n_row,
+                         const struct argument *given, int n, const char *owner, double **value);
 
 // Takes one value, or one for each of n laws, of each row of the choice. `owner` is as in
 // builder_spread. False after a report.

@@ -76,38 +76,22 @@ static bool set_law(struct builder *b, struct struck_draft *d, const struct stor
         from.storey = strcmp(from.name, law->name) == 0 ? law : NULL;
     }
     assert(from.storey == law);
-    const size_t n_row = LINK_ROWS + (size_t)law->n_row;
-    struct contact_law *made = arena_alloc(b->arena, 1, sizeof *made);
-    struct row *row = arena_alloc(b->arena, n_row, sizeof *row);
-    double *value = arena_alloc(b->arena, n_row, sizeof *value);
-    if (!made || !row || !value) {
+    const struct contact_law *made = pairs_storey_law(b, &from);
+    double *value = made ? arena_alloc(b->arena, (size_t)made->n_row, sizeof *value) : NULL;
+    if (!value) {
         return false;
     }
-    *made = link_law_make(&from);
-    double *constant = arena_alloc(b->arena, (size_t)made->n_constant, sizeof *constant);
-    if (!constant) {
-        return false;
-    }
-    memcpy(row, link_law_rows, sizeof link_law_rows);
     for (int r = 0; r < LINK_ROWS; r++) {
         value[r] = r == LINK_ROW_STIFFNESS ? d->column.stiffness : (double)NAN;
     }
     for (int r = 0; r < law->n_row; r++) {
-        row[LINK_ROWS + r] = law->row[r];
         value[LINK_ROWS + r] = c->value[r] * pow(d->column.n, law->row[r].dimension.force);
-    }
-    made->row = row;
-    made->n_row = (int)n_row;
-    struct error e;
-    if (link_law_prepare(&from, value, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, &d->word, "%s", e.message);
-        return false;
     }
     d->column.yields = true;
     d->law = made;
     d->value = value;
-    d->constant = constant;
-    return true;
+    d->constant = pairs_storey_constants(b, &from, made, value, &d->word);
+    return d->constant != NULL;
 }
 
 // The moment at both ends by a unit drift is 6 EI / h^2. A force on the point adds the end forces

@@ -7,6 +7,7 @@
 #include "law/maxwell.h"
 #include "model/builder.h"
 #include "model/pairs.h"
+#include "model/storey_choices.h"
 
 enum { NAME, LAW, N_ROW };
 
@@ -104,7 +105,7 @@ static void build_plain(struct builder *b, const struct statement *s, const stru
 }
 
 // A storey law as the law of the links of a statement.
-struct storey_choice {
+struct storey_links {
     const struct statement *statement;
     const struct link_law *law;
     const struct contact_law *made;
@@ -112,44 +113,17 @@ struct storey_choice {
 };
 
 static bool set_storey_law(struct builder *b, struct link *link, int k, const void *context) {
-    const struct storey_choice *c = context;
+    const struct storey_links *c = context;
     double *value = arena_alloc(b->arena, (size_t)c->made->n_row, sizeof *value);
-    double *constant = arena_alloc(b->arena, (size_t)c->made->n_constant, sizeof *constant);
-    if (!value || !constant) {
-        return false;
-    }
-    for (int r = 0; r < c->made->n_row; r++) {
+    for (int r = 0; value && r < c->made->n_row; r++) {
         value[r] = c->value[r] ? c->value[r][k] : NAN;
-    }
-    struct error e;
-    if (link_law_prepare(c->law, value, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, &c->statement->word[0], "%s", e.message);
-        return false;
     }
     link->law = c->made;
     link->value = value;
-    link->constant = constant;
+    link->constant =
+        value ? pairs_storey_constants(b, c->law, c->made, value, &c->statement->word[0]) : NULL;
     link->restitution = NAN;
-    return true;
-}
-
-// The values of all rows, spread over n links. NULL after a report.
-static double **spread(struct builder *b, const struct row *row, int n_row,
-                       const struct argument *given, int n) {
-    double **value = arena_alloc(b->arena, (size_t)n_row, sizeof *value);
-    double *flag = arena_alloc(b->arena, 1, sizeof *flag);
-    value = flag ? value : NULL;
-    for (int r = 0; value && r < n_row; r++) {
-        *flag = 1.0;
-        const bool is_flag = row[r].kind == ROW_FLAG;
-        const struct argument raised = {.given = true, .n = 1, .number = flag};
-        const struct argument *a = is_flag && given[r].given ? &raised : &given[r];
-        if (a->n > 0) {
-            value[r] = builder_spread(b, a, n, "links");
-            value = value[r] ? value : NULL;
-        }
-    }
-    return value;
+    return link->constant != NULL;
 }
 
 // False after a report that the link would act in no direction.
@@ -166,8 +140,8 @@ static void build_storey_law(struct builder *b, const struct statement *s, const
                              const struct link_law *law) {
     const int n_row = LINK_ROWS + law->n_row;
     struct argument own[N_ROW] = {0}, given[LINK_ROWS + STOREY_ROWS_MAX] = {0};
-    struct row *row = arena_alloc(b->arena, (size_t)n_row, sizeof *row);
-    struct contact_law *made = arena_alloc(b->arena, 1, sizeof *made);
+    const struct contact_law *made = pairs_storey_law(b, law);
+    double **value = arena_alloc(b->arena, (size_t)n_row, sizeof *value);
     struct row_set set[2 + LINK_ROWS] = {{rows, N_ROW, own},
                                          {law->row, law->n_row, given + LINK_ROWS}};
     int n_set = 2;
@@ -176,19 +150,12 @@ static void build_storey_law(struct builder *b, const struct statement *s, const
             set[n_set++] = (struct row_set){&link_law_rows[r], 1, &given[r]};
         }
     }
-    if (!row || !made || !deck_options(b->deck, s, set, n_set) || !check_directions(b, given) ||
+    if (!made || !value || !deck_options(b->deck, s, set, n_set) || !check_directions(b, given) ||
         !p) {
         return;
     }
-    memcpy(row, link_law_rows, sizeof link_law_rows);
-    if (law->n_row > 0) {
-        memcpy(row + LINK_ROWS, law->row, (size_t)law->n_row * sizeof *row);
-    }
-    *made = link_law_make(law);
-    made->row = row;
-    made->n_row = n_row;
-    struct storey_choice choice = {s, law, made, spread(b, row, n_row, given, p->n)};
-    if (choice.value) {
+    const struct storey_links choice = {s, law, made, value};
+    if (storey_choices_rows(b, made->row, n_row, given, p->n, "links", value)) {
         append(b, p, own, set_storey_law, &choice);
     }
 }
