@@ -27,6 +27,8 @@ struct run_options {
     const char *output;
     enum result_existing existing;
     enum study_journal journal;
+    struct words take;  // files
+    bool retry;
     int n_thread;              // 0: all cores
     struct study_shard shard;  // of a study; n = 0: the whole
 };
@@ -35,7 +37,7 @@ struct run_options {
 const struct command command_run = {
     .name = "run",
     .usage = "DECK [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [-q] [--shard K/N] [--force]\n"
-             "                  [--restart|--accept]",
+             "                  [--take FILE.h5]... [--retry] [--restart]",
     .summary = "runs a deck, writes its result file and prints a summary",
     .run = run_command,
 };
@@ -210,6 +212,9 @@ static int run_study(const struct model *first, const struct run_options *o,
         .n_thread = o->n_thread ? o->n_thread : deck_command_threads(),
         .shard = o->shard,
         .journal = o->journal,
+        .take = o->take.word,
+        .n_take = o->take.n,
+        .retry = o->retry,
         .numerics = NUMERICS_VERSION,
         .program = program_sum(),
         .result = *result,
@@ -230,6 +235,9 @@ static int run_study(const struct model *first, const struct run_options *o,
     }
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);
+    }
+    if (!o->load.quiet && p.n_kept == p.n_run) {
+        safe_line(stderr, "jostle: all %ld runs were there; none was computed", p.n_run);
     }
     if (!o->load.quiet && show_study_summary(result->path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
@@ -274,11 +282,13 @@ static int run_command(int argc, char **argv) {
         {"force", .kind = OPTION_SET, .at = AT(existing), .set = RESULT_REPLACE,
          .doc = "overwrites an existing result file"},
         {"restart", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_RESTART,
-         .doc = "discards the finished runs of an interrupted study; without this option the same "
-                "command continues the study"},
-        {"accept", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_ACCEPT,
-         .doc = "continues an interrupted study although statements, records or the version of the "
-                "numerics have changed; the result file lists the changes"},
+         .doc = "discards the finished runs of an interrupted study; without this option the "
+                "study continues"},
+        {"take", 0, "FILE.h5", OPTION_WORDS, 0, AT(take),
+         .doc = "takes from the file of another study the runs that this one has too; may be "
+                "repeated"},
+        {"retry", .kind = OPTION_TRUE, .at = AT(retry),
+         .doc = "computes failed runs of the result file and of --take again"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     static const struct deck_command c = {&command_run, parts, settle, run_model};

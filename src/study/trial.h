@@ -23,6 +23,10 @@ struct trial_watch {
     struct record_cache *records;  // that all trials share
 };
 
+// Opens the deck of run `run` with the values of its sweeps. `choice` has room for
+// STUDY_SWEEPS_MAX, and must last as long as the deck. Errors: STATUS_SYSTEM.
+int trial_open(const struct plan *p, long run, int *choice, struct deck **out, struct error *e);
+
 // Notes that a run failed, and why.
 void trial_fail(struct study_outcome *outcome, const char *message);
 
