@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file is walked twice: first every object gets a number, in the order of the names, as
-// references may lead to objects that come later. Then each link adds its name and the number of
-// its object, and the first link to an object adds its content too.
+// A file is walked twice: first every object gets a number, in the order of the names, because
+// references may lead to later objects. Then each link adds its name and the number of its object.
+// The first link to an object adds its content too.
 #include "result/seal.h"
 
 #include <stdlib.h>
@@ -13,7 +13,6 @@
 enum { BUFFER_BYTES = 1 << 20, ATTRIBUTE_BYTES_MAX = 1 << 28, DEPTH_MAX = 32, SLOTS_FIRST = 256 };
 
 static const char seal_name[] = "data_sha256";
-
 struct object {
     hobj_ref_t address;  // 0: an empty slot
     uint32_t number;     // from 1
@@ -327,7 +326,7 @@ static herr_t visit_link(hid_t group, const char *name, const H5L_info_t *info, 
     } else if (type == H5I_GROUP) {
         const struct checksum_sum before = w->results;
         add_group(w, object);
-        w->results = w->depth == 1 && strcmp(name, "origin") == 0 ? before : w->results;
+        w->results = w->depth == 1 && !strcmp(name, "origin") ? before : w->results;
     } else {
         h5_fail(w->h, "'%s' is neither a group nor a dataset", name);
     }

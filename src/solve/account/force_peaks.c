@@ -5,6 +5,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/account/peaks.h"
 
 static const struct fields_row list[] = {
     FIELD_VALUE(struct force_peaks, n),
@@ -83,7 +84,7 @@ LANES_INLINE void force_peaks_compute(const struct force_peaks *p, const struct 
         }
     }
     for (int k = 0; k < p->n; k++) {
-        force_peaks_take(p->results, g->force + i, force[k], p->time[k]);
+        peaks_member(p->results, g->force + i, force[k], p->time[k]);
     }
 }
 
