@@ -36,7 +36,9 @@ struct study_request {
     enum study_journal journal;
     const char *const *take;  // (n_take) study files whose finished runs are taken
     int n_take;
-    bool retry;               // runs of files that failed are not taken
+    bool retry;               // runs that failed are not taken
+    long steps_max;           // a run with more steps has failed; 0: no limit
+    double seconds_max;       // a run that takes longer [s of its thread] has failed; 0: no limit
     int numerics;             // NUMERICS_VERSION: results of another one are not mixed in
     struct checksum program;  // of the program, for the record in the result file
     struct result_options result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle run: a deck through time, into a result file, and a summary.
 #include <assert.h>
+#include <limits.h>
 #include <math.h>
 
 #include "command/command.h"
@@ -29,6 +30,8 @@ struct run_options {
     enum study_journal journal;
     struct words take;  // files
     bool retry;
+    int steps_max;             // 0: no limit
+    double seconds_max;        // 0: no limit
     int n_thread;              // 0: all cores
     struct study_shard shard;  // of a study; n = 0: the whole
 };
@@ -215,6 +218,8 @@ static int run_study(const struct model *first, const struct run_options *o,
         .take = o->take.word,
         .n_take = o->take.n,
         .retry = o->retry,
+        .steps_max = o->steps_max,
+        .seconds_max = o->seconds_max,
         .numerics = NUMERICS_VERSION,
         .program = program_sum(),
         .result = *result,
@@ -288,7 +293,12 @@ static int run_command(int argc, char **argv) {
          .doc = "takes from the file of another study the runs that this one has too; may be "
                 "repeated"},
         {"retry", .kind = OPTION_TRUE, .at = AT(retry),
-         .doc = "computes failed runs of the result file and of --take again"},
+         .doc = "computes failed runs again that the result file, --take or an interrupted start "
+                "have"},
+        {"steps-max", 0, "N", OPTION_WHOLE, 0, AT(steps_max), 1, INT_MAX,
+         .doc = "a run of a study fails with N steps"},
+        {"seconds-max", 0, "S", OPTION_NUMBER, 0, AT(seconds_max), 1e-3, 1e9,
+         .doc = "a run of a study fails after S seconds of processor time"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     static const struct deck_command c = {&command_run, parts, settle, run_model};

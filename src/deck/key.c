@@ -38,6 +38,17 @@ static void add_quantity(struct checksum_sum *to, const struct quantity *q) {
     }
 }
 
+// May a word of the statement name a file? To look for files costs more than all the rest. A file
+// that is not looked for is missing in the key, which the study notices when it reads the file.
+static bool may_be_file(const char *statement, const char *text) {
+    static const char *const readers[] = {"ground", "load", "matrix"};
+    bool reads = strpbrk(text, "./") != NULL;
+    for (size_t i = 0; i < sizeof readers / sizeof readers[0]; i++) {
+        reads = reads || strcmp(statement, readers[i]) == 0;
+    }
+    return reads;
+}
+
 // Enters the file of that name into the list of the deck's files, if there is one.
 static void enter_file(struct deck *d, const struct word *w, const char *name) {
     struct stat s;
@@ -48,8 +59,9 @@ static void enter_file(struct deck *d, const struct word *w, const char *name) {
     }
 }
 
-// Adds a word; false: a parameter in it has no value. `plain`: it stands in front of the options.
-static bool add_word(struct deck *d, const struct word *w, bool plain, struct checksum_sum *to) {
+// Adds word `i` of a statement; false: a parameter in it has no value.
+static bool add_word(struct deck *d, const struct statement *s, int i, struct checksum_sum *to) {
+    const struct word *w = &s->word[i];
     const char *mark = deck_repeat_mark(w), *from = mark ? mark + 1 : w->text;
     const bool option = deck_is_option(w);
     struct quantity q;
@@ -60,14 +72,14 @@ static bool add_word(struct deck *d, const struct word *w, bool plain, struct ch
         checksum_add(to, w->text, (size_t)(from - w->text));
         add_quantity(to, &q);
     }
-    if (number && q.known && !plain) {
+    if (number && q.known && i >= s->n_plain) {
         return true;
     }
     const char *text = deck_text_of_file(d, w);
     if (text) {
         checksum_add_text(to, text);
     }
-    if (text && !number && !option) {
+    if (text && i > 0 && !number && !option && may_be_file(s->word[0].text, text)) {
         enter_file(d, w, text);
     }
     return text != NULL;
@@ -79,7 +91,7 @@ bool deck_key(struct deck *d, struct checksum_sum *to) {
     while (deck_next(d, &s)) {
         checksum_add_number(to, (uint64_t)s.n_word);
         for (int i = 0; i < s.n_word; i++) {
-            sound = add_word(d, &s.word[i], i < s.n_plain, to) && sound;
+            sound = add_word(d, &s, i, to) && sound;
         }
     }
     add_double(to, d->units.force);

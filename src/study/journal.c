@@ -9,8 +9,12 @@
 #include "core/file.h"
 #include "study/journal_entry.h"
 
-static const char magic[8] = "jostle7\n";
+static const char magic[JOURNAL_MAGIC] = "jostle7\n";
 enum { MAGIC_VERSION = 6 };  // the place of its digit
+
+off_t journal_first(const unsigned char *bytes) {
+    return bytes && memcmp(bytes, magic, sizeof magic) == 0 ? (off_t)sizeof magic : 0;
+}
 
 void journal_close(struct journal *j) {
     if (j->file >= 0) {
@@ -201,7 +205,7 @@ static int take_run(struct journal *j, size_t n) {
     j->n_foreign += first < 0 && keys_is_known(&run.key);
     const bool done = outcome.status == STUDY_DONE;
     const struct journal_chain *chain = &none;
-    if (first < 0 || (done && run.shape != j->shape)) {
+    if (first < 0 || (done && run.shape != j->shape) || (!done && j->retry)) {
         return 1;
     }
     if (done && run.n_block > 0) {

@@ -29,6 +29,7 @@ struct journal_chain {
 // How far a study is.
 struct journal_state {
     int64_t n_run, n_done, n_failed, n_collapsed;
+    int64_t ended;         // 1: the start has ended, and the study goes on with another one
     double time, started;  // wall time [s] since 1970: of this state, of the start
     double seconds_left;   // 0: not known
 };
@@ -39,6 +40,7 @@ struct journal {
     off_t end;                    // of the last sound entry
     const struct keys *keys;      // borrowed: of the runs of the study, or of the part of it
     size_t n_value;               // of a run
+    bool retry;                   // entries of failed runs are not taken
     int64_t *offset;              // (n) of the entry of each run; 0: not there; < 0: the run is
                                   // elsewhere, and the place is the caller's (journal_take)
     uint64_t shape;               // of the rows of histories; 0: there are none
@@ -52,6 +54,11 @@ struct journal {
     long n_damaged;                      // places that were passed over
     char *head;                          // NULL: there is none, or a damaged one
 };
+
+// Where the first entry of the journal is that begins with these JOURNAL_MAGIC bytes; 0: it is no
+// journal of this version.
+enum { JOURNAL_MAGIC = 8 };
+off_t journal_first(const unsigned char *bytes);
 
 // Opens the journal, or makes an empty one, and locks it. With an old one `head` is filled and the
 // caller decides by it: journal_load or journal_reset (without a head if journal_is_new). Errors:

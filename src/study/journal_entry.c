@@ -13,13 +13,6 @@
 
 enum { CONTENT_MAX = 1 << 30 };  // bytes
 
-// How the content of a run starts; the message and, if it is done, the values follow.
-struct run_head {
-    struct entry_run run;
-    int32_t status;
-    int32_t n_message;
-};
-
 unsigned char *journal_entry_content(unsigned char *entry) {
     return entry + ENTRY_HEAD;
 }
@@ -34,8 +27,7 @@ static size_t seal(unsigned char *entry, enum entry_kind kind, size_t n) {
     return ENTRY_HEAD + n + ENTRY_TAIL;
 }
 
-// Reads the kind and the size of the content from the head; false if it cannot be one.
-static bool get_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
+bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
     uint32_t head[2];
     memcpy(head, entry, sizeof head);
     *kind = (enum entry_kind)head[0];
@@ -65,14 +57,14 @@ static bool is_sound(const unsigned char *entry, size_t n) {
 }
 
 size_t journal_entry_run_size(size_t n_value) {
-    return sizeof(struct run_head) + STUDY_MESSAGE_MAX + n_value * sizeof(double);
+    return sizeof(struct journal_run_head) + STUDY_MESSAGE_MAX + n_value * sizeof(double);
 }
 
 size_t journal_entry_put_run(unsigned char *entry, struct entry_run run,
                              const struct study_outcome *outcome, const double *value,
                              size_t n_value) {
     const size_t n_message = strlen(outcome->message);
-    const struct run_head head = {
+    const struct journal_run_head head = {
         .run = run, .status = outcome->status, .n_message = (int32_t)n_message};
     unsigned char *to = journal_entry_content(entry);
     memcpy(to, &head, sizeof head);
@@ -87,7 +79,7 @@ size_t journal_entry_put_run(unsigned char *entry, struct entry_run run,
 
 bool journal_entry_get_run(const unsigned char *entry, size_t n, size_t n_value,
                            struct entry_run *run, struct study_outcome *outcome, double *value) {
-    struct run_head head;
+    struct journal_run_head head;
     const unsigned char *from = entry + ENTRY_HEAD;
     if (n < sizeof head) {
         return false;
@@ -163,7 +155,7 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
     if (got < 0) {
         return journal_cannot(j, "read", e);
     }
-    if (got < ENTRY_HEAD || !get_size(j->buffer, kind, n)) {
+    if (got < ENTRY_HEAD || !journal_entry_size(j->buffer, kind, n)) {
         return 0;
     }
     const size_t size = ENTRY_HEAD + *n + ENTRY_TAIL;
@@ -186,7 +178,7 @@ static bool is_head(const struct journal *j, const unsigned char *entry, enum en
                     size_t *n) {
     const size_t run = journal_entry_run_size(j->n_value);
     const size_t block = sizeof(struct entry_block) + ENTRY_BLOCK_BYTES;
-    return get_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK ? block : run);
+    return journal_entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK ? block : run);
 }
 
 int journal_find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,

@@ -26,11 +26,22 @@ struct entry_run {
     int64_t collapsed;  // 1: it has collapsed
 };
 
+// How the content of a run starts; the message and, if it is done, the values follow.
+struct journal_run_head {
+    struct entry_run run;
+    int32_t status;
+    int32_t n_message;
+};
+
 // A block of the histories of a run: block `index` of it, behind the one at `previous`.
 struct entry_block {
     int64_t run, index, previous;
 };
 enum { ENTRY_BLOCK_BYTES = 1 << 18 };  // most bytes of histories in a block
+
+// Reads the kind and the size of the content of an entry from its first ENTRY_HEAD bytes; false:
+// they cannot be those of an entry.
+bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
 
 // The content of the entry at `entry`.
 unsigned char *journal_entry_content(unsigned char *entry);

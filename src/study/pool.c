@@ -55,13 +55,25 @@ struct view {
     struct pool *pool;
     struct workers *workers;
     const struct batch *batch;       // the runs of the thread
+    double start;                    // of the runs [s of the thread]
     long entry;                      // the run whose histories are written
     struct history_writer *history;  // NULL: there are none
 };
 
+// Of the calling thread, so that a run is not longer where others run beside it.
+static double thread_seconds(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 static int poll_trial(void *context, double time, struct error *e) {
     const struct view *v = context;
-    (void)time;
+    const double limit = v->pool->request->seconds_max;
+    if (limit > 0.0 && thread_seconds() - v->start > limit) {
+        return error_set(e, STATUS_FAILED, "the limit of %g s was reached at t = %.6g", limit,
+                         time);
+    }
     return workers_stopped(v->workers) ? error_set(e, STATUS_SYSTEM, "the study has ended")
                                        : STATUS_OK;
 }
@@ -136,9 +148,13 @@ static long take(void *context, void *scratch) {
 static int work(void *context, struct workers *w, long first, void *scratch, struct error *e) {
     struct pool *p = context;
     struct batch *b = scratch;
-    struct view view = {.pool = p, .workers = w, .batch = b, .entry = first};
-    struct trial_watch watch = {
-        .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
+    struct view view = {
+        .pool = p, .workers = w, .batch = b, .start = thread_seconds(), .entry = first};
+    struct trial_watch watch = {.files = enter_files,
+                                .poll = poll_trial,
+                                .context = &view,
+                                .steps_max = p->request->steps_max,
+                                .records = p->records};
     if (p->journal->chain) {
         view.history = malloc(sizeof *view.history);
         if (!view.history) {
@@ -211,12 +227,13 @@ static int enter(void *context, long first, const void *scratch, struct error *e
 }
 
 // Tells `jostle status` how far the study is. Called under the lock.
-static int add_state(struct pool *p, double seconds_left, struct error *e) {
+static int add_state(struct pool *p, double seconds_left, bool ended, struct error *e) {
     const struct journal *j = p->journal;
     const struct journal_state state = {.n_run = p->plan->n_mine,
                                         .n_done = j->n_done,
                                         .n_failed = j->n_failed,
                                         .n_collapsed = j->n_collapsed,
+                                        .ended = ended,
                                         .time = wall_date(),
                                         .started = p->started,
                                         .seconds_left = seconds_left};
@@ -248,7 +265,7 @@ static int watch(void *context, struct workers *w, long n_job, struct error *e) 
     int status = q->poll ? q->poll(q->context, &now, e) : STATUS_OK;
     if (status == STATUS_OK && ++p->tick % SYNC_TICKS == 0) {
         workers_lock(w);
-        status = add_state(p, now.seconds_left, e);
+        status = add_state(p, now.seconds_left, false, e);
         workers_unlock(w);
         status = status == STATUS_OK ? journal_sync(p->journal, e) : status;
     }
@@ -274,7 +291,8 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
     p.left = missing;
-    p.most = trial_most(plan);
+    // In lockstep a run would have the time of the others, too.
+    p.most = q->seconds_max > 0.0 || q->steps_max > 0 ? 1 : trial_most(plan);
     const size_t values = (size_t)p.most * plan->table->n_value;
     const struct workers_request request = {.n_thread = n_thread,
                                             .scratch =
@@ -284,8 +302,12 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
                                             .enter = enter,
                                             .poll = watch,
                                             .context = &p};
-    status = status == STATUS_OK && n_thread > 0 ? add_state(&p, 0.0, e) : status;
+    status = status == STATUS_OK && n_thread > 0 ? add_state(&p, 0.0, false, e) : status;
     status = status == STATUS_OK && n_thread > 0 ? workers_run(&request, e) : status;
+    if (status != STATUS_OK && n_thread > 0) {
+        struct error ignored;  // whoever looks finds the time instead
+        add_state(&p, seconds_left(&p), true, &ignored);
+    }
     lengths_close(&p.lengths);
     record_cache_free(p.records);
     *progress = p.progress;

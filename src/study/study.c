@@ -98,6 +98,7 @@ static int open_journal(struct study *s, struct error *e) {
     if (s->plan.first->output.of_runs) {
         status = journal_want_histories(&s->journal, history_shape(s->plan.first), e);
     }
+    s->journal.retry = s->request->retry;
     return status == STATUS_OK ? resume(s, e) : status;
 }
 

@@ -127,8 +127,10 @@ int trial_most(const struct plan *p) {
 }
 
 void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {
-    const struct observer observer = {
-        .row = watch->row, .poll = watch->poll, .context = watch->context};
+    const struct observer observer = {.row = watch->row,
+                                      .poll = watch->poll,
+                                      .context = watch->context,
+                                      .steps_max = watch->steps_max};
     struct deck *deck[ENSEMBLE_MAX] = {NULL};
     struct ensemble_member member[ENSEMBLE_MAX];
     struct trial *built[ENSEMBLE_MAX];

@@ -20,6 +20,7 @@ struct trial_watch {
     int (*row)(void *context, const struct row_view *row, struct error *e);
     int (*end)(void *context, const struct results *r, struct error *e);
     void *context;
+    long steps_max;                // of a run; 0: no limit
     struct record_cache *records;  // that all trials share
 };
 
