@@ -295,10 +295,10 @@ static int run_command(int argc, char **argv) {
         {"retry", .kind = OPTION_TRUE, .at = AT(retry),
          .doc = "computes failed runs again that the result file, --take or an interrupted start "
                 "have"},
-        {"steps-max", 0, "N", OPTION_WHOLE, 0, AT(steps_max), 1, INT_MAX,
-         .doc = "a run of a study fails with N steps"},
-        {"seconds-max", 0, "S", OPTION_NUMBER, 0, AT(seconds_max), 1e-3, 1e9,
-         .doc = "a run of a study fails after S seconds of processor time"},
+        {"steps", 0, "N", OPTION_WHOLE, 0, AT(steps_max), 1, INT_MAX,
+         .doc = "limit of steps: a run of a study with N of them fails"},
+        {"seconds", 0, "S", OPTION_NUMBER, 0, AT(seconds_max), 1e-3, 1e9,
+         .doc = "limit of time: a run of a study fails after S seconds of processor time"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     static const struct deck_command c = {&command_run, parts, settle, run_model};
