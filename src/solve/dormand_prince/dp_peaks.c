@@ -234,8 +234,8 @@ static void dp_floors_step(struct dp *p) {
             }
         }
     }
-    for (int k = 0; m->chain.full_damping && k < m->n_body; k++) {
-        if (m->building[k].n_part > 0) {  // which has a full damping matrix
+    for (int k = 0; m->chain.parts && k < m->n_body; k++) {
+        if (m->building[k].n_part > 0) {
             dp_part_shears(p, &m->building[k]);
         }
     }

@@ -25,8 +25,8 @@ enum { HALF_FLOORS_ABOVE = 16, HALF_FLOORS_MOST = 26 };
 enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
 
 bool ensemble_suits(const struct model *m) {
-    bool suits = !m->adaptive && !m->chain.full_damping && m->n_ground == 1 && m->n_load == 0 &&
-                 m->n_link == m->n_contact && m->n_dof <= FLOORS_MOST;
+    bool suits = !m->adaptive && !m->chain.full_damping && !m->chain.parts && m->n_ground == 1 &&
+                 m->n_load == 0 && m->n_link == m->n_contact && m->n_dof <= FLOORS_MOST;
     for (int i = 0; suits && i < m->n_dof; i++) {
         suits = m->storey[i].law->branch && m->storey[i].pdelta == 0.0;
     }

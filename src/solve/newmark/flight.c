@@ -57,7 +57,7 @@ enum { LINKS_MAX = 100 };
 // must be in one block, as they are solved for together. Limits of drift are seen as ends of lines.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
-    bool possible = (m->elastic || !m->chain.full_damping) && !m->storeys_differ &&
+    bool possible = (m->elastic || !(m->chain.full_damping || m->chain.parts)) && !m->storeys_differ &&
                     n_link <= LINKS_MAX && (n_link == 0 || floors->n_block == 1) &&
                     !(m->collapse && state_is_linear(m));
     for (int k = 0; k < m->n_link; k++) {
