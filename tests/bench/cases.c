@@ -16,8 +16,9 @@ static const char bilinear[] = "storey B1:all bilinear -yield 4MN -hardening 0.0
 #define TANGENT(name) "damping " name " rayleigh -alpha 0 -beta 2ms -tangent\n"
 #define TANGENTS                                                                                   \
     TANGENT("B1")                                                                                  \
-    TANGENT("B2") "storey B1:all bilinear -yield 4MN -hardening 0.05\n"                            \
-                  "storey B2:all bilinear -yield 2.5MN -hardening 0.05\n"
+    TANGENT("B2")                                                                                  \
+    "storey B1:all bilinear -yield 4MN -hardening 0.05\n"                                          \
+    "storey B2:all bilinear -yield 2.5MN -hardening 0.05\n"
 
 // Storeys of other laws with the same yield shear.
 #define STOREYS(law, options)                                                                      \
