@@ -290,43 +290,26 @@ LANES_INLINE ptrdiff_t floors_few(const struct model *m) {
     return state_is_uniform(m) && m->chain.n <= 2 * LANES_WIDTH ? m->chain.n : 0;
 }
 
-static const struct floors_lines elastic = {0};
+// A function for each number of few floors, which is a constant there, and for all others.
+#define FLOORS_BY_FEW(m, function, ...)                                                            \
+    (floors_few(m) == LANES_WIDTH       ? function(__VA_ARGS__, LANES_WIDTH)                       \
+     : floors_few(m) == 2 * LANES_WIDTH ? function(__VA_ARGS__, 2L * LANES_WIDTH)                  \
+                                        : function(__VA_ARGS__, 0))
 
-LANES_INLINE long floors_fly_on(const struct flight *f, const struct floors_lines *lines,
-                                struct state **now, struct state **next, long n, long end) {
-    switch (floors_few(f->model)) {
-        case LANES_WIDTH:
-            return floors_fly_from(f, lines, now, next, n, end, LANES_WIDTH);
-        case 2 * LANES_WIDTH:
-            return floors_fly_from(f, lines, now, next, n, end, 2L * LANES_WIDTH);
-        default:
-            return floors_fly_from(f, lines, now, next, n, end, 0);
-    }
-}
+static const struct floors_lines elastic = {0};
 
 FLOORS_CLONES static long floor_steps_fly(const struct flight *f, struct state **now,
                                           struct state **next, long n, long end) {
     const struct floors_lines lines = {f->back, f->spring, f->rest, f->limit, NULL};
-    return f->on_lines ? floors_fly_on(f, &lines, now, next, n, end)
-                       : floors_fly_on(f, &elastic, now, next, n, end);
-}
-
-LANES_INLINE bool floors_move_by(struct work *w, const struct floors_lines *lines,
-                                 const struct state *now, struct state *next) {
-    switch (floors_few(w->model)) {
-        case LANES_WIDTH:
-            return floors_step(w, NULL, lines, now, next, LANES_WIDTH);
-        case 2 * LANES_WIDTH:
-            return floors_step(w, NULL, lines, now, next, 2L * LANES_WIDTH);
-        default:
-            return floors_step(w, NULL, lines, now, next, 0);
-    }
+    return f->on_lines ? FLOORS_BY_FEW(f->model, floors_fly_from, f, &lines, now, next, n, end)
+                       : FLOORS_BY_FEW(f->model, floors_fly_from, f, &elastic, now, next, n, end);
 }
 
 FLOORS_CLONES static bool floor_steps_move(struct work *w, const struct state *now,
                                            struct state *next, const double *shear) {
     const struct floors_lines lines = {.given = shear};
-    return shear ? floors_move_by(w, &lines, now, next) : floors_move_by(w, &elastic, now, next);
+    return shear ? FLOORS_BY_FEW(w->model, floors_step, w, NULL, &lines, now, next)
+                 : FLOORS_BY_FEW(w->model, floors_step, w, NULL, &elastic, now, next);
 }
 
 FLOORS_CLONES static void floor_steps_correct(struct work *w, const struct state *now,
