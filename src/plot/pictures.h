@@ -9,6 +9,7 @@
 #include "law/storey_loop.h"
 #include "motion/target.h"
 #include "plot/figure.h"
+#include "study/comparison.h"
 
 // The picture of response spectra: pseudo-acceleration against the logarithm of the period.
 
@@ -97,5 +98,25 @@ struct pounding_map {
 // errors are the caller's.
 int pounding_map_write(const struct pounding_map *map, const struct figure_files *to,
                        struct error *e);
+
+// The picture of histories beside others: a panel for each of the pairs that differ most, or one
+// for all runs and a measurement.
+
+enum { COMPARISON_PANELS = 3, COMPARISON_RUNS = 6 };
+
+struct comparison_figure {
+    const char *title, *version;
+    const char *quantity;  // the name of its axis
+    struct dimension dimension;
+    const struct unit_system *units;
+    bool measured;  // all pairs have one reference
+    int n;
+    const struct comparison_pair *pair;  // (n)
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending),
+// STATUS_SYSTEM (no memory). Write errors are the caller's.
+int comparison_figure_write(const struct comparison_figure *f, const struct figure_files *to,
+                            struct error *e);
 
 #endif
