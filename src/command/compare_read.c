@@ -106,9 +106,9 @@ static const char *compare_name(struct comparing *c, const struct report *r,
                : arena_format(c->arena, "%s:%s", field, r->contact[p->owner].name);
 }
 
-// The other histories of `n` places: of a result file, or columns of text.
+// The other histories of all places: of a result file, or columns of text.
 static int compare_read_others(struct comparing *c, const struct result_file *ours,
-                               const char *path, const struct compare_place *place, int n,
+                               const char *path, const struct compare_place *place,
                                struct error *e) {
     const char *ending = strstr(path, ".h5");
     if (ending && (ending[3] == '\0' || ending[3] == '#')) {
@@ -119,47 +119,51 @@ static int compare_read_others(struct comparing *c, const struct result_file *ou
             return status;
         }
         status = runs_init(&both, ours, f, e);
-        for (int i = 0; status == STATUS_OK && i < n; i++) {
+        for (int i = 0; status == STATUS_OK && i < c->n; i++) {
             status = compare_read(c, f, &place[i], &c->pair[i].reference, e);
         }
         result_close(f);
         return status;
     }
-    const double **column;
+    const double *value;
     size_t n_row;
-    const int status = time_series_matrix(c->arena, path, n + 1, &column, &n_row, e);
-    for (int i = 0; status == STATUS_OK && i < n; i++) {
-        c->pair[i].reference = (struct time_series){n_row, column[0], column[i + 1]};
+    const int status = time_series_matrix(c->arena, path, c->n + 1, &value, &n_row, e);
+    for (int i = 0; status == STATUS_OK && i < c->n; i++) {
+        c->pair[i].reference = (struct time_series){n_row, value, value + (size_t)(i + 1) * n_row};
     }
     return status;
+}
+
+static int compare_open_two(struct comparing *c, const struct result_file *f, const char *other,
+                            struct error *e) {
+    const struct report *r = result_report(f);
+    c->n = compare_places(c, r, NULL);
+    if (c->n == 0) {
+        return compare_none(c, r, e);
+    }
+    struct compare_place *place = arena_alloc(c->arena, (size_t)c->n, sizeof *place);
+    c->pair = arena_alloc(c->arena, (size_t)c->n, sizeof *c->pair);
+    c->title = arena_text(c->arena, r->title, strlen(r->title));
+    if (!place || !c->pair || !c->title) {
+        return error_no_memory(e);
+    }
+    (void)compare_places(c, r, place);
+    c->units = r->units;
+    int status = result_check_memory(f, 2 * c->n, e);
+    for (int i = 0; status == STATUS_OK && i < c->n; i++) {
+        c->pair[i].name = compare_name(c, r, &place[i]);
+        status = compare_read(c, f, &place[i], &c->pair[i].computed, e);
+    }
+    return status == STATUS_OK ? compare_read_others(c, f, other, place, e) : status;
 }
 
 int compare_two(struct comparing *c, const char *path, const char *other, struct error *e) {
     struct result_file *f;
     int status = result_open(path, &f, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    const struct report *r = result_report(f);
-    c->n = compare_places(c, r, NULL);
-    struct compare_place *place = arena_alloc(c->arena, (size_t)c->n, sizeof *place);
-    c->pair = arena_alloc(c->arena, (size_t)c->n, sizeof *c->pair);
-    status = c->n == 0            ? compare_none(c, r, e)
-             : !place || !c->pair ? error_no_memory(e)
-                                  : STATUS_OK;
     if (status == STATUS_OK) {
-        (void)compare_places(c, r, place);
-        c->units = r->units;
-        c->title = arena_text(c->arena, r->title, strlen(r->title));
+        status = compare_open_two(c, f, other, e);
+        result_close(f);
     }
-    for (int i = 0; status == STATUS_OK && i < c->n; i++) {
-        c->pair[i].name = compare_name(c, r, &place[i]);
-        status = compare_read(c, f, &place[i], &c->pair[i].computed, e);
-    }
-    if (status == STATUS_OK) {
-        status = compare_read_others(c, f, other, place, c->n, e);
-    }
-    result_close(f);
     return status;
 }
 
@@ -190,7 +194,7 @@ static int compare_measured(struct comparing *c, const struct unit_system *u,
 static int compare_one(struct comparing *c, const char *path, struct comparison_pair *pair,
                        struct error *e) {
     struct result_file *f;
-    struct compare_place place;
+    struct compare_place place = {0};
     int status = result_open(path, &f, e);
     if (status != STATUS_OK) {
         return status;
@@ -218,7 +222,10 @@ static int compare_one(struct comparing *c, const char *path, struct comparison_
 int compare_all(struct comparing *c, const struct words *run, struct error *e) {
     c->n = run->n;
     c->pair = arena_alloc(c->arena, (size_t)c->n, sizeof *c->pair);
-    int status = c->pair ? STATUS_OK : error_no_memory(e);
+    if (!c->pair) {
+        return error_no_memory(e);
+    }
+    int status = STATUS_OK;
     for (int i = 0; status == STATUS_OK && i < c->n; i++) {
         status = compare_one(c, run->word[i], &c->pair[i], e);
     }

@@ -156,9 +156,10 @@ static int find_table(struct file *f, struct error *e) {
     return status == STATUS_OK ? table_check(&f->text, &f->table, e) : status;
 }
 
-// Reads row `index` of a file of n columns without units.
+// Reads row `index` of a file of n columns without units, which stand behind each other.
 static int read_numbers(const struct file *f, const struct lines *l, size_t index, int n,
-                        double **column, struct error *e) {
+                        double *value, struct error *e) {
+    const size_t n_row = f->table.n_row;
     struct piece rest = l->line;
     const size_t found = lines_count(l->line, f->table.separators);
     if (found != (size_t)n) {
@@ -169,31 +170,31 @@ static int read_numbers(const struct file *f, const struct lines *l, size_t inde
         struct number_field field = {
             &f->text, l->number, c > 0 ? "value" : "time", index + 1, {NULL, 0}};
         lines_field(&rest, f->table.separators, &field.field);
-        const int status = table_number(&f->table, &field, &column[c][index], e);
+        const int status = table_number(&f->table, &field, &value[(size_t)c * n_row + index], e);
         if (status != STATUS_OK) {
             return status;
         }
     }
-    return index == 0 || column[0][index] > column[0][index - 1]
+    return index == 0 || value[index] > value[index - 1]
                ? STATUS_OK
                : lines_error(e, f->text.path, l->number, "times must increase");
 }
 
-static int read_matrix(struct arena *a, struct file *f, int n, const double ***out,
+static int read_matrix(struct arena *a, struct file *f, int n, const double **out,
                        struct error *e) {
     int status = find_table(f, e);
-    double **column = arena_alloc(a, (size_t)n, sizeof *column);
-    for (int c = 0; status == STATUS_OK && column && c < n; c++) {
-        column[c] = arena_alloc(a, f->table.n_row, sizeof **column);
+    if (status != STATUS_OK) {
+        return status;
     }
-    if (status == STATUS_OK && arena_failed(a)) {
+    double *value = arena_alloc(a, (size_t)n * f->table.n_row, sizeof *value);
+    if (!value) {
         return error_no_memory(e);
     }
     struct lines l = f->table.rows;
     for (size_t i = 0; status == STATUS_OK && table_next(&l); i++) {
-        status = read_numbers(f, &l, i, n, column, e);
+        status = read_numbers(f, &l, i, n, value, e);
     }
-    *out = (const double **)column;
+    *out = value;
     return status;
 }
 
@@ -244,13 +245,13 @@ int time_series_read(struct arena *a, const char *path,
     return status;
 }
 
-int time_series_matrix(struct arena *a, const char *path, int n_column, const double ***column,
+int time_series_matrix(struct arena *a, const char *path, int n_column, const double **value,
                        size_t *n_row, struct error *e) {
     struct file f = {.n_column = 0};
     struct arena *scratch;
     int status = record_text_open(path, FILE_SIZE_MAX, &f.text, &scratch, e);
     if (status == STATUS_OK) {
-        status = read_matrix(a, &f, n_column, column, e);
+        status = read_matrix(a, &f, n_column, value, e);
         *n_row = f.table.n_row;
         arena_free(scratch);
     }

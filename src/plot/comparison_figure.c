@@ -98,7 +98,7 @@ int comparison_figure_write(const struct comparison_figure *f, const struct figu
                                      .doc = "histories beside others",
                                      .version = f->version,
                                      .units = f->units};
-    int chosen[COMPARISON_RUNS];
+    int chosen[COMPARISON_RUNS] = {0};
     const int n = comparison_choose(f, chosen), n_panel = f->measured ? 1 : n;
     struct canvas c;
     int status = figure_open(&head, to, &c, e);

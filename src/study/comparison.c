@@ -3,8 +3,9 @@
 // where the data are.
 //
 // The shift is the lag of the largest cross-correlation, both sampled at equal intervals. It comes
-// from the product of the Fourier transforms, padded with zeros, and a parabola through the largest
-// value and its neighbours.
+// from the product of the Fourier transforms, padded with zeros. These count fewer samples at large
+// lags, so the search goes on to the largest coefficient of correlation of the samples in common,
+// and to the top of the parabola through it and its neighbours.
 #include "study/comparison.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
@@ -96,41 +97,64 @@ static void comparison_multiply(double *x, const double *r, size_t n) {
     }
 }
 
-// The lag of the largest value of a circular correlation, in samples.
-static double comparison_lag(const double *c, size_t n) {
+// The correlation of x, k samples later, with r: of the samples that both have.
+static double comparison_at_lag(const double *x, const double *r, long n, long k) {
+    const long from_x = k > 0 ? k : 0, from_r = k > 0 ? 0 : -k, common = n - labs(k);
+    return common < ROWS_MIN ? -1.0
+                             : gsl_stats_correlation(x + from_x, 1, r + from_r, 1, (size_t)common);
+}
+
+// The lag of the nearest maximum of the correlation, in samples, from `k` on.
+static double comparison_climb(const double *x, const double *r, long n, long k) {
+    const double here = comparison_at_lag(x, r, n, k);
+    const long way = comparison_at_lag(x, r, n, k + 1) > here ? 1 : -1;
+    for (double best = here, next; labs(k) < n; k += way, best = next) {
+        next = comparison_at_lag(x, r, n, k + way);
+        if (!(next > best)) {
+            break;
+        }
+    }
+    const double before = comparison_at_lag(x, r, n, k - 1);
+    const double after = comparison_at_lag(x, r, n, k + 1);
+    const double bend = before - 2.0 * comparison_at_lag(x, r, n, k) + after;
+    return bend < 0.0 ? (double)k + 0.5 * (before - after) / bend : (double)k;
+}
+
+// The lag of the largest value of a circular correlation of n samples.
+static long comparison_largest(const double *c, size_t n) {
     size_t best = 0;
     for (size_t i = 1; i < n; i++) {
         best = c[i] > c[best] ? i : best;
     }
-    const double before = c[(best + n - 1) % n], after = c[(best + 1) % n];
-    const double bend = before - 2.0 * c[best] + after;
-    const double lag = best < n / 2 ? (double)best : (double)best - (double)n;
-    return bend < 0.0 ? lag + 0.5 * (before - after) / bend : lag;
+    return best < n / 2 ? (long)best : (long)best - (long)n;
 }
 
 // False: no memory.
 static bool comparison_find_shift(const struct curve_through *x, const struct curve_through *r,
                                   const struct time_series *common, double *shift) {
     const double start = common->time[0], length = common->time[common->n - 1] - start;
-    size_t n = 1, samples = common->n < SAMPLES_MAX ? common->n : SAMPLES_MAX;
+    const size_t samples = common->n < SAMPLES_MAX ? common->n : SAMPLES_MAX;
+    const double step = length / (double)(samples - 1);
+    size_t n = 1;
     while (n < 2 * samples) {
         n *= 2;
     }
-    const double step = length / (double)(samples - 1);
-    double *a = calloc(2 * n, sizeof *a), *b = a ? a + n : NULL;
-    for (size_t i = 0; a && i < samples; i++) {
-        a[i] = curve_at(x, start + step * (double)i);
-        b[i] = curve_at(r, start + step * (double)i);
+    double *a = calloc(2 * (n + samples), sizeof *a);
+    if (!a) {
+        return false;
     }
-    if (a) {
-        gsl_fft_real_radix2_transform(a, 1, n);
-        gsl_fft_real_radix2_transform(b, 1, n);
-        comparison_multiply(a, b, n);
-        gsl_fft_halfcomplex_radix2_inverse(a, 1, n);
-        *shift = step * comparison_lag(a, n);
+    double *b = a + n, *of_x = b + n, *of_r = of_x + samples;
+    for (size_t i = 0; i < samples; i++) {
+        a[i] = of_x[i] = curve_at(x, start + step * (double)i);
+        b[i] = of_r[i] = curve_at(r, start + step * (double)i);
     }
+    gsl_fft_real_radix2_transform(a, 1, n);
+    gsl_fft_real_radix2_transform(b, 1, n);
+    comparison_multiply(a, b, n);
+    gsl_fft_halfcomplex_radix2_inverse(a, 1, n);
+    *shift = step * comparison_climb(of_x, of_r, (long)samples, comparison_largest(a, n));
     free(a);
-    return a != NULL;
+    return true;
 }
 
 static int comparison_few(const struct time_series *x, const struct time_series *r,
