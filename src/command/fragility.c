@@ -10,7 +10,7 @@
 #include "command/suite_options.h"
 #include "core/arena.h"
 #include "core/safe.h"
-#include "study/fragility.h"
+#include "study/hazard.h"
 
 static int fragility_command(int argc, char **argv);
 
@@ -18,7 +18,8 @@ const struct command command_fragility = {
     .name = "fragility",
     .usage = "FILE.h5 [--tsv|--csv|--json] --edp EDP --limit VALUE[,VALUE...]|--collapse\n"
              "                        [--im NAME] [--over NAME] [--at NAME=VALUE]\n"
-             "                        [--failed above|left-out] [--method counts|ida]",
+             "                        [--failed above|left-out] [--method counts|ida]\n"
+             "                        [--hazard FILE]",
     .summary = "fits lognormal fragility curves to a study",
     .run = fragility_command,
 };
@@ -28,6 +29,7 @@ static const char *const method_name[] = {"counts", "ida"};
 struct request {
     struct suite_options suite;
     enum method method;
+    const char *hazard;  // path of a hazard curve; NULL: none
     enum printer_form form;
 };
 #define AT(member) offsetof(struct request, member)
@@ -45,6 +47,10 @@ static const struct printer_column of_level[] = {
     COLUMN_DATA("dispersion"), COLUMN_DATA("ln_median_error"), COLUMN_DATA("dispersion_error"),
     COLUMN_DATA("method"),     COLUMN_DATA("never"),           COLUMN_DATA("always"),
     COLUMN_DATA("outcome")};
+// With a hazard curve: behind a level, the part of the rate that intensities up to it give.
+static const struct printer_column of_hazard_level[] = {COLUMN_G("rate up to", 12, 4)};
+static const struct printer_column of_hazard[] = {COLUMN_DATA("annual_rate"),
+                                                  COLUMN_DATA("annual_rate_up_to")};
 
 // What is printed of one group of runs and one limit.
 struct result {
@@ -52,6 +58,7 @@ struct result {
     int group;
     double limit;
     enum method method;
+    const struct hazard *hazard;      // NULL: none
     struct fragility_level *level;    // (n_point)
     struct fragility_record *record;  // (n_sample), by METHOD_IDA
     struct fragility fit;
@@ -76,6 +83,7 @@ static void print_parameters(const struct result *r) {
     const char *unit = r->suite->abscissa_units, *blank = unit[0] ? " " : "";
     if (f->outcome == FRAGILITY_FITTED) {
         study_print_curve(f, unit, &r->suite->view->units);
+        study_print_rate(r->hazard, f, unit);
         return;
     }
     printf("no curve: %s", fragility_reason(f));
@@ -117,6 +125,12 @@ static void print_crossings(const struct result *r, enum fragility_crossing cros
     printf("\n");
 }
 
+// The annual rate from intensities up to this one; NAN without a curve.
+static double rate_up_to(const struct result *r, double intensity) {
+    return r->fit.outcome == FRAGILITY_FITTED ? hazard_exceedances(r->hazard, &r->fit, intensity)
+                                              : (double)NAN;
+}
+
 static int print_text(const struct result *r, struct error *e) {
     const struct suite *s = r->suite;
     const char *unit = unit_suffix(s->edp.units);
@@ -126,6 +140,9 @@ static int print_text(const struct result *r, struct error *e) {
                     .head = s->abscissa->name, .unit = s->abscissa_units, .width = 16, .digits = 6},
                 1);
     PRINTER_ADD(&t, level_columns);
+    if (r->hazard) {
+        PRINTER_ADD(&t, of_hazard_level);
+    }
     putchar('\n');
     safe_put(stdout, SAFE_TERMINAL, s->edp.text);
     if (!edp_is_collapse(&s->edp)) {
@@ -141,6 +158,9 @@ static int print_text(const struct result *r, struct error *e) {
         printer_whole(&t, l->exceeded);
         printer_number(&t, l->n > 0 ? (double)l->exceeded / l->n : (double)NAN);
         printer_number(&t, fragility_probability(&r->fit, l->intensity));
+        if (r->hazard) {
+            printer_number(&t, rate_up_to(r, l->intensity));
+        }
         printer_line(&t);
     }
     if (r->method == METHOD_IDA) {
@@ -184,6 +204,13 @@ static void print_data(const struct result *r, struct printer *t) {
         printer_sign(t, ida ? count_crossings(r, CROSSING_ABOVE) : -1);
         printer_sign(t, ida ? count_crossings(r, CROSSING_BELOW) : -1);
         printer_text(t, f->outcome == FRAGILITY_FITTED ? "fitted" : fragility_reason(f));
+        for (int i = 0; r->hazard && i < 2; i++) {
+            if (f->outcome == FRAGILITY_FITTED) {
+                printer_number(t, rate_up_to(r, i == 0 ? INFINITY : l->intensity));
+            } else {
+                printer_empty(t);
+            }
+        }
         printer_line(t);
     }
 }
@@ -198,9 +225,9 @@ static int fit(struct result *r, struct error *e) {
     return fragility_fit_records(r->record, s->n_sample, &r->fit, e);
 }
 
-static int print_all(const struct request *q, const struct suite *s, const double *limit, int n,
-                     struct error *e) {
-    struct result r = {.suite = s, .method = q->method};
+static int print_all(const struct request *q, const struct suite *s, const struct hazard *hazard,
+                     const double *limit, int n, struct error *e) {
+    struct result r = {.suite = s, .method = q->method, .hazard = hazard};
     struct printer t = {.to = stdout, .form = q->form};
     r.level = arena_alloc(s->arena, (size_t)s->n_point, sizeof *r.level);
     r.record = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *r.record);
@@ -224,6 +251,9 @@ static int print_all(const struct request *q, const struct suite *s, const doubl
             printer_add_sweep(&t, s->view->sweep[s->group_sweep[i]]);
         }
         PRINTER_ADD(&t, of_level);
+        if (hazard) {
+            PRINTER_ADD(&t, of_hazard);
+        }
         printer_head(&t);
     }
     int status = STATUS_OK;
@@ -276,14 +306,19 @@ static int check_suite(const struct request *q, const struct suite *s, const dou
 }
 
 static int fit_all(const struct request *q, const struct suite *s, struct error *e) {
-    double *limit = NULL;
+    double *limit = NULL, unit;
+    struct hazard hazard;
     int n = 0, status = suite_options_limits(&q->suite, s, &limit, &n, e);
     if (status == STATUS_OK) {
         status = check_suite(q, s, limit, n, e);
     }
+    if (status == STATUS_OK && q->hazard) {
+        edp_units(s->abscissa->units, s->view->units.gravity, &unit);
+        status = hazard_read(s->arena, q->hazard, s->abscissa_dimension, unit, &hazard, e);
+    }
     if (status == STATUS_OK) {
         suite_options_warn(s);
-        status = print_all(q, s, limit, n, e);
+        status = print_all(q, s, q->hazard ? &hazard : NULL, limit, n, e);
     }
     return status;
 }
@@ -331,6 +366,9 @@ static const struct option_row form_rows[] = {
     {"method", 0, "counts|ida", OPTION_CHOICE, 0, AT(method),
      .doc = "fits the counts at each intensity (the default), or the intensity at which each "
             "sample first exceeds the limit"},
+    {"hazard", 0, "FILE", OPTION_TEXT, 0, AT(hazard),
+     .doc = "rows of intensity and mean annual rate of exceedance at the site: prints how often in "
+            "a year the limit is exceeded"},
     {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
      .doc = "a line for each limit and intensity, separated by tabs"},
     {0}};

@@ -15,8 +15,8 @@ static int ida_command(int argc, char **argv);
 const struct command command_ida = {
     .name = "ida",
     .usage = "DECK --limit EDP=VALUE|--collapse [--im NAME] [--over NAME] [--range FROM:TO]\n"
-             "                  [--factor F] [--tolerance T] [--points] [-D NAME=VALUE]...\n"
-             "                  [-j THREADS] [--tsv|--csv|--json]",
+             "                  [--factor F] [--tolerance T] [--points] [--hazard FILE]\n"
+             "                  [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]",
     .summary = "finds the intensities at which records exceed a limit",
     .run = ida_command,
 };
@@ -38,7 +38,7 @@ struct options {
     int n_thread;
     enum printer_form form;
     int collapse, points;
-    const char *limit, *im, *over, *range, *factor, *tolerance;
+    const char *limit, *im, *over, *range, *factor, *tolerance, *hazard;
 };
 #define AT(member) offsetof(struct options, member)
 
@@ -106,7 +106,8 @@ static int parse_number(const struct unit_system *u, const char *option, const c
 }
 
 static int search(const struct options *o, const struct plan *plan, const struct roles *roles,
-                  const struct study_view *view, struct capacity_request *q) {
+                  const struct study_view *view, const struct hazard *hazard,
+                  struct capacity_request *q) {
     struct capacities found;
     struct progress progress;
     struct error e;
@@ -121,6 +122,7 @@ static int search(const struct options *o, const struct plan *plan, const struct
         .found = &found,
         .view = view,
         .roles = roles,
+        .hazard = o->hazard ? hazard : NULL,
         .table = {.to = stdout, .form = o->form, .units = &view->units, .at_head = UNITS_BELOW}};
     if (status == STATUS_OK) {
         status = o->points ? ida_print_points(&p, &e) : ida_print_samples(&p, &e);
@@ -130,10 +132,11 @@ static int search(const struct options *o, const struct plan *plan, const struct
     return status;
 }
 
-static int prepare(const struct options *o, const struct plan *plan) {
+static int prepare(const struct options *o, const struct plan *plan, struct arena *a) {
     const struct study_view view = plan_view(plan);
     const struct suite_request wanted = {.abscissa = o->im, .over = o->over};
     struct roles roles;
+    struct hazard hazard;
     struct error e;
     char unit[64] = "";
     if (roles_find(&view, &wanted, &roles, &e) != STATUS_OK) {
@@ -168,7 +171,13 @@ static int prepare(const struct options *o, const struct plan *plan) {
                                "--tolerance",
                                CAPACITY_POINTS_MAX);
     }
-    return status == EXIT_DONE ? search(o, plan, &roles, &view, &q) : status;
+    const struct dimension dimension = s->known ? s->dimension : dimension_none;
+    if (status == EXIT_DONE && o->hazard &&
+        hazard_read(a, o->hazard, dimension, unit_size(&view.units, dimension), &hazard, &e) !=
+            STATUS_OK) {
+        status = command_fail(&e);
+    }
+    return status == EXIT_DONE ? search(o, plan, &roles, &view, &hazard, &q) : status;
 }
 
 static int run_deck(void *options, const struct model *m) {
@@ -180,7 +189,9 @@ static int run_deck(void *options, const struct model *m) {
         return command_fail(&e);
     }
     interrupt_catch();
-    const int status = prepare(o, &plan);
+    struct arena *a = arena_create();
+    const int status = a ? prepare(o, &plan, a) : command_no_memory();
+    arena_free(a);
     plan_close(&plan);
     return status;
 }
@@ -212,6 +223,10 @@ static int ida_command(int argc, char **argv) {
          .doc = "factor from one intensity to the next of the search upwards; default: 1.3"},
         {"tolerance", 0, "T", OPTION_TEXT, 0, AT(tolerance),
          .doc = "relative width of the interval that the search ends in; default: 1%"},
+        {"hazard", 0, "FILE", OPTION_TEXT, 0, AT(hazard),
+         .doc =
+             "rows of intensity and mean annual rate of exceedance at the site: prints how often "
+             "in a year the limit is exceeded"},
         {"points", .kind = OPTION_SET, .at = AT(points), .set = 1,
          .doc = "prints every run in place of the intensities found"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,

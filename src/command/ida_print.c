@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/ida_print.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,15 +30,8 @@ static long run_of(const struct ida_print *p, int group, int sample) {
 
 static void add_sweeps(struct ida_print *p) {
     for (int i = 0; i < p->view->n_sweep; i++) {
-        for (const struct sweep *s = p->view->sweep[i]; s && i != p->roles->abscissa;
-             s = s->along) {
-            printer_add(&p->table,
-                        &(struct printer_column){.head = s->name,
-                                                 .key = s->name,
-                                                 .width = s->number ? 12 : -24,
-                                                 .digits = 6,
-                                                 .look = s->number ? LOOK_G : LOOK_TAIL},
-                        1);
+        if (i != p->roles->abscissa) {
+            printer_show_sweep(&p->table, p->view->sweep[i]);
         }
     }
 }
@@ -88,6 +82,10 @@ static void print_sample(struct ida_print *p, long run, const struct fragility *
     printer_number(t, p->request->limit);
     printer_number(t, fit->median);
     printer_number(t, fit->dispersion);
+    if (p->hazard) {
+        const bool fitted = fit->outcome == FRAGILITY_FITTED;
+        printer_number(t, fitted ? hazard_exceedances(p->hazard, fit, INFINITY) : (double)NAN);
+    }
     printer_line(t);
 }
 
@@ -111,6 +109,7 @@ static void print_fit(const struct ida_print *p, int group, const struct fragili
         return;
     }
     study_print_curve(f, p->request->unit, &p->view->units);
+    study_print_rate(p->hazard, f, p->request->unit);
 }
 
 static int print_groups(struct ida_print *p, int n_group, struct fragility *fit, struct error *e) {
@@ -130,6 +129,9 @@ static int print_groups(struct ida_print *p, int n_group, struct fragility *fit,
         {.key = "dispersion"}};
     add_sweeps(p);
     PRINTER_ADD(&p->table, columns);
+    if (p->hazard) {
+        printer_add(&p->table, &(struct printer_column)COLUMN_DATA("annual_rate"), 1);
+    }
     if (p->table.form == FORM_TEXT) {
         safe_line(stdout, "intensities of %s at which %s first exceeds its limit", im,
                   p->request->edp.text);

@@ -4,6 +4,7 @@
 
 #include "command/printer.h"
 #include "study/capacity.h"
+#include "study/hazard.h"
 #include "study/roles.h"
 
 // What is printed.
@@ -12,6 +13,7 @@ struct ida_print {
     const struct capacities *found;
     const struct study_view *view;
     const struct roles *roles;
+    const struct hazard *hazard;  // NULL: none
     struct printer table;
 };
 

@@ -206,6 +206,18 @@ void printer_add_sweep(struct printer *t, const struct sweep *sweep) {
     }
 }
 
+void printer_show_sweep(struct printer *t, const struct sweep *sweep) {
+    for (const struct sweep *s = sweep; s; s = s->along) {
+        printer_add(t,
+                    &(struct printer_column){.head = s->name,
+                                             .key = s->name,
+                                             .width = s->number ? 12 : -24,
+                                             .digits = 6,
+                                             .look = s->number ? LOOK_G : LOOK_TAIL},
+                    1);
+    }
+}
+
 void printer_sweep(struct printer *t, const struct sweep *sweep, int choice) {
     for (const struct sweep *s = sweep; s; s = s->along) {
         if (s->number) {

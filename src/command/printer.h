@@ -89,6 +89,8 @@ int printer_end(struct printer *t, int status, struct error *e);
 
 // Columns of data and cells of a sweep, and of what goes together along it: its value `choice`.
 void printer_add_sweep(struct printer *t, const struct sweep *sweep);
+// The same, with columns of text, too.
+void printer_show_sweep(struct printer *t, const struct sweep *sweep);
 void printer_sweep(struct printer *t, const struct sweep *sweep, int choice);
 
 // The options --csv and --json, of an enum printer_form. They stand behind a row of --tsv, whose

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "jostle/study_file.h"
-#include "study/fragility.h"
+#include "study/hazard.h"
 
 // Where a quantity of the envelopes is largest over all runs.
 struct study_peak {
@@ -37,6 +37,11 @@ struct study_g study_print_g(const struct unit_system *u, const char *units, dou
 
 // A line with the parameters of a curve that was fitted, the median in `unit`.
 void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u);
+
+// A line with the rate at which a limit with this fragility is exceeded; NULL: no hazard curve and
+// no line. Warns on stderr where the curve is too short for the rate. `unit` is that of the
+// intensity.
+void study_print_rate(const struct hazard *h, const struct fragility *f, const char *unit);
 
 // "done", "failed", or "missing": not in the file.
 const char *study_print_status(const struct study_outcome *outcome);

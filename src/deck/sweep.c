@@ -116,13 +116,22 @@ static struct parameter chosen(const struct deck *d, const struct sweep *sweep) 
     return p;
 }
 
+// The sweep of this name if it has been fixed at one value since the first reading; NULL: it has
+// not.
+static const struct sweep *fixed_since(const struct deck *d, const char *name) {
+    int choice;
+    const struct sweep *from = sweep_bound(d, name, &choice);
+    return from && from->fixed && !deck_define_find(d, name) ? from : NULL;
+}
+
 // Reads the values; false after having reported an error.
 static bool read(struct deck *d, const struct statement *s, struct sweep *own,
                  struct bundle_request *q) {
-    if (s->known) {
+    const struct sweep *known = s->known ? s->known : fixed_since(d, s->word[1].text);
+    if (known) {
         // Copies the sweep that the first reading found in these lines.
-        const struct sweep *of = dimension_of(d->reader->first_reading, s->known);
-        *own = *s->known;
+        const struct sweep *of = dimension_of(d->reader->first_reading, known);
+        *own = *known;
         own->next = own->along = NULL;
         q->name = s->word[1];
         q->name.text = of ? of->name : NULL;

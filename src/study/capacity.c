@@ -59,31 +59,9 @@ static void fail(struct capacity *c, const struct capacity_request *q, double in
     snprintf(c->failure, sizeof c->failure, "at %s = %.6g: %s", q->intensity, intensity, why);
 }
 
-// Fixes the intensity, as a -D does.
-static void fix(const struct capacity_request *q, double intensity, struct capacity_plan *out) {
-    const struct plan *p = q->plan;
-    int n = 0, n_value = 1;
-    out->intensity = intensity;
-    out->model = *p->first;
-    out->deck = *p->first->deck;
-    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next, n++) {
-        out->sweep[n] = *s;
-        if (strcmp(s->name, q->intensity) == 0) {
-            n_value = s->n;
-            out->sweep[n].n = 1;
-            out->sweep[n].fixed = true;
-            out->sweep[n].number = &out->intensity;
-        }
-        if (n > 0) {
-            out->sweep[n - 1].next = &out->sweep[n];
-        }
-    }
-    out->deck.sweeps = out->sweep;
-    out->model.deck = &out->deck;
-    out->plan = (struct plan){.first = &out->model,
-                              .define = p->define,
-                              .n_define = p->n_define,
-                              .n_run = p->n_run / n_value};
+static const double *intensity_of(const void *context, const struct sweep *s) {
+    const struct capacity_at *f = context;
+    return strcmp(s->name, f->name) == 0 ? &f->value : NULL;
 }
 
 // Runs the sample at an intensity and adds the point. *exceeded; a run that fails ends the search.
@@ -93,8 +71,9 @@ static int look(struct job *job, double intensity, bool *exceeded, struct error 
     const struct trial_watch watch = {.records = s->records};
     struct capacity *c = job->capacity;
     struct study_outcome outcome;
-    struct capacity_plan at;
-    fix(q, intensity, &at);
+    const struct capacity_at f = {q->intensity, intensity};
+    struct plan_fixed at;
+    plan_fix(q->plan, intensity_of, &f, &at);
     const int status = trial_build(&at.plan, job->run, &watch, use_model, job, &outcome, e);
     if (status == STATUS_OK && outcome.status == STUDY_FAILED) {
         fail(c, q, intensity, outcome.message);
@@ -161,7 +140,8 @@ static int poll_search(void *context, struct workers *workers, long n_done, stru
 
 int capacity_search(const struct capacity_request *q, struct capacities *out, struct error *e) {
     struct search s = {.request = q, .out = out};
-    fix(q, q->from, &out->at);
+    out->from = (struct capacity_at){q->intensity, q->from};
+    plan_fix(q->plan, intensity_of, &out->from, &out->at);
     out->n = out->at.plan.n_run;
     out->each = calloc((size_t)out->n, sizeof *out->each);
     s.records = record_cache_create(RECORD_CACHE_BYTES);

@@ -47,19 +47,17 @@ struct capacity {
     char failure[STUDY_MESSAGE_MAX + 300];  // with the intensity
 };
 
-// The runs of a plan at one intensity. It points into itself and must not be copied.
-struct capacity_plan {
-    double intensity;
-    struct sweep sweep[STUDY_SWEEPS_MAX];
-    struct deck deck;
-    struct model model;
-    struct plan plan;
+// An intensity: the value at which its sweep is fixed.
+struct capacity_at {
+    const char *name;
+    double value;
 };
 
 struct capacities {
     long n;                   // samples: the runs of the deck at one intensity
     struct capacity *each;    // (n)
-    struct capacity_plan at;  // of these runs, at `from`
+    struct plan_fixed at;     // of these runs, at `from`
+    struct capacity_at from;  // the intensity of these runs
 };
 
 // The most runs that a sample can take; > CAPACITY_POINTS_MAX: the request is refused.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/plan.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -226,6 +227,46 @@ int plan_check_shape(const struct plan *p, long run, const struct model *m, stru
     }
     int status = check_buildings(p, run, m, e);
     return status == STATUS_OK ? check_links(p, run, m, e) : status;
+}
+
+static void fix_sweep(struct sweep *s, const double *number) {
+    s->n = 1;
+    s->fixed = true;
+    s->number = number;
+}
+
+void plan_fix(const struct plan *p, plan_fixed_at *at, const void *context,
+              struct plan_fixed *out) {
+    static const double first = 1.0;  // number 1 of a dimension
+    int n = 0, n_paired = 0;
+    long n_run = p->n_run;
+    out->model = *p->first;
+    out->deck = *p->first->deck;
+    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next, n++) {
+        const double *number = at(context, s->along ? s->along : s);
+        struct sweep *own = &out->sweep[n];
+        *own = *s;
+        if (number) {
+            n_run /= s->n;
+            fix_sweep(own, s->along ? &first : number);
+        }
+        const struct sweep **last = &own->along;
+        for (const struct sweep *v = s->along; v && number; v = v->along) {
+            assert(n_paired < PLAN_PAIRED_MAX);
+            struct sweep *paired = &out->paired[n_paired++];
+            *paired = *v;
+            fix_sweep(paired, at(context, v));
+            *last = paired;
+            last = &paired->along;
+        }
+        if (n > 0) {
+            out->sweep[n - 1].next = own;
+        }
+    }
+    out->deck.sweeps = out->sweep;
+    out->model.deck = &out->deck;
+    out->plan = (struct plan){
+        .first = &out->model, .define = p->define, .n_define = p->n_define, .n_run = n_run};
 }
 
 struct study_view plan_view(const struct plan *p) {

@@ -46,6 +46,24 @@ int plan_check(const struct plan *p, long run, const struct model *m, struct err
 // The same without the sweeps: whether its values have the places of those of the first model.
 int plan_check_shape(const struct plan *p, long run, const struct model *m, struct error *e);
 
+enum { PLAN_PAIRED_MAX = 64 };
+
+// The runs of a plan that are left when sweeps are fixed, each at one value, as by a -D. It points
+// into itself and must not be copied.
+struct plan_fixed {
+    struct sweep sweep[STUDY_SWEEPS_MAX], paired[PLAN_PAIRED_MAX];
+    struct deck deck;
+    struct model model;
+    struct plan plan;  // not to be closed
+};
+
+// The one number of a sweep; NULL: the sweep stays as it is. Of sweeps that are paired all are
+// fixed, or none. The number must stay where it is.
+typedef const double *plan_fixed_at(const void *context, const struct sweep *s);
+
+// At most PLAN_PAIRED_MAX of the sweeps that are fixed are paired.
+void plan_fix(const struct plan *p, plan_fixed_at *at, const void *context, struct plan_fixed *out);
+
 // What a result file of these runs would say of their values, for demands that are parsed before
 // there is one. It borrows from the plan.
 struct study_view plan_view(const struct plan *p);

@@ -29,6 +29,15 @@ run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.
 expect "threads change nothing" 'cmp one.tsv "$out"'
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --points --tsv
 expect "--points has every run" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq "$(awk -F "\t" "NR > 1 { n += \$6 } END { print n + 1 }" one.tsv)" ] && awk -F "\t" "FNR > 1 && (\$4 > 0.02) != \$5 { bad = 1 } END { exit bad }" "$out"'
+# With a hazard curve that is straight in logarithms the rate is H(median) exp((k beta)^2 / 2).
+printf '1e-6 1e12\n1e6 1e-12\n' >hazard.txt
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt --tsv
+expect "a hazard curve gives the annual rate" '[ $status -eq 0 ] && awk -F "\t" "NR > 1 { want = \$10 ^ -2 * exp(2 * \$11 ^ 2); d = \$12 / want - 1; n += d * d < 1e-18 } END { exit !(n == NR - 1 && n > 1) }" "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt
+expect "and so does the text" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -qE "^exceeded [0-9.e+]+ times a year, once in [0-9.e-]+ years; probability in 50 years [0-9.]+ %$" "$out"'
+printf '1 1\n2 1\n' >hazard.txt
+run "$jostle" ida linear.deck --limit drift=20mm --over record --hazard hazard.txt
+expect "a hazard curve must fall" '[ $status -eq 2 ] && grep -q "hazard.txt: the rate does not fall from intensity 1 to 2" "$err"'
 run "$jostle" ida linear.deck --limit drift=20mm --over record --range 0.2:0.4
 expect "what is exceeded from the lowest intensity on, or never, is told" '[ $status -eq 1 ] && grep -q "always exceeded" "$out" && grep -q "never exceeded" "$out" && said "searches never exceed the limit; search further with --range"'
 expect "text has the curve of each group" '[ "$(grep -c "^mass = [12]: " "$out")" -eq 2 ]'
@@ -61,6 +70,20 @@ sed -i 's/^building A.*/building A -floors 1 -mass 100t -stiffness ${4MN\/m * (2
 run "$jostle" ida wrong.deck --limit drift-ratio:A=50% --range 1:20
 expect "a search that fails is told with its run" '[ $status -eq 1 ] && said "44 of 44 searches failed, the first: run 1 (record = 01): at sa = 2.8561: wrong.deck:4:"'
 
+# Values of the intensity and of samples that follow from parameters, and paired samples.
+cat >used.deck <<'END'
+param top 3m/s
+param stiffest 900
+sweep im range 0.5m/s $top 7
+sweep k values 100 400 $stiffest -as pair
+sweep a values 1 1 1 -as pair
+building A -floors 1 -mass $a -stiffness $k
+initial A:1 -velocity $im
+step fixed 0.1ms
+duration 0.4
+END
+run "$jostle" ida used.deck --limit drift=0.07 --over pair --tolerance 0.1% --tsv
+expect "sweeps may use parameters, and may be paired" '[ $status -eq 0 ] && [ "$(awk -F "\t" "NR == 1 { for (i = 1; i <= NF; i++) at[\$i] = i; next } { low = \$at[\"below [m/s]\"] / sqrt(\$at[\"k\"]); high = \$at[\"above [m/s]\"] / sqrt(\$at[\"k\"]); n += low < 0.07001 && high > 0.06999 } END { print n }" "$out")" = 3 ]'
 run "$jostle" ida linear.deck
 expect "a limit or a collapse is needed" '[ $status -eq 2 ] && said "give --limit EDP=VALUE or --collapse"'
 run "$jostle" ida linear.deck --limit drift

@@ -165,6 +165,15 @@ run "$jostle" run scatter.deck -q
 run "$jostle" fragility scatter.h5 --edp drift --limit 0.06m --tsv
 cut -f 6 "$out" | tr '\n' ' ' >n.txt
 expect "records and realisations of random parameters are samples together" '[ $status -eq 0 ] && [ "$(cat n.txt)" = "n 10 10 " ]'
+# With a hazard curve that is straight in logarithms the rate is H(median) exp((k beta)^2 / 2).
+printf '1e-6 1e6\n1e6 1e-6\n' >hazard.txt
+run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method ida --hazard hazard.txt --tsv
+expect "a hazard curve gives annual rates, and what each intensity adds" '[ $status -eq 0 ] && [ ! -s "$err" ] && awk -F "\t" "NR == 1 { for (i = 1; i <= NF; i++) at[\$i] = i; next } { b = \$at[\"dispersion\"]; rate = \$at[\"annual_rate\"]; to = \$at[\"annual_rate_up_to\"]; d = rate * \$at[\"median\"] / exp(b * b / 2) - 1; bad += d * d > 1e-18 || to <= last || to >= rate; last = to } END { exit bad || NR != 8 }" "$out"'
+printf '1 1e-3\n2 1e-4\n' >hazard.txt
+run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method ida --hazard hazard.txt
+expect "where it is too short there is a warning" '[ $status -eq 0 ] && grep -q "^exceeded [0-9.e-]* times a year, once in" "$out" && grep -q "warning: the hazard curve ends at 2 m.s, where the probability is " "$err"'
+run "$jostle" fragility whole.h5 --edp drift --limit 1mm --hazard hazard.txt --tsv
+expect "without a curve of the study there is no rate" '[ $status -eq 0 ] && [ "$(cut -f 18,19 "$out" | sort -u | tr "\n\t" ",;")" = ";,annual_rate;annual_rate_up_to," ]'
 for wrong in "--edp drift --limit 1m --edp force" "--edp drift --limit 1m --limit 2m" "--edp drift --limit 1m --over record --over wide" "--edp drift --limit 1m --method" "--edp drift --limit 1m --method other" "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
     # shellcheck disable=SC2086  # several words
     run "$jostle" fragility whole.h5 $wrong

@@ -22,15 +22,21 @@ sh tests/support/with_block.sh deck "$folder/deck" <README.md |
 "$jostle" run input/gap_study.deck -o "$folder/gap_study.h5" --force >"$folder/printed"
 sed -e "s|$folder/||" -e '/^wall time/d' "$folder/printed" >"$folder/study"
 sh tests/support/with_block.sh study "$folder/study" <docs/studies.md >"$folder/studies.md"
+"$jostle" sensitivity input/monte_carlo.deck --edp force -D record=ELCENTRO_1940_NS >"$folder/ranked"
+sh tests/support/with_block.sh sensitivity "$folder/ranked" <"$folder/studies.md" >"$folder/studies.ranked"
+mv "$folder/studies.ranked" "$folder/studies.md"
 "$jostle" run input/ida.deck -o "$folder/ida.h5" -q --force
 "$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% >"$folder/fragility"
 "$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 >"$folder/hits"
+"$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 --hazard input/hazard.txt |
+    tail -n 15 >"$folder/hazard"
 "$jostle" ida input/ida.deck --limit drift-ratio:A=2% >"$folder/adaptive"
 "$jostle" run input/collapse.deck -o "$folder/collapse.h5" -q --force
 "$jostle" fragility "$folder/collapse.h5" --collapse | grep -e '^collapse' -e '^median' >"$folder/collapse"
 "$jostle" show "$folder/ida.h5" --long --edp drift-ratio:A | sed -n 1,5p >"$folder/long"
 sh tests/support/with_block.sh fragility "$folder/fragility" <docs/ida.md |
     sh tests/support/with_block.sh hits "$folder/hits" |
+    sh tests/support/with_block.sh hazard "$folder/hazard" |
     sh tests/support/with_block.sh adaptive "$folder/adaptive" |
     sh tests/support/with_block.sh collapse "$folder/collapse" |
     sh tests/support/with_block.sh long "$folder/long" >"$folder/ida.md"

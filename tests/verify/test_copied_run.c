@@ -101,35 +101,32 @@ static void go_on(struct run *r, struct error *e, struct run *copy, struct error
     results_free(want);
 }
 
-enum copied_to { TO_FRESH, TO_USED, TARGETS };
-
-// Copies a run at a step, to one that has taken no step and to one that has come elsewhere.
-static void copy_at(const struct model *m, long step, struct met *met) {
-    for (int to = TO_FRESH; to < TARGETS; to++) {
-        struct error e, of_copy;
-        struct run *r = run_to(m, step, &e);
-        struct run *copy = run_to(m, to == TO_FRESH ? 0 : (step + m->n_step) / 2, &of_copy);
-        struct results *none;
-        if (e.status == STATUS_OK && of_copy.status == STATUS_OK) {
-            note(met, r);
-            go_on(r, &e, copy, &of_copy);
-        } else {
-            met->failed++;
-            end(r, &e, &none);
-            results_free(none);
-            end(copy, &of_copy, &none);
-            results_free(none);
-        }
-        free(r);
-        free(copy);
+// Copies a run at a step, to a run that has taken `taken` steps.
+static void copy_at(const struct model *m, long step, long taken, struct met *met) {
+    struct error e, of_copy;
+    struct run *r = run_to(m, step, &e);
+    struct run *copy = run_to(m, taken, &of_copy);
+    struct results *none;
+    if (e.status == STATUS_OK && of_copy.status == STATUS_OK) {
+        note(met, r);
+        go_on(r, &e, copy, &of_copy);
+    } else {
+        met->failed++;
+        end(r, &e, &none);
+        results_free(none);
+        end(copy, &of_copy, &none);
+        results_free(none);
     }
+    free(r);
+    free(copy);
 }
 
-// At several steps from the first to the one before the last.
+// At several steps from the first to the one before the last: by turns to a run that has come
+// elsewhere and to one that has taken no step.
 static void copy_often(const struct model *m, int n, struct met *met) {
     for (int i = 0; i < n; i++) {
         long step = (m->n_step - 1) * (2L * i + 1) / (2L * n);
-        copy_at(m, step > 1 ? step : 1, met);
+        copy_at(m, step > 1 ? step : 1, i % 2 == 0 ? (step + m->n_step) / 2 : 0, met);
     }
 }
 
@@ -253,7 +250,8 @@ static struct met check(const char *steps, uint64_t n_deck) {
     print_message(
         "%d copies, %d closed, %d at rest, %d yielding, %d on several grounds, %d failed\n",
         met.copies, met.closed, met.resting, met.yielding, met.grounds, met.failed);
-    assert_true(met.closed > 40 && met.yielding > 60 && met.grounds > 5);
+    assert_true(met.closed > 0.25 * met.copies && met.yielding > 0.35 * met.copies);
+    assert_true(met.copies > 100 && met.grounds > 2);
     return met;
 }
 

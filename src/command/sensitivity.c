@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle sensitivity: how much each random parameter of a deck matters for a demand.
+#include "study/sensitivity.h"
+
+#include <math.h>
+
+#include "command/deck_command.h"
+#include "command/interrupt.h"
+#include "command/printer.h"
+#include "command/progress.h"
+#include "command/quantity_word.h"
+#include "command/suite_options.h"
+#include "core/arena.h"
+#include "core/safe.h"
+
+static int sensitivity_command(int argc, char **argv);
+
+const struct command command_sensitivity = {
+    .name = "sensitivity",
+    .usage = "DECK --edp EDP [--variance] [--share Q] [-D NAME=VALUE]... [-j THREADS]\n"
+             "                          [--tsv|--csv|--json]",
+    .summary = "ranks the random parameters of a deck by what they do to a demand",
+    .run = sensitivity_command,
+};
+
+static const char explanation[] =
+    "\nThe parameters are the random sweeps of the deck. Each combination of the other sweeps has "
+    "lines of its\nown. One at a time, with two runs for each parameter, is the default: where "
+    "parameters act together\nthey need --variance, with n / 2 runs for each parameter and n more, "
+    "where n is the number of values\n(-n of the random sweeps). The first index is the share of "
+    "the variance that is due to the parameter\nalone, the total one with all that it does "
+    "together "
+    "with others (Saltelli et al. 2010). low and high are\nthe ends of an interval of 95 % "
+    "confidence, by bootstrap. effect is the mean change of the demand from\nthe smallest to the "
+    "largest value of the parameter, in absolute value (Campolongo et al. 2011). The\ncommand "
+    "writes no file. Exit status 1: runs have failed or have no finite demand.\n";
+
+struct options {
+    struct load_request load;
+    int n_thread;
+    enum printer_form form;
+    int variance;
+    const char *edp, *share;
+};
+#define AT(member) offsetof(struct options, member)
+
+static const double SHARE = 0.1;  // the default
+
+// What is printed.
+struct page {
+    const struct sensitivity_request *request;
+    const struct sensitivity *found;
+    struct printer table;
+};
+
+static void add_columns(struct page *p) {
+    const char *unit = unit_suffix(p->request->edp.units);
+    const char *of = unit[0] ? unit : NULL;
+    const struct printer_column swing[] = {
+        {.head = "low", .key = "low", .width = 12, .digits = 6},
+        {.head = "high", .key = "high", .width = 12, .digits = 6},
+        {.head = "at low", .key = "at_low", .unit = of, .width = 14, .digits = 5},
+        {.head = "at high", .key = "at_high", .unit = of, .width = 14, .digits = 5},
+        {.head = "at medians", .key = "at_medians", .unit = of, .width = 14, .digits = 5},
+        COLUMN_DATA("edp")};
+    const struct printer_column share[] = {
+        {.head = "first", .key = "first", .width = 9, .digits = 3, .look = LOOK_F},
+        {.head = "low", .key = "first_low", .width = 7, .digits = 3, .look = LOOK_F},
+        {.head = "high", .key = "first_high", .width = 7, .digits = 3, .look = LOOK_F},
+        {.head = "total", .key = "total", .width = 9, .digits = 3, .look = LOOK_F},
+        {.head = "low", .key = "total_low", .width = 7, .digits = 3, .look = LOOK_F},
+        {.head = "high", .key = "total_high", .width = 7, .digits = 3, .look = LOOK_F},
+        {.head = "effect", .key = "effect", .unit = of, .width = 13, .digits = 5},
+        {.head = "scatter", .key = "scatter", .unit = of, .width = 13, .digits = 5},
+        {.key = "mean", .unit = of},
+        {.key = "deviation", .unit = of},
+        COLUMN_DATA("left_out"),
+        COLUMN_DATA("edp")};
+    for (const struct sweep *s = p->found->others.plan.first->deck->sweeps; s; s = s->next) {
+        if (!s->fixed) {
+            printer_show_sweep(&p->table, s);
+        }
+    }
+    printer_add(&p->table,
+                &(struct printer_column){
+                    .head = "parameter", .key = "parameter", .width = -16, .look = LOOK_TAIL},
+                1);
+    printer_add(
+        &p->table,
+        &(struct printer_column){.head = "unit", .key = "unit", .width = -9, .look = LOOK_TAIL}, 1);
+    if (p->request->method == SENSITIVITY_VARIANCE) {
+        PRINTER_ADD(&p->table, share);
+    } else {
+        PRINTER_ADD(&p->table, swing);
+    }
+}
+
+static void print_index(struct printer *t, const struct sobol_index *x) {
+    printer_number(t, x->value);
+    printer_number(t, x->low);
+    printer_number(t, x->high);
+}
+
+static void print_parameter(struct page *p, long group, int i) {
+    const struct sensitivity_group *g = &p->found->group[group];
+    struct printer *t = &p->table;
+    int choice[STUDY_SWEEPS_MAX], n = 0;
+    plan_choose(&p->found->others.plan, group, choice);
+    for (const struct sweep *s = p->found->others.plan.first->deck->sweeps; s; s = s->next, n++) {
+        if (!s->fixed) {
+            printer_sweep(t, s, choice[n]);
+        }
+    }
+    const struct sweep *of = p->found->parameter[i];
+    char unit[64] = "";
+    if (of->known) {
+        unit_text(t->units, of->dimension, unit, sizeof unit);
+    }
+    printer_text(t, of->name);
+    printer_text(t, unit_suffix(unit));
+    if (p->request->method == SENSITIVITY_VARIANCE) {
+        print_index(t, &g->share[i].first);
+        print_index(t, &g->share[i].total);
+        printer_number(t, g->share[i].effect);
+        printer_number(t, g->share[i].scatter);
+        printer_number(t, g->summary.mean);
+        printer_number(t, g->summary.deviation);
+        printer_whole(t, (long)g->summary.n_left_out);
+    } else {
+        printer_numbers(t, g->swing[i].at, 2);
+        printer_numbers(t, g->swing[i].demand, 2);
+        printer_number(t, g->middle);
+    }
+    printer_text(t, p->request->edp.text);
+    printer_line(t);
+}
+
+static int print_all(struct page *p) {
+    const struct sensitivity *s = p->found;
+    if (p->table.form == FORM_TEXT && p->request->method == SENSITIVITY_VARIANCE) {
+        safe_line(stdout, "shares of the variance of %s; %ld runs", p->request->edp.text, s->n_run);
+    } else if (p->table.form == FORM_TEXT) {
+        safe_line(stdout, "%s with one parameter at a time at its %g %% and %g %% quantiles",
+                  p->request->edp.text, 100.0 * p->request->share,
+                  100.0 * (1.0 - p->request->share));
+    }
+    add_columns(p);
+    printer_head(&p->table);
+    for (long g = 0; g < s->n_group; g++) {
+        for (int k = 0; k < s->n_parameter; k++) {
+            print_parameter(p, g, s->group[g].order[k]);
+        }
+    }
+    return printer_close(&p->table);
+}
+
+// EXIT_DONE, or 1 after a message where runs have no number.
+static int judge(const struct page *p) {
+    struct error e;
+    long n_bad = 0;
+    for (long g = 0; g < p->found->n_group; g++) {
+        const struct sensitivity_group *group = &p->found->group[g];
+        n_bad += (long)group->summary.n_left_out;
+        n_bad += p->request->method == SENSITIVITY_ONE_AT_A_TIME && !isfinite(group->middle);
+        for (int i = 0; i < p->found->n_parameter; i++) {
+            n_bad += p->request->method == SENSITIVITY_ONE_AT_A_TIME &&
+                     !(isfinite(group->swing[i].demand[0]) && isfinite(group->swing[i].demand[1]));
+        }
+    }
+    if (n_bad == 0) {
+        return EXIT_DONE;
+    }
+    error_set(&e, STATUS_FAILED, "%ld %s without a finite demand: runs that failed or collapsed",
+              n_bad,
+              p->request->method == SENSITIVITY_VARIANCE ? "rows of runs are left out, being"
+                                                         : "lines are");
+    return command_fail(&e);
+}
+
+static int search(const struct options *o, struct sensitivity_request *q, struct arena *a) {
+    struct sensitivity found;
+    struct progress progress;
+    struct error e;
+    long n_run;
+    if (sensitivity_count(q, &n_run, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    q->poll = progress_poll;
+    q->context = &progress;
+    progress_start(&progress, (double)n_run, "runs");
+    int status = sensitivity_run(q, a, &found, &e);
+    progress_end(&progress);
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    const struct unit_system units = q->plan->first->deck->units;
+    struct page p = {
+        .request = q,
+        .found = &found,
+        .table = {.to = stdout, .form = o->form, .units = &units, .at_head = UNITS_BELOW}};
+    status = print_all(&p);
+    return status == EXIT_DONE ? judge(&p) : status;
+}
+
+static int prepare(const struct options *o, const struct plan *plan) {
+    const struct study_view view = plan_view(plan);
+    struct sensitivity_request q = {.plan = plan,
+                                    .method = o->variance ? SENSITIVITY_VARIANCE
+                                                          : SENSITIVITY_ONE_AT_A_TIME,
+                                    .share = SHARE,
+                                    .n_thread = o->n_thread};
+    struct error e;
+    if (o->share) {
+        const char *end =
+            quantity_word(o->share, &view.units, &dimension_none, BARE_ALLOWED, &q.share);
+        if (!end || *end || !(q.share > 0.0 && q.share < 0.5)) {
+            return command_usage(&command_sensitivity,
+                                 "--share takes a number between 0 and 0.5, not '%s'", o->share);
+        }
+    }
+    return edp_parse(&view, o->edp, plan->table->arena, &q.edp, &e) == STATUS_OK
+               ? search(o, &q, plan->table->arena)
+               : command_fail(&e);
+}
+
+static int run_deck(void *options, const struct model *m) {
+    const struct options *o = options;
+    struct plan plan;
+    struct error e;
+    if (deck_command_check_study(m, &e) != STATUS_OK ||
+        deck_command_plan(&o->load, m, &plan, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    interrupt_catch();
+    const int status = prepare(o, &plan);
+    plan_close(&plan);
+    return status;
+}
+
+static int settle(void *options) {
+    const struct options *o = options;
+    return !o->edp ? command_usage(&command_sensitivity, "give --edp EDP")
+           : o->share && o->variance
+               ? command_usage(&command_sensitivity, "--share is for one parameter at a time")
+               : EXIT_DONE;
+}
+
+static int sensitivity_command(int argc, char **argv) {
+    static const struct option_row rows[] = {
+        DECK_DEFINE_ROW,
+        DECK_THREADS_ROW(AT(n_thread), "threads, default: all cores"),
+        {"edp", 0, "EDP", OPTION_TEXT, 0, AT(edp),
+         .doc = "the demand, such as drift:A; jostle fragility --help lists them"},
+        {"variance", .kind = OPTION_SET, .at = AT(variance), .set = 1,
+         .doc = "shares of the variance, in place of one parameter at a time"},
+        {"share", 0, "Q", OPTION_TEXT, 0, AT(share),
+         .doc = "one at a time: the quantiles Q and 1 - Q of each parameter; default: 10%"},
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "a line for each parameter, separated by tabs"},
+        {0}};
+    static const struct option_part parts[] = {{.row = rows},
+                                               {.row = printer_rows, .at = AT(form)},
+                                               {.row = option_help},
+                                               {.text = explanation},
+                                               {0}};
+    static const struct deck_command c = {&command_sensitivity, parts, settle, run_deck};
+    struct options o = {.n_thread = deck_command_threads()};
+    return deck_command_run(&c, argc, argv, &o.load);
+}

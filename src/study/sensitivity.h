@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much each random parameter of a study matters for a demand: one parameter at a time, or by
+// the shares of the variance. All values are among those that the deck has drawn.
+#ifndef JOSTLE_SENSITIVITY_H
+#define JOSTLE_SENSITIVITY_H
+
+#include "study/edp.h"
+#include "study/plan.h"
+#include "study/sobol.h"
+
+struct arena;
+
+enum sensitivity_method { SENSITIVITY_ONE_AT_A_TIME, SENSITIVITY_VARIANCE };
+
+struct sensitivity_request {
+    const struct plan *plan;  // made by plan_init
+    struct edp edp;           // of the values of the plan
+    enum sensitivity_method method;
+    double share;  // one at a time: the quantiles are share and 1 - share, 0 < share < 0.5
+    int n_thread;
+    // Called every 0.1 s; a result other than 0 ends the runs with that status. NULL: never.
+    int (*poll)(void *context, long n_done, struct error *e);
+    void *context;
+};
+
+// One at a time: the demand with the parameter at a low and at a high quantile, the others at their
+// medians.
+struct sensitivity_swing {
+    double at[2];      // values of the parameter
+    double demand[2];  // infinite: collapsed; NAN: failed
+};
+
+// What one combination of the other sweeps came to.
+struct sensitivity_group {
+    double middle;                    // one at a time: demand at the medians
+    struct sobol_summary summary;     // of the variance
+    struct sensitivity_swing *swing;  // (n_parameter)
+    struct sobol_share *share;        // (n_parameter)
+    int *order;                       // (n_parameter) from the one that matters most
+};
+
+struct sensitivity {
+    int n_parameter;
+    const struct sweep **parameter;  // (n_parameter) random sweeps
+    struct plan_fixed others;        // the runs for one set of parameters
+    long n_group;                    // others.plan.n_run
+    long n_run;
+    struct sensitivity_group *group;  // (n_group)
+};
+
+// How many runs there are. Errors: STATUS_INPUT (no random parameter, one is paired with others
+// that are not random, fewer than four values, too many runs).
+int sensitivity_count(const struct sensitivity_request *q, long *n_run, struct error *e);
+
+// Makes all runs; what they come to does not depend on the number of threads. Memory is from `a`.
+// Errors: those of sensitivity_count; STATUS_INPUT (the deck has another shape at a value; a run
+// without a value of the demand), STATUS_SYSTEM, or what poll returned.
+int sensitivity_run(const struct sensitivity_request *q, struct arena *a, struct sensitivity *out,
+                    struct error *e);
+
+#endif
