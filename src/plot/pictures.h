@@ -57,6 +57,27 @@ struct impact_figure {
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e);
 
+// The picture of the peak forces of isolated impacts over a velocity, a restitution or a stiffness.
+
+struct force_curve {
+    const char *name;
+    size_t n;
+    const double *x, *force;  // (n) in SI
+};
+
+struct force_figure {
+    const char *subtitle, *version;
+    const char *name, *unit;  // of the axis across; "": a number
+    bool logarithmic;
+    int n_curve;  // at most IMPACT_FIGURE_CURVES
+    const struct force_curve *curve;
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending). Write
+// errors are the caller's.
+int force_figure_write(const struct force_figure *f, const struct figure_files *to,
+                       struct error *e);
+
 // The picture of storeys under a protocol: shear against drift, and energy, plastic deformation and
 // tangent over the turns.
 
