@@ -5,10 +5,12 @@
 // Backbones of straight lines whose loops are those of elastoplastic springs side by side are
 // exactly such springs. Other storey laws become the nearest hysteretic material.
 #include <math.h>
-#include <string.h>
 
 #include "core/root.h"
 #include "export/opensees.h"
+#include "law/lists.h"
+#include "law/peak_oriented.h"
+#include "law/points.h"
 #include "law/wen.h"
 
 // Halvings that find a corner to its last bits, and doublings in search of it.
@@ -65,12 +67,17 @@ static struct backbone material_backbone(const struct storey_law *law, const dou
             root_halve(&r, fabs(material_respond(law, c, no_history, sign * x).tangent - slope) <=
                                size);
         }
-        const struct storey_response beyond = material_respond(
-            law, c, no_history, sign * (straight ? r.high * (1.0 + SAME) : 2.0 * r.high));
-        slope = beyond.tangent;
+        const double corner = sign * r.high * (straight ? 1.0 + SAME : 1.0);
+        slope = material_respond(law, c, no_history, corner).tangent;
         b.at[b.n] = from = r.high;
         b.shear[b.n] = fabs(material_respond(law, c, no_history, sign * r.high).shear);
         b.slope[b.n++] = slope;
+    }
+    // Between corners a curve is its chords, the first of which has the initial stiffness.
+    for (int i = 0; !straight && i < b.n; i++) {
+        b.at[i] = i > 0 ? b.at[i] : b.shear[i] / b.stiffness;
+        b.slope[i] =
+            i + 1 < b.n ? (b.shear[i + 1] - b.shear[i]) / (b.at[i + 1] - b.at[i]) : b.slope[i];
     }
     return b;
 }
@@ -96,7 +103,7 @@ static bool material_is_kinematic(const struct storey_law *law, const double *c,
     const struct storey_response top = law->respond(c, no_history, x, after);
     const struct storey_response below =
         law->respond(c, after, x - 1.01 * top.shear / b->stiffness, NULL);
-    return (law->traits & STOREY_STRAIGHT) && strcmp(law->name, "flag") != 0 &&
+    return (law->traits & STOREY_STRAIGHT) && law != &storey_flag &&
            fabs(below.tangent - b->stiffness) <= SAME * b->stiffness;
 }
 
@@ -152,11 +159,38 @@ static int material_bouc_wen(struct opensees *x, const double *c, double stiffne
     return x->material;
 }
 
+// A weak spring beside a hook for each direction, which catches after a slack and yields. Once a
+// hook has yielded, the storey has the weak spring alone at small drifts.
+static int material_hooks(struct opensees *x, const struct storey_law *law, const double *c,
+                          const struct backbone *b) {
+    double after[STOREY_HISTORY_MAX];
+    const double yield = b->at[b->n - 1], gap = b->n > 1 ? b->at[0] : 0.0;
+    (void)law->respond(c, no_history, 3.0 * yield, after);
+    const double weak = law->respond(c, after, 1e-3 * yield, NULL).tangent;
+    const double hook = law->respond(c, no_history, yield * (1.0 - 1e-6), NULL).tangent - weak;
+    const double force = b->shear[b->n - 1] - weak * yield;
+    emit_put(&x->to, "uniaxialMaterial", "win", "Elastic", x->material + 1, weak);
+    for (int k = 0; k < 2; k++) {
+        const double sign = k == 0 ? 1.0 : -1.0;
+        emit_put(&x->to, "uniaxialMaterial", "winnnnw", "ElasticPPGap", x->material + 2 + k, hook,
+                 sign * force, sign * gap, (b->slope[b->n - 1] - weak) / hook, "damage");
+    }
+    const int material[] = {x->material + 1, x->material + 2, x->material + 3};
+    x->material += 3;
+    return material_parallel(x, material, 3);
+}
+
+// The exponent of the unloading stiffness, where the law has one that its force does not tell.
+static double material_unloading(const struct storey_law *law, const double *c) {
+    return law == &storey_takeda                                    ? c[PEAK_ORIENTED_ALPHA]
+           : law == &storey_trilinear || law == &storey_multilinear ? c[POINTS_EXPONENT]
+                                                                    : 0.0;
+}
+
 // The hysteretic material through three points of both backbones, which reloads towards the largest
-// deformation, or pinched; `unloading` is the exponent of the unloading stiffness.
+// deformation.
 static int material_hysteretic(struct opensees *x, const struct storey_law *law, const double *c,
-                               const struct backbone *right, const struct backbone *left,
-                               double pinch, double unloading) {
+                               const struct backbone *right, const struct backbone *left) {
     const struct backbone *side[] = {right, left};
     int place = 0;
     emit_begin(&x->to, "uniaxialMaterial");
@@ -165,14 +199,14 @@ static int material_hysteretic(struct opensees *x, const struct storey_law *law,
     for (int k = 0; k < 2; k++) {
         const struct backbone *b = side[k];
         const double last = b->n > 1 ? b->at[1] : 4.0 * b->at[0], sign = k == 0 ? 1.0 : -1.0;
-        const double at[] = {b->at[0], last, last + 10.0 * b->at[0]};
+        const double at[] = {b->at[0], last, b->n > 2 ? b->at[2] : last + 10.0 * b->at[0]};
         for (int i = 0; i < 3; i++) {
             const double shear = material_respond(law, c, no_history, sign * at[i]).shear;
             emit_number(&x->to, place++, shear);
             emit_number(&x->to, place++, sign * at[i]);
         }
     }
-    const double rules[] = {pinch, pinch, 0.0, 0.0, unloading};
+    const double rules[] = {1.0, 1.0, 0.0, 0.0, material_unloading(law, c)};
     for (int i = 0; i < 5; i++) {
         emit_number(&x->to, place++, rules[i]);
     }
@@ -180,44 +214,43 @@ static int material_hysteretic(struct opensees *x, const struct storey_law *law,
     return x->material;
 }
 
-// What stands in place of a law that has no counterpart.
+// How Hysteretic differs from the laws that it stands for.
 struct material_stand_in {
-    const char *law;
-    double pinch, unloading;
+    const struct storey_law *law;
     const char *note;
 };
 static const struct material_stand_in stand_in[] = {
-    {"clough", 1.0, 0.0, "Hysteretic, whose partial unloading differs"},
-    {"takeda", 1.0, 0.4, "Hysteretic, with the exponent 0.4 of the unloading stiffness"},
-    {"trilinear", 1.0, 0.4, "Hysteretic through its corners"},
-    {"multilinear", 1.0, 0.0, "Hysteretic through its first corners"},
-    {"slip", 0.5, 0.0, "Hysteretic, which pinches"},
-    {"imk", 1.0, 0.0, "Hysteretic, without the deterioration in cycles"},
-    {"ramberg-osgood", 1.0, 0.0, "Hysteretic through three points"},
+    {&storey_clough, "Hysteretic, whose partial unloading differs"},
+    {&storey_takeda, "Hysteretic, which reloads towards the largest drift"},
+    {&storey_trilinear, "Hysteretic through its corners, without pinching"},
+    {&storey_multilinear, "Hysteretic through three corners"},
+    {&storey_imk, "Hysteretic, without the deterioration in cycles"},
 };
 
 static int material_nearest(struct opensees *x, const struct storey_law *law, const double *c,
                             const struct backbone *right, const struct backbone *left,
                             const char **note) {
-    if (strcmp(law->name, "bouc-wen") == 0) {
+    if (law == &storey_bouc_wen) {
         *note = "BoucWen, which takes an implicit step and has no pinching and no degradation";
         return material_bouc_wen(x, c, right->stiffness);
     }
-    if (strcmp(law->name, "flag") == 0) {
+    if (law == &storey_flag) {
         *note = "SelfCentering, whose loops close in another way";
         emit_put(&x->to, "uniaxialMaterial", "winnnn", "SelfCentering", ++x->material,
                  right->stiffness, right->slope[0], right->shear[0],
                  material_flag_height(law, c, right));
         return x->material;
     }
+    if (law == &storey_slip) {
+        return material_hooks(x, law, c, right);
+    }
     for (size_t i = 0; i < sizeof stand_in / sizeof stand_in[0]; i++) {
-        if (strcmp(law->name, stand_in[i].law) == 0) {
+        if (law == stand_in[i].law) {
             *note = stand_in[i].note;
-            return material_hysteretic(x, law, c, right, left, stand_in[i].pinch,
-                                       stand_in[i].unloading);
+            return material_hysteretic(x, law, c, right, left);
         }
     }
-    *note = "elastoplastic springs through its corners";
+    *note = "elastoplastic springs side by side, whose backbone is chords of the curve";
     return material_springs(x, right, left);
 }
 

@@ -113,7 +113,7 @@ def reason(row):
         return row[7]
     if row[1] == "linear":
         return "rounding that impacts enlarge"
-    return "another closing velocity of contacts"
+    return "instant of closure: v0 of hysteresis damping, dashpots that begin there"
 
 
 def write_page(rows):
