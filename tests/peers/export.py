@@ -61,6 +61,8 @@ def deck_of(path, text, scratch):
     if not re.search(r"^duration", text, flags=re.M):
         text += f"duration {DURATION}\n"
     text = re.sub(r"^output.*$", "", text, flags=re.M)
+    if "$e" not in text:
+        text = re.sub(r"^sweep e .*$", "", text, flags=re.M)
     text = text.replace("records/", f"{path.parent.resolve()}/records/")
     text = re.sub(r"^(include|matrix \S+) (\S+)", rf"\1 {path.parent.resolve()}/\2", text,
                   flags=re.M)
@@ -74,8 +76,9 @@ def compare(path, text, label):
     with tempfile.TemporaryDirectory() as folder:
         scratch = pathlib.Path(folder)
         deck = deck_of(path, text, scratch)
-        define = [word for value in ONE_RUN.get(path.stem, []) for word in ("-D", value.replace(
-            "records/", f"{path.parent.resolve()}/records/"))]
+        define = [word for value in ONE_RUN.get(path.stem, [])
+                  if re.search(rf"[${{ ]{value.split('=')[0]}\b", re.sub(r"(?m)^sweep.*$", "", text))
+                  for word in ("-D", value.replace("records/", f"{path.parent.resolve()}/records/"))]
         jostle = pathlib.Path(JOSTLE).resolve()
         export, _ = run([jostle, "export", deck, "--opensees", "py", *define])
         if export.returncode:
@@ -133,6 +136,8 @@ def measure():
           "first time above 1e-6 [s], jostle [s], OpenSees [s], notes")
     for path in sorted(pathlib.Path("tests/peers/models").glob("*.deck")) + sorted(
             pathlib.Path("input").glob("*.deck")):
+        if sys.argv[1:] and path.stem not in sys.argv[1:]:
+            continue
         text = path.read_text()
         if path.parent.name == "input":
             compare(path, text, "as they are")
