@@ -233,7 +233,8 @@ static double opensees_tangent_beta(struct opensees *x, const struct building *g
 
 static void opensees_damping(struct opensees *x, const struct building *g) {
     double *k, *c;
-    if (!opensees_matrices(x, g, &k, &c)) {
+    const int *node = opensees_nodes(x, g);
+    if (!opensees_matrices(x, g, &k, &c) || !node) {
         return;
     }
     const double alpha = g->fixed ? 0.0 : g->damping_alpha;
@@ -243,7 +244,7 @@ static void opensees_damping(struct opensees *x, const struct building *g) {
         beta = 0.0;
         emit_note(&x->to, "damping matrix of %s%s", g->name,
                   alpha != 0.0 ? ", without the part of its masses" : "");
-        opensees_matrix(x, g->n_dof, opensees_nodes(x, g), NULL, c, false);
+        opensees_matrix(x, g->n_dof, node, NULL, c, false);
     }
     const double tangent = opensees_tangent_beta(x, g);
     if (alpha == 0.0 && beta == 0.0 && tangent == 0.0) {
@@ -258,8 +259,8 @@ static void opensees_damping(struct opensees *x, const struct building *g) {
     for (int i = 0; i < g->n_dof; i++) {
         emit_whole(&x->to, place++, opensees_dof(x, g->first + i));
     }
-    for (int node = x->first_node; node <= x->node; node++) {
-        emit_whole(&x->to, place++, node);
+    for (int made = x->first_node; made <= x->node; made++) {
+        emit_whole(&x->to, place++, made);
     }
     emit_word(&x->to, place++, "-rayleigh");
     const double value[] = {alpha, 0.0, beta, tangent};

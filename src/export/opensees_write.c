@@ -207,7 +207,7 @@ static double opensees_step(struct opensees *x, long *n, long *every) {
                       "row to row",
                       PER_ROW);
         *every = PER_ROW;
-        *n = lround(m->duration / m->dt) * PER_ROW;
+        *n = (long)ceil(m->duration / m->dt * PER_ROW - 1e-6);
         return m->dt / PER_ROW;
     }
     *n = m->n_step;
@@ -230,7 +230,12 @@ static void opensees_analysis(struct opensees *x) {
     emit_put(&x->to, "system", "w", "BandGeneral");
     emit_put(&x->to, "test", "wni", "NormDispIncr", 1e-12 / length, 100);
     emit_put(&x->to, "algorithm", "w", "Newton");
-    emit_put(&x->to, "integrator", "wnn", "Newmark", x->m->gamma, x->m->beta);
+    if (x->m->beta == 0.0) {
+        opensees_note(x, "Newmark's method with beta = 0 is CentralDifference");
+        emit_put(&x->to, "integrator", "w", "CentralDifference");
+    } else {
+        emit_put(&x->to, "integrator", "wnn", "Newmark", x->m->gamma, x->m->beta);
+    }
     emit_put(&x->to, "analysis", "w", "Transient");
     emit_put(&x->to, "record", "");
     emit_must(&x->to, "analyze", (int)(n - uneven), dt, message);
@@ -248,6 +253,9 @@ static void opensees_head(struct opensees *x, const char *version) {
     emit_note(&x->to, "node i + 1 is degree of freedom i; node %d is the ground", m->n_dof + 1);
     if (m->deck->sweeps) {
         opensees_note(x, "the deck is a study: this is the model of its first run");
+    }
+    if (m->collapse) {
+        opensees_note(x, "collapse: OpenSees goes on when a storey reaches its limit of drift");
     }
     emit_put(&x->to, "wipe", "");
     emit_put(&x->to, "model", "wwiwi", "basic", "-ndm", 2, "-ndf", 3);
