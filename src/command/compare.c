@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "command/compare.h"
+#include "command/crash.h"
 #include "command/picture.h"
 #include "command/printer.h"
 #include "core/safe.h"
@@ -120,6 +121,7 @@ static int compare_run(struct comparing *c, const struct options *o, const struc
             .options = o->picture, .name = "compare", .write = compare_draw, .context = c};
         status = picture_make(&picture, &e);
     }
+    crash_reading(NULL, NULL);
     if (status != STATUS_OK) {
         return command_fail(&e);
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "command/crash.h"
 #include "plot/runs.h"
 #include "result/layout.h"
 
@@ -55,6 +56,11 @@ int compare_index(enum field field) {
         i++;
     }
     return i;
+}
+
+static int compare_open(const char *path, struct result_file **f, struct error *e) {
+    crash_reading(NULL, path);
+    return result_open(path, f, e);
 }
 
 // The places of a run that the quantity names, and how many; `place` may be NULL.
@@ -114,7 +120,7 @@ static int compare_read_others(struct comparing *c, const struct result_file *ou
     if (ending && (ending[3] == '\0' || ending[3] == '#')) {
         struct result_file *f;
         struct runs both;
-        int status = result_open(path, &f, e);
+        int status = compare_open(path, &f, e);
         if (status != STATUS_OK) {
             return status;
         }
@@ -159,7 +165,7 @@ static int compare_open_two(struct comparing *c, const struct result_file *f, co
 
 int compare_two(struct comparing *c, const char *path, const char *other, struct error *e) {
     struct result_file *f;
-    int status = result_open(path, &f, e);
+    int status = compare_open(path, &f, e);
     if (status == STATUS_OK) {
         status = compare_open_two(c, f, other, e);
         result_close(f);
@@ -195,7 +201,7 @@ static int compare_one(struct comparing *c, const char *path, struct comparison_
                        struct error *e) {
     struct result_file *f;
     struct compare_place place = {0};
-    int status = result_open(path, &f, e);
+    int status = compare_open(path, &f, e);
     if (status != STATUS_OK) {
         return status;
     }
