@@ -202,9 +202,11 @@ void forcing_foresee(struct forcing_ahead *x, const struct model *m, long n) {
     x->sought = n - x->from;
 }
 
-void forcing_grounds_known(const struct forcing_ahead *x, struct state *s, const struct model *m,
-                           double t) {
-    if (state_is_uniform(m) && x->time[x->sought] == t) {
+void forcing_known(const struct forcing_ahead *x, struct state *s, const struct model *m,
+                   double t) {
+    if (!state_is_uniform(m)) {
+        forcing_at(s, m, t);
+    } else if (x->time[x->sought] == t) {
         s->ground_a[0] = x->ground[x->sought];
     } else {
         forcing_grounds_at(s, m, t);

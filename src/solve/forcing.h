@@ -86,8 +86,8 @@ struct forcing_ahead {
 // Computes ahead, unless that has been done, so that step n is among the steps that are known.
 void forcing_foresee(struct forcing_ahead *x, const struct model *m, long n);
 
-// The motion of the grounds only, at any t; looked up where t is the end of the step sought last.
-void forcing_grounds_known(const struct forcing_ahead *x, struct state *s, const struct model *m,
-                           double t);
+// forcing_at, where t is often the end of the step sought last: its accelerations are looked up. If
+// one ground moves all floors, these are all that it sets.
+void forcing_known(const struct forcing_ahead *x, struct state *s, const struct model *m, double t);
 
 #endif

@@ -28,18 +28,17 @@ static void gaps_find_runs(struct gaps *g) {
     int n_gap = 0;
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        struct gap_run *r = g->n_run > 0 ? &g->run[g->n_run - 1] : NULL;
         g->limit[k] = -INFINITY;
-        if (!r || !gaps_continue(m, r, k)) {
+        if (g->n_run == 0 || !gaps_continue(m, &g->run[g->n_run - 1], k)) {
             n_gap = lanes_whole(n_gap);
-            r = &g->run[g->n_run++];
-            *r = (struct gap_run){.first = k,
-                                  .left = state_end(l, m, 0),
-                                  .right = state_end(l, m, 1),
-                                  .building = {l->building[0], l->building[1]},
-                                  .gap = n_gap,
-                                  .row = link_is_plain(l) ? NULL : l};
+            g->run[g->n_run++] = (struct gap_run){.first = k,
+                                                  .left = state_end(l, m, 0),
+                                                  .right = state_end(l, m, 1),
+                                                  .building = {l->building[0], l->building[1]},
+                                                  .gap = n_gap,
+                                                  .row = link_is_plain(l) ? NULL : l};
         }
+        struct gap_run *r = &g->run[g->n_run - 1];
         for (int side = 0; l->moving_ground && side < 2; side++) {
             r->ground[side] = m->building[l->building[side]].ground;
         }

@@ -35,10 +35,7 @@ static void newmark_begin(struct work *w, const struct state *now, struct state 
     if (w->forcing) {
         forcing_of_pieces(next, w->forcing, end);
     } else {
-        forcing_grounds_known(&w->ahead, next, m, end);
-        if (!state_is_uniform(m)) {
-            forcing_floors(next, m, end);
-        }
+        forcing_known(&w->ahead, next, m, end);
     }
 }
 
