@@ -215,11 +215,18 @@ static double opensees_step(struct opensees *x, long *n, long *every) {
     return m->dt;
 }
 
+// The displacement [L] below which an iteration ends. The error of the forces is this times about
+// 4 m / dt^2, so it is smaller for short steps, as far as rounding allows.
+static double opensees_tolerance(const struct opensees *x, double dt) {
+    const struct unit_system *u = &x->m->deck->units;
+    const double step = dt * unit_size(u, dimension_time) / 1e-3;  // [ms]
+    return fmin(fmax(1e-12 * step * step, 1e-15), 1e-12) / unit_size(u, dimension_length);
+}
+
 static void opensees_analysis(struct opensees *x) {
     static const char message[] = "OpenSees did not converge";
     long n, every;
-    const double dt = opensees_step(x, &n, &every),
-                 length = unit_size(&x->m->deck->units, dimension_length);
+    const double dt = opensees_step(x, &n, &every);
     const double last = x->m->duration - (double)(n - 1) * dt;
     const bool uneven = fabs(last - dt) > 1e-9 * dt;
     emit_note(&x->to, "analysis");
@@ -228,7 +235,7 @@ static void opensees_analysis(struct opensees *x) {
     emit_put(&x->to, "constraints", "w", "Transformation");
     emit_put(&x->to, "numberer", "w", "RCM");
     emit_put(&x->to, "system", "w", "BandGeneral");
-    emit_put(&x->to, "test", "wni", "NormDispIncr", 1e-12 / length, 100);
+    emit_put(&x->to, "test", "wni", "NormDispIncr", opensees_tolerance(x, dt), 100);
     emit_put(&x->to, "algorithm", "w", "Newton");
     if (x->m->beta == 0.0) {
         opensees_note(x, "Newmark's method with beta = 0 is CentralDifference");

@@ -139,3 +139,14 @@ if [ -w /dev/full ]; then
     status=$?
     expect "a full disk is an error" '[ $status -eq 3 ]'
 fi
+
+# What OpenSees gave for all of them.
+table=$root/tests/peers/export.tsv
+missing=
+for deck in "$root"/input/*.deck "$root"/tests/peers/models/*.deck; do
+    name=${deck##*/}
+    grep -q "^${name%.deck}	linear	" "$table" || missing="$missing $name"
+done
+expect "OpenSees has run every example" '[ -z "$missing" ]'
+expect "it differs by less than 1e-6 where the equations are the same" 'awk -F "\t" "!/^#/ && \$2 == \"linear\" && \$8 == \"\" { n++; if (!(\$4 <= 1e-6)) exit 1 } END { exit !(n > 20) }" "$table"'
+expect "the page has the rows of the table" 'awk -F "\t" "!/^#/ { print \"| \" \$1 \" | \" \$2 \" | \" \$4 \" | \" \$5 \" |\" }" "$table" | while read -r row; do grep -qF "$row" "$root/docs/opensees.md" || exit 1; done'
