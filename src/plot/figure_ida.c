@@ -5,8 +5,8 @@
 // intensity at which its run failed. Where a run collapsed, its curve goes on from the demand that
 // it reached as a flat line to the edge, and ends there.
 #include <math.h>
-#include <stdlib.h>
 
+#include "core/arena.h"
 #include "core/safe.h"
 #include "plot/study_figure.h"
 
@@ -130,7 +130,7 @@ static void write_hit(const struct view *v, FILE *to) {
 
 static int write_percentiles(struct view *v, FILE *to, struct error *e) {
     const struct suite *s = v->s;
-    double *work = malloc((size_t)s->n_sample * sizeof *work);
+    double *work = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *work);
     if (!work) {
         return error_no_memory(e);
     }
@@ -143,7 +143,6 @@ static int write_percentiles(struct view *v, FILE *to, struct error *e) {
         fputc('\n', to);
     }
     fprintf(to, "EOD\n");
-    free(work);
     return STATUS_OK;
 }
 
