@@ -140,6 +140,9 @@
 #define spectrum_at jostle_spectrum_at
 #define spectrum_velocity jostle_spectrum_velocity
 #define statement_kinds jostle_statement_kinds
+#define storey_law_damage jostle_storey_law_damage
+#define storey_law_ductility jostle_storey_law_ductility
+#define storey_law_figures jostle_storey_law_figures
 #define storey_law_find jostle_storey_law_find
 #define storey_laws jostle_storey_laws
 #define study_file_check jostle_study_file_check

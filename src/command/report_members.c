@@ -29,7 +29,10 @@ static const struct member_table tables[] = {
      {{"moment", &dimension_energy, AT(moment), false},
       {"shear", &dimension_force, AT(shear), false},
       {"axial", &dimension_force, AT(axial), false}}},
-    {2, true, {{"plastic", NULL, AT(plastic), false}, {"ductility", NULL, AT(ductility), true}}},
+    {2,
+     true,
+     {{"plastic", NULL, AT(plastic), false},
+      {"ductility", NULL, AT(demand.value[YIELD_DUCTILITY]), true}}},
 };
 enum { TABLES = sizeof tables / sizeof tables[0] };
 

@@ -117,11 +117,33 @@ static bool displacement_row(struct printer *t, const struct report *r, int i) {
     return false;
 }
 
-static const struct printer_column residuals[] = {READ("storey drift", 12, length), RATIO(9),
-                                                  COUNT("storey", 7)};
+// Energies are those of all storeys together.
+static const struct printer_column residuals[] = {
+    READ("residual drift", 14, length),
+    RATIO(9),
+    COUNT("storey", 7),
+    {.head = "ductility", .width = 10, .digits = 4, .look = LOOK_READ},
+    COUNT("storey", 7),
+    READ("dissipated", 12, energy),
+    {.head = "damage", .width = 8, .digits = 3, .look = LOOK_READ}};
 static bool residual_row(struct printer *t, const struct report *r, int i) {
-    printer_text(t, r->building[i].name);
-    drift_cells(t, &r->building[i], r->building[i].residual_drift);
+    const struct report_building *b = &r->building[i];
+    const double *const *demand = b->demand;
+    printer_text(t, b->name);
+    drift_cells(t, b, b->residual_drift);
+    if (!demand[YIELD_DUCTILITY]) {  // of an earlier version
+        printer_numbers(t, (double[]){(double)NAN, (double)NAN, (double)NAN, (double)NAN}, 4);
+        return false;
+    }
+    const int most = largest(b, demand[YIELD_DUCTILITY]);
+    const double damage = demand[YIELD_DAMAGE][largest(b, demand[YIELD_DAMAGE])];
+    double energy = 0.0;
+    for (int k = 0; k < b->n_floor; k++) {
+        energy += demand[YIELD_HYSTERETIC][k];
+    }
+    const double value[] = {demand[YIELD_DUCTILITY][most], most + 1, energy,
+                            damage > 0.0 ? damage : (double)NAN};
+    printer_numbers(t, value, 4);
     return false;
 }
 
@@ -197,7 +219,7 @@ static void print_peaks(struct report_summary *s, const struct report_shown *sho
     }
     PRINT_TABLE(s, shown, "peak of", displacements, displacement_row);
     if (yielding.n > 0) {
-        PRINT_TABLE(s, &yielding, "residual", residuals, residual_row);
+        PRINT_TABLE(s, &yielding, "yielding", residuals, residual_row);
     }
     PRINT_TABLE(s, shown, "peak of", forces, force_row);
     if (founded.n > 0) {

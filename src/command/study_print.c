@@ -187,7 +187,7 @@ struct study_g study_print_g(const struct unit_system *u, const char *units, dou
     return g;
 }
 
-// Elastic storeys keep no drift: it is not printed.
+// Elastic storeys keep no drift, and do not yield: such zeros are not printed.
 static bool is_printed(const struct shown *s, const struct study_view *v, int k,
                        const struct study_peak *peak) {
     const struct study_item *item = &v->table.item[k];
@@ -195,7 +195,9 @@ static bool is_printed(const struct shown *s, const struct study_view *v, int k,
     for (int i = 0; i < s->n && hidden; i++) {
         hidden = strcmp(v->table.item[s->choice[i].index].owner, item->owner) != 0;
     }
-    const bool nothing = strcmp(item->name, layout_residual_drift_name) == 0 && peak->value == 0;
+    const bool yields = strcmp(item->name, layout_residual_drift_name) == 0 ||
+                        layout_is_later(&(struct column){.name = item->name});
+    const bool nothing = yields && item->owner && peak->value == 0;
     return peak->found && !nothing && !hidden;
 }
 

@@ -45,8 +45,9 @@ static void close_spot(struct result_file *r, const struct spot *p) {
 
 static void get_column(struct result_file *r, const struct spot *p, const struct column_table *t,
                        int c, void *base, size_t n) {
-    if (!r->h.failed) {
-        const hid_t group = holder(r, p, t->column[c].name);
+    const char *name = t->column[c].name;
+    const hid_t group = r->h.failed ? -1 : holder(r, p, name);
+    if (!r->h.failed && !(layout_is_later(&t->column[c]) && !h5_has(&r->h, group, name))) {
         h5_get_column(&r->h, r->report->arena, group, t, c, base, n);
     }
 }
@@ -182,7 +183,8 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
             const bool yields = envelope.own >= 0
                                     ? h5_has(&f->h, envelope.own, layout_residual_drift_name)
                                     : h5_get_long(&f->h, building.own, "yields") != 0;
-            for (int c = 0; c < layout_peak.n_column - !yields; c++) {
+            const int n_column = layout_peak.n_column - (yields ? 0 : 1 + YIELD_QUANTITIES);
+            for (int c = 0; c < n_column; c++) {
                 get_column(f, &envelope, &layout_peak, c, b, (size_t)b->n_floor);
             }
             close_spot(f, &envelope);

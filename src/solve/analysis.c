@@ -193,7 +193,8 @@ static int analysis_start(struct run *r) {
     const struct model *m = r->model;
     rest_start(r->now, m);
     peaks_update(r->results, m, r->now);
-    if (m->n_force > 0) {
+    yielding_start(&r->forces.yielding, r->now);
+    if (force_peaks_due(&r->forces)) {
         force_peaks_note(&r->forces, r->now);
     }
     if (energy_start(&r->energy, m, r->now, r->results->link, r->error) != STATUS_OK) {
@@ -242,6 +243,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
         return error_no_memory(r->error);
     }
     residual_links(r->model, r->now, results->link);
+    yielding_finish(&r->forces.yielding, &r->energy, r->now, results);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;
     *out = results;

@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "law/lists.h"
+#include "law/yield.h"
 
 enum { WEIGHT, RADIUS, MU, MU_SLOW, RATE, N_ROW };
 enum {
@@ -94,6 +95,12 @@ static double fps_stored(const double *c, const double *h, double drift) {
     return (c[BACK] * drift * drift + c[SPRING] * elastic * elastic) / 2.0;
 }
 
+// The bearing slides fast.
+static void fps_describe(const double *c, struct storey_figures *out) {
+    const double drift = c[STRENGTH] / c[SPRING];
+    yield_describe(drift, c[BACK] * drift + c[STRENGTH], out);
+}
+
 const struct storey_law storey_fps = {
     .name = "fps",
     .summary = "friction pendulum; its friction grows with the velocity",
@@ -115,4 +122,5 @@ const struct storey_law storey_fps = {
     .respond = fps_respond,
     .respond_at_rate = fps_respond_at_rate,
     .stored = fps_stored,
+    .describe = fps_describe,
 };

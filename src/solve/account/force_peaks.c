@@ -11,6 +11,7 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct force_peaks, n),
     FIELD_VALUE(struct force_peaks, time),
     FIELD_ARRAY(struct force_peaks, action, FIELD_FORCE_STATES),
+    FIELD_PART(struct force_peaks, yielding, yielding_fields),
 };
 const struct fields force_peaks_fields = FIELDS(list);
 
@@ -29,7 +30,7 @@ bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct resu
     p->bow = lanes_array(a, p->n_action);
     p->turned =
         arena_alloc(a, m->n_force > 0 ? (size_t)p->n_action * FORCES_BATCH : 0, sizeof *p->turned);
-    return fields_alloc(&force_peaks_fields, m, p, a);
+    return yielding_alloc(&p->yielding, m, a) && fields_alloc(&force_peaks_fields, m, p, a);
 }
 
 #define LANES_OF(x, i) (*(const lanes *)((x) + (i)))

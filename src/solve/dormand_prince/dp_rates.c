@@ -55,6 +55,7 @@ static const struct fields_row rates_list[] = {
     FIELD_VALUE(struct dp_rates, input),
     FIELD_VALUE(struct dp_rates, damping),
     FIELD_VALUE(struct dp_rates, storey),
+    FIELD_ARRAY(struct dp_rates, power, FIELD_FLOORS),
 };
 const struct fields dp_rates_fields = FIELDS(rates_list);
 
@@ -210,7 +211,8 @@ static void dp_part_rates(const struct dp *p, const struct building *g, struct d
 static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
     const struct dp_system *s = &p->system;
     const double shear = dp_rates_shear(p, i, dp_drift(p, 0, i, r->u));
-    r->storey += shear * dp_drift(p, 0, i, r->v);
+    r->power[i] = shear * dp_drift(p, 0, i, r->v);
+    r->storey += r->power[i];
     if (s->calls[i]) {
         r->a[i] -= shear * s->mobility[i];
     }

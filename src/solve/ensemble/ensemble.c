@@ -28,7 +28,8 @@ bool ensemble_suits(const struct model *m) {
     bool suits = !m->adaptive && !m->chain.full_damping && m->n_ground == 1 && m->n_load == 0 &&
                  m->n_link == m->n_contact && m->n_dof <= FLOORS_MOST;
     for (int i = 0; suits && i < m->n_dof; i++) {
-        suits = m->storey[i].law->branch && m->storey[i].pdelta == 0.0;
+        suits = m->storey[i].law->branch && m->storey[i].pdelta == 0.0 &&
+                !yielding_differs(&m->storey[i]);
     }
     for (int k = 0; suits && k < m->n_link; k++) {
         suits = !m->link[k].law->rebound && link_is_plain(&m->link[k]);
