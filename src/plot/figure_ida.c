@@ -64,10 +64,6 @@ static int points_of(const struct suite *s, int sample) {
     return n;
 }
 
-static bool ends_flat(const struct suite *s, int sample) {
-    return suite_collapsed(s, 0, sample, points_of(s, sample) - 1);
-}
-
 // From the demand that a collapsed run reached to the edge of the picture.
 static void write_flats(struct view *v, FILE *to) {
     const struct suite *s = v->s;
@@ -75,7 +71,7 @@ static void write_flats(struct view *v, FILE *to) {
     fprintf(to, "$flats << EOD\n# demand, intensity, of collapses\n");
     for (int k = 0; k < s->n_sample; k++) {
         const int last = points_of(s, k) - 1;
-        if (ends_flat(s, k)) {
+        if (suite_collapsed(s, 0, k, last)) {
             study_point(to, v->demand.factor * suite_reached(s, 0, k, last), s->point[last]);
             study_point(to, edge, s->point[last]);
             fputc('\n', to);

@@ -118,11 +118,6 @@ static bool texts_fit(const struct suite *s, double width) {
     return widest_text(s) + 1 < width / s->n_point;
 }
 
-// How much they take below the axis, with their title.
-static double texts_depth(const struct suite *s, double width) {
-    return 3.6 + (texts_fit(s, width) ? 0 : 0.6 * fmin(name_width, widest_text(s)) - 0.4);
-}
-
 static void draw_panel(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const struct axis y = study_demand_axis(&v->demand, s, v->span);
@@ -132,7 +127,8 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     double bottom = 3.2;
     if (texts) {
         x = (struct axis){.span = {0.5, s->n_point + 0.5}, .kind = AXIS_WITHOUT_NUMBERS};
-        bottom = texts_depth(s, width);
+        // The depth of the texts with their title; slanted texts are deeper.
+        bottom = 3.6 + (texts_fit(s, width) ? 0 : 0.6 * fmin(name_width, widest_text(s)) - 0.4);
         study_foot(c, s->point_title);
     }
     study_panel(c, bottom, &x, &y);
