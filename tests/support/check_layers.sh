@@ -19,7 +19,7 @@ level() {
     solve) echo 3 ;;
     result) echo 4 ;;
     study) echo 5 ;;
-    plot) echo 6 ;;
+    plot | export) echo 6 ;;
     command) echo 7 ;;
     main) echo 8 ;;
     *) echo "check_layers: no layer is known for '$1'" >&2 && exit 1 ;;
