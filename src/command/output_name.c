@@ -8,13 +8,6 @@
 #include "core/text.h"
 #include "jostle/model.h"
 
-// The deck's name with .h5 for its ending, without its folder. NULL: no memory.
-static const char *name_after(struct arena *a, const char *deck) {
-    size_t n;
-    const char *stem = text_stem(deck, &n);
-    return arena_format(a, "%.*s.h5", (int)n, stem);
-}
-
 const char *output_part_name(struct arena *a, const char *path, const struct study_shard *s) {
     size_t n;
     const char *end = text_stem(path, &n) + n;
@@ -26,7 +19,10 @@ const char *output_choose(const struct model *m, const char *given, const struct
     if (given) {
         return given;
     }
-    const char *path = m->output.file ? m->output.file : name_after(a, m->deck->path);
+    // Without a name: that of the deck with the extension .h5, without its folder.
+    size_t n;
+    const char *stem = text_stem(m->deck->path, &n);
+    const char *path = m->output.file ? m->output.file : arena_format(a, "%.*s.h5", (int)n, stem);
     return path && s->n > 0 ? output_part_name(a, path, s) : path;
 }
 

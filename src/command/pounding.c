@@ -140,14 +140,6 @@ static int write_map(void *context, const struct figure_files *to, struct error 
     return pounding_map_write(&map, to, e);
 }
 
-static int draw(struct pounding *p) {
-    const struct spectrum_request *q = p->request;
-    const struct picture_request picture = {
-        .options = q->picture, .name = "pounding", .write = write_map, .context = p};
-    struct error e;
-    return picture_make(&picture, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
-}
-
 int pounding_run(const struct spectrum_request *q, struct arena *a) {
     struct pounding p = {.request = q};
     int status = run_all(&p, a);
@@ -156,7 +148,10 @@ int pounding_run(const struct spectrum_request *q, struct arena *a) {
     }
     assert(p.title && p.force);
     if (picture_is_wanted(&q->picture)) {
-        status = draw(&p);
+        const struct picture_request picture = {
+            .options = q->picture, .name = "pounding", .write = write_map, .context = &p};
+        struct error e;
+        status = picture_make(&picture, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
     }
     if (status == EXIT_DONE && q->form != FORM_TEXT) {
         status = print_data(&p);

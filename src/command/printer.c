@@ -83,11 +83,6 @@ static void put(struct printer *t, const char *text, const char *data) {
     t->n_shown++;
 }
 
-// The column of the next cell of text; NULL: data, or there is none.
-static const struct printer_column *next_of_text(const struct printer *t) {
-    return t->form == FORM_TEXT && t->at < t->n_column ? &t->column[t->at] : NULL;
-}
-
 void printer_text(struct printer *t, const char *text) {
     put(t, text, NULL);
 }
@@ -103,7 +98,8 @@ void printer_read(double value, int digits, char *text, size_t size) {
 
 void printer_number(struct printer *t, double value) {
     static const char *const format[] = {[LOOK_G] = "%.*g", [LOOK_F] = "%.*f", [LOOK_E] = "%.*e"};
-    const struct printer_column *c = next_of_text(t);
+    const bool in_text = t->form == FORM_TEXT && t->at < t->n_column;
+    const struct printer_column *c = in_text ? &t->column[t->at] : NULL;
     struct text_exact exact;
     char text[64] = "-";
     if (c && c->look == LOOK_READ) {

@@ -230,14 +230,6 @@ static void print_peaks(struct report_summary *s, const struct report_shown *sho
     }
 }
 
-static void print_members(const struct report_summary *s, const struct report_shown *shown) {
-    const struct report_building *building[SHOWN_MAX];
-    for (int i = 0; i < shown->n; i++) {
-        building[i] = &s->r->building[shown->choice[i].index];
-    }
-    report_members_print(s->r, building, shown->n, s->to);
-}
-
 // The energies of the end, as the tables have numbers.
 static void print_energies(const struct report_summary *s, const char *unit) {
     static const enum energy energy[] = {ENERGY_INPUT, ENERGY_DAMPING, ENERGY_HYSTERETIC,
@@ -288,7 +280,11 @@ int report_print(const struct report *r, FILE *to, struct error *e) {
     report_summary_rest(&s, r->n_building - shown.n, "buildings", "drift");
     if (r->n_building > 0 && r->building[0].peak[0]) {
         print_peaks(&s, &shown);
-        print_members(&s, &shown);
+        const struct report_building *building[SHOWN_MAX];
+        for (int i = 0; i < shown.n; i++) {
+            building[i] = &r->building[shown.choice[i].index];
+        }
+        report_members_print(r, building, shown.n, to);
         report_links_contacts(&s);
         report_links_links(&s);
         report_links_columns(&s);

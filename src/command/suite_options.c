@@ -51,7 +51,9 @@ const struct suite_request *suite_options_request(struct suite_options *o) {
 // Frames have collapsed at drift ratios of 10 %.
 static const double DRIFT_RATIO_MAX = 0.2;
 
-void suite_options_warn_limit(const struct edp *p, const char *text, double limit) {
+// Warns about a limit on a drift ratio, read from `text`, that seems to be a percentage without its
+// sign.
+static void warn_limit(const struct edp *p, const char *text, double limit) {
     if (p->quantity->divisor && limit > DRIFT_RATIO_MAX && !strchr(text, '%')) {
         safe_line(stderr, "jostle: warning: limit %s of %s is %g %%; %s %% is %s%% or %g", text,
                   p->text, 100.0 * limit, text, text, 0.01 * limit);
@@ -80,7 +82,7 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
         if (status != STATUS_OK) {
             return status;
         }
-        suite_options_warn_limit(&s->edp, text, (*limit)[*n]);
+        warn_limit(&s->edp, text, (*limit)[*n]);
         ++*n;
         if (at[part] == '\0') {
             return STATUS_OK;
@@ -104,7 +106,7 @@ int suite_options_edp_limit(const struct command *c, const struct plan *p, const
         status = edp_limit(edp, &view.units, equal + 1, limit, &e);
     }
     if (status == STATUS_OK) {
-        suite_options_warn_limit(edp, equal + 1, *limit);
+        warn_limit(edp, equal + 1, *limit);
     }
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }

@@ -35,10 +35,6 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
 int suite_options_edp_limit(const struct command *c, const struct plan *p, const char *text,
                             struct edp *edp, double *limit);
 
-// Warns on stderr of a limit on a drift ratio, read from `text`, that a percentage without its sign
-// seems to be.
-void suite_options_warn_limit(const struct edp *p, const char *text, double limit);
-
 // What EDP can be, a line each.
 void suite_options_print_edps(void);
 

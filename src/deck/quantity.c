@@ -185,14 +185,6 @@ static bool starts_unit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%';
 }
 
-// The end of the letters that start at `at`; at least one character is passed.
-static const char *letters_end(const char *at) {
-    do {
-        at++;
-    } while (starts_unit(*at));
-    return at;
-}
-
 bool quantity_is_unit(const struct deck *d, const char *text, size_t n) {
     const char *end;
     struct dimension dimension;
@@ -213,7 +205,9 @@ static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     while (unit_names[n]) {
         n++;
     }
-    struct word part = deck_report_part(d, w, at, letters_end(at));
+    for (end = at + 1; starts_unit(*end); end++) {
+    }
+    struct word part = deck_report_part(d, w, at, end);
     deck_unknown(d, &part, part.text, "unit", unit_names, n);
     return false;
 }

@@ -151,14 +151,6 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *own,
     return true;
 }
 
-// Marks the param of the sweep as swept, because the values of the sweep must not depend on it.
-static void mark_param(struct deck *d, const char *name) {
-    struct parameter *p = parameter_find(d, name, strlen(name));
-    if (p) {
-        p->swept = true;
-    }
-}
-
 void sweep_run(struct deck *d, const struct statement *s) {
     if (s->n_plain < 4) {
         deck_error(d, s->word, "a word is missing; the statement is %s", sweep_usage);
@@ -166,12 +158,16 @@ void sweep_run(struct deck *d, const struct statement *s) {
     if (s->n_plain < 2 || !parameter_is_free(d, &s->word[1], BY_SWEEP)) {
         return;
     }
-    mark_param(d, s->word[1].text);
+    const char *name = s->word[1].text;
+    struct parameter *param = parameter_find(d, name, strlen(name));
+    if (param) {
+        param->swept = true;  // the values of the sweep must not depend on its param
+    }
     struct sweep *own = deck_array(d, 1, sizeof *own);
     if (!own) {
         return;
     }
-    own->name = s->word[1].text;
+    own->name = name;
     struct bundle_request q = {.count = NULL};
     struct parameter p = {.kind = PARAMETER_WRONG};
     bool alone = true;  // not paired; a -D of one sweep ends its pairing

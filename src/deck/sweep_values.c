@@ -191,15 +191,6 @@ static int compare_paths(const void *a, const void *b) {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-// The part of a path that is its label. Form 0: the name without extension, 1: the name, 2: the
-// whole path.
-static const char *label_of(struct deck *d, const char *path, int form) {
-    size_t n;
-    const char *stem = text_stem(path, &n);
-    const char *label = form < 2 ? stem : path;
-    return arena_text(d->arena, label, form == 0 ? n : strlen(label));
-}
-
 // True if the labels differ, or if there is no memory to compare them.
 static bool are_distinct(struct deck *d, const char *const *label, int n) {
     const char **sorted = deck_array(d, (size_t)n, sizeof *sorted);
@@ -221,9 +212,13 @@ static void set_labels(struct deck *d, struct sweep *s) {
     if (!label) {
         return;
     }
+    // Form 0: the name of the file without extension, 1: the name, 2: the whole path.
     for (int form = 0; form < 3; form++) {
         for (int i = 0; i < s->n; i++) {
-            label[i] = label_of(d, s->text[i], form);
+            size_t n;
+            const char *stem = text_stem(s->text[i], &n);
+            const char *from = form < 2 ? stem : s->text[i];
+            label[i] = arena_text(d->arena, from, form == 0 ? n : strlen(from));
             if (!label[i]) {
                 diagnostics_no_memory(&d->diagnostics);
                 return;

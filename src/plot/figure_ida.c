@@ -5,8 +5,8 @@
 // intensity at which its run failed. Where a run collapsed, its curve goes on from the demand that
 // it reached as a flat line to the edge, and ends there.
 #include <math.h>
-#include <stdlib.h>
 
+#include "core/arena.h"
 #include "core/safe.h"
 #include "plot/study_figure.h"
 
@@ -64,10 +64,6 @@ static int points_of(const struct suite *s, int sample) {
     return n;
 }
 
-static bool ends_flat(const struct suite *s, int sample) {
-    return suite_collapsed(s, 0, sample, points_of(s, sample) - 1);
-}
-
 // From the demand that a collapsed run reached to the edge of the picture.
 static void write_flats(struct view *v, FILE *to) {
     const struct suite *s = v->s;
@@ -75,7 +71,7 @@ static void write_flats(struct view *v, FILE *to) {
     fprintf(to, "$flats << EOD\n# demand, intensity, of collapses\n");
     for (int k = 0; k < s->n_sample; k++) {
         const int last = points_of(s, k) - 1;
-        if (ends_flat(s, k)) {
+        if (suite_collapsed(s, 0, k, last)) {
             study_point(to, v->demand.factor * suite_reached(s, 0, k, last), s->point[last]);
             study_point(to, edge, s->point[last]);
             fputc('\n', to);
@@ -130,7 +126,7 @@ static void write_hit(const struct view *v, FILE *to) {
 
 static int write_percentiles(struct view *v, FILE *to, struct error *e) {
     const struct suite *s = v->s;
-    double *work = malloc((size_t)s->n_sample * sizeof *work);
+    double *work = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *work);
     if (!work) {
         return error_no_memory(e);
     }
@@ -143,7 +139,6 @@ static int write_percentiles(struct view *v, FILE *to, struct error *e) {
         fputc('\n', to);
     }
     fprintf(to, "EOD\n");
-    free(work);
     return STATUS_OK;
 }
 

@@ -3,9 +3,9 @@
 // or a line for each value of the other sweeps. Against texts, random parameters and what
 // goes together, points: nothing lies between them.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/arena.h"
 #include "core/safe.h"
 #include "plot/script.h"
 #include "plot/study_figure.h"
@@ -18,6 +18,7 @@ struct view {
     struct study_demand demand;
     struct span span;
     bool band;
+    double *work;  // (n_sample) scratch
 };
 
 static bool has_points(const struct suite *s) {
@@ -38,13 +39,9 @@ static int check(const struct subject *p, struct error *e) {
                      s->group[0], s->n_group, SCRIPT_COLOURS);
 }
 
-static int write_data(struct view *v, FILE *to, struct error *e) {
+static void write_data(struct view *v, FILE *to) {
     static const double fraction[] = {0.5, 0.16, 0.84};
     const struct suite *s = v->s;
-    double *work = malloc((size_t)s->n_sample * sizeof *work);
-    if (!work) {
-        return error_no_memory(e);
-    }
     for (int g = 0; g < s->n_group; g++) {
         fprintf(to, "$group%d << EOD\n# ", g);
         safe_put(to, SAFE_COMMENT, s->abscissa->name);
@@ -54,7 +51,7 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
         for (int j = 0; j < s->n_point; j++) {
             study_number(to, s->point[j]);
             for (int i = 0; i < 3; i++) {
-                const double x = v->demand.factor * suite_percentile(s, g, j, fraction[i], work);
+                const double x = v->demand.factor * suite_percentile(s, g, j, fraction[i], v->work);
                 study_number(to, x);
                 if (i == 0 || v->band) {
                     span_add(&v->span, x);
@@ -64,17 +61,11 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
         }
         fprintf(to, "EOD\n");
     }
-    free(work);
-    return STATUS_OK;
 }
 
 // The medians at which a sample is the acceleration of a floor that was hit.
-static int write_hit(const struct view *v, FILE *to, struct error *e) {
+static void write_hit(const struct view *v, FILE *to) {
     const struct suite *s = v->s;
-    double *work = malloc((size_t)s->n_sample * sizeof *work);
-    if (!work) {
-        return error_no_memory(e);
-    }
     fprintf(to, "$hit << EOD\n# parameter, median, where floors were hit\n");
     for (int i = 0; i < s->n_group * s->n_point; i++) {
         const int g = i / s->n_point, j = i % s->n_point;
@@ -83,12 +74,11 @@ static int write_hit(const struct view *v, FILE *to, struct error *e) {
             hit |= suite_hit(s, g, k, j);
         }
         if (hit) {
-            study_point(to, s->point[j], v->demand.factor * suite_percentile(s, g, j, 0.5, work));
+            study_point(to, s->point[j],
+                        v->demand.factor * suite_percentile(s, g, j, 0.5, v->work));
         }
     }
     fprintf(to, "EOD\n");
-    free(work);
-    return STATUS_OK;
 }
 
 static void write_legend(const struct view *v, struct canvas *c) {
@@ -128,11 +118,6 @@ static bool texts_fit(const struct suite *s, double width) {
     return widest_text(s) + 1 < width / s->n_point;
 }
 
-// How much they take below the axis, with their title.
-static double texts_depth(const struct suite *s, double width) {
-    return 3.6 + (texts_fit(s, width) ? 0 : 0.6 * fmin(name_width, widest_text(s)) - 0.4);
-}
-
 static void draw_panel(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const struct axis y = study_demand_axis(&v->demand, s, v->span);
@@ -142,7 +127,8 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     double bottom = 3.2;
     if (texts) {
         x = (struct axis){.span = {0.5, s->n_point + 0.5}, .kind = AXIS_WITHOUT_NUMBERS};
-        bottom = texts_depth(s, width);
+        // The depth of the texts with their title; slanted texts are deeper.
+        bottom = 3.6 + (texts_fit(s, width) ? 0 : 0.6 * fmin(name_width, widest_text(s)) - 0.4);
         study_foot(c, s->point_title);
     }
     study_panel(c, bottom, &x, &y);
@@ -182,10 +168,13 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none, .band = s->n_group == 1 && s->n_sample > 1};
     study_demand_init(&v.demand, s);
-    int status = write_data(&v, c->data, e);
-    status = status == STATUS_OK && s->n_hit > 0 ? write_hit(&v, c->data, e) : status;
-    if (status != STATUS_OK) {
-        return status;
+    v.work = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *v.work);
+    if (!v.work) {
+        return error_no_memory(e);
+    }
+    write_data(&v, c->data);
+    if (s->n_hit > 0) {
+        write_hit(&v, c->data);
     }
     char samples[128], text[256];
     const bool named = strcmp(s->over, "sample") != 0;

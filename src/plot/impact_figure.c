@@ -25,12 +25,6 @@ struct scales {
     struct scale force, time, length;
 };
 
-static struct scales scales_of(const struct extent *x) {
-    return (struct scales){.force = scale_for(scale_forces, fmax(x->force.high, -x->force.low)),
-                           .time = scale_for(times, x->time.high - x->time.low),
-                           .length = scale_for(scale_lengths, x->depth.high)};
-}
-
 // The curve from a force of 0 at closure to one of 0 at opening.
 static void write_curve(const struct impact_curve *curve, int c, const struct scales *s, FILE *to) {
     fprintf(to, "$curve%d << EOD\n# time force penetration\n", c);
@@ -126,7 +120,9 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
         }
     }
     span_add(&x.force, 0);
-    const struct scales s = scales_of(&x);
+    const struct scales s = {.force = scale_for(scale_forces, fmax(x.force.high, -x.force.low)),
+                             .time = scale_for(times, x.time.high - x.time.low),
+                             .length = scale_for(scale_lengths, x.depth.high)};
     struct canvas canvas;
     int status = figure_open(&head, to, &canvas, e);
     const char *name[IMPACT_FIGURE_CURVES];

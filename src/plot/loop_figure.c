@@ -93,14 +93,6 @@ static void write_curve(const struct loop_figure *f, int c, const struct extent 
     fprintf(to, "EOD\n");
 }
 
-static void write_samples(const struct loop_figure *f, const struct scales *s, FILE *to) {
-    fprintf(to, "$measured << EOD\n# drift shear\n");
-    for (size_t i = 0; i < f->n_sample; i++) {
-        fprintf(to, "%.6g %.6g\n", f->drift[i] / s->drift.size, f->shear[i] / s->shear.size);
-    }
-    fprintf(to, "EOD\n");
-}
-
 static void draw_panels(const struct loop_figure *f, const struct extent *x, const struct scales *s,
                         struct canvas *c) {
     const struct scale number = {1.0, ""};
@@ -147,7 +139,12 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
         write_curve(f, c, &x, &s, to->data);
     }
     if (f->n_sample > 0) {
-        write_samples(f, &s, to->data);
+        fprintf(to->data, "$measured << EOD\n# drift shear\n");
+        for (size_t i = 0; i < f->n_sample; i++) {
+            fprintf(to->data, "%.6g %.6g\n", f->drift[i] / s.drift.size,
+                    f->shear[i] / s.shear.size);
+        }
+        fprintf(to->data, "EOD\n");
     }
     canvas_head(&canvas, f->title, f->subtitle);
     pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);

@@ -21,14 +21,9 @@ static const char *const record_colour[NAMED_MAX] = {
 };
 
 // Columns of the data: the period, then for each damping ratio the series of the spectra, that is
-// the records and the statistics.
+// the records and the statistics. The target is behind them all.
 static int column(const struct spectra *s, int series, int damping) {
     return 2 + damping * (s->n_record + SPECTRA_STATISTICS) + series;
-}
-
-// Behind them all.
-static int target_column(const struct spectra *s) {
-    return column(s, 0, s->n_damping);
 }
 
 // In g; NAN where there is none.
@@ -177,7 +172,7 @@ static void draw_series(const struct response_sheet *sheet, struct canvas *c) {
         draw_line(c, column(s, n + SPECTRA_MEAN, 0), mean_colour, 1.6);
     }
     if (sheet->target) {
-        panel_series(c, target, "$spectra using 1:%d", target_column(s));
+        panel_series(c, target, "$spectra using 1:%d", column(s, 0, s->n_damping));
     }
 }
 

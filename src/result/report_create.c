@@ -210,16 +210,12 @@ static void collapse_fill(struct report_collapse *to, const struct model *m,
     }
 }
 
-static double larger_size(double most, const struct column_peak *p) {
-    return fmax(most, fmax(p->max, -p->min));
-}
-
 static void column_fill(struct report_link *to, const struct struck_column *c,
                         const struct column_peak peak[COLUMN_FORCE_COUNT]) {
     memcpy(to->column, peak, sizeof to->column);
     for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
         double *most = q <= COLUMN_SHEAR_ABOVE ? &to->shear : &to->moment;
-        *most = larger_size(*most, &peak[q]);
+        *most = fmax(*most, fmax(peak[q].max, -peak[q].min));
     }
     const double demand = fmax(to->shear / c->shear_strength, to->moment / c->moment_strength);
     to->demand = isinf(fmin(c->shear_strength, c->moment_strength)) ? (double)NAN : demand;

@@ -194,13 +194,6 @@ int result_create_in(const struct result_place *place, const struct model *m, co
                   e);
 }
 
-// Cuts the histories of a run that has collapsed to the rows that there are.
-static void cut(struct result_writer *w) {
-    for (int i = 0; i < w->n_stream && w->n_written < w->report->n_row; i++) {
-        h5_cut(w->h, w->stream[i].dataset, (size_t)w->n_written);
-    }
-}
-
 // Writes the rows left and everything that is known after the run, and marks it complete.
 static int end(struct result_writer *w, const struct results *r, struct error *e) {
     assert(w->n_written + (long)w->pending == w->report->n_row || r->collapse.happened);
@@ -212,7 +205,10 @@ static int end(struct result_writer *w, const struct results *r, struct error *e
     if (status != STATUS_OK) {
         return status;
     }
-    cut(w);
+    // The histories of a run that has collapsed end with its last row.
+    for (int i = 0; i < w->n_stream && w->n_written < w->report->n_row; i++) {
+        h5_cut(w->h, w->stream[i].dataset, (size_t)w->n_written);
+    }
     writer_results(w, report);
     report_free(report);
     h5_list_uses(w->h);
