@@ -206,7 +206,9 @@ const char *deck_quote(struct deck_quote *q, const struct word *w, const char *v
 // deck_unknown quotes `value`, which `w` gives, and suggests the nearest of `known` (n texts),
 // which it returns: "unknown contact law 'herz'; did you mean 'hertz'?". If none is near, it lists
 // `known`, unless they are many, and returns NULL.
-void deck_error(struct deck *d, const struct word *w, const char *format, ...)
+//
+// deck_error returns false.
+bool deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 // Reports the message of `e` at `w`; diagnostics.system remembers a STATUS_SYSTEM.
 void deck_error_of(struct deck *d, const struct word *w, const struct error *e);

@@ -71,9 +71,12 @@ struct building {
     const double *part_dashpot;      // [F T/L] (n_dof, n_dof) initial d shear / d drift rate
     int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
                                      // index of the first among those of all buildings
-    const double *force_by_action;   // (n_dof + n_hinge, n_force in whole lanes) transposed: by
-                                     // unit drifts, and unit departures of hinges from their lines
+    const double *force_by_action;   // (building_n_action, n_force in whole lanes) transposed: by
+                                     // unit drifts, unit departures of hinges from their lines, and
+                                     // unit displacements of the struck points of its frame
     int n_hinge;                     // of its frame
+    int n_struck;                    // struck points of its frame
+    const int *struck;               // (n_struck) their degrees of freedom
     int departure, first_hinge;      // offset of these in the state's storey history, and the index
                                      // of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
@@ -171,8 +174,9 @@ enum column_force {
 
 // A column that is struck between the floors of its storey. The struck point has a mass and one
 // degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
-// the floors below and above: the column is clamped in both, and the rotation of its point has no
-// inertia. The spring may have a law. The storey keeps the stiffness of all its columns.
+// the floors below and above, in which the column is clamped, or to all floors of its frame. The
+// rotation of the point has no inertia. The spring may have a law. The storey keeps the stiffness
+// of all its columns.
 struct struck_column {
     const char *name;
     int building;      // index into model.building
@@ -188,9 +192,13 @@ struct struck_column {
     double dashpot;    // [F T/L]
     double n;          // columns that are struck together
     double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
-    int dof[3];  // the struck point, the floor above, the floor below; WALL: the ground
-    double force[COLUMN_FORCE_COUNT][3];   // [F/L] or [F] for unit displacements of these
-    bool yields;                           // the spring has a law, and the forces also have
+    int line;   // of the frame, whose joints turn at its ends; 0: it is clamped in the floors
+    int point;  // among those of the frame
+    const double *rest;   // (n_dof of its building) the displacement of the point without a force
+    int n_dof;            // degrees of freedom on which its forces depend
+    const int *dof;       // (n_dof) the struck point, then those of its building
+    const double *force;  // (COLUMN_FORCE_COUNT, n_dof) [F/L] or [F] for unit displacements
+    bool yields;          // the spring has a law, and the forces also have
     double by_spring[COLUMN_FORCE_COUNT];  // 1 or [L] for its unit force; 0: elastic
 };
 
@@ -294,6 +302,11 @@ long model_rows(const struct model *m);
 
 // The damping forces C v of building `g`; v and force are (n_dof) [L/T] [F].
 void building_damping_force(const struct building *g, const double *v, double *force);
+
+// The actions that its forces follow from.
+static inline int building_n_action(const struct building *g) {
+    return g->n_dof + g->n_hinge + g->n_struck;
+}
 
 // The tangents of its storeys (n_dof), and with parts theirs by drifts and by rates.
 static inline int building_n_tangent(const struct building *g) {

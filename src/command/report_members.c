@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/report_members.h"
-
 #include <math.h>
 #include <string.h>
 
+#include "command/report_summary.h"
 #include "core/safe.h"
 
 // The kinds of members, by which their names begin.
@@ -100,7 +99,7 @@ static void print_heads(const struct member_table *t, const struct report *r, FI
     }
 }
 
-void report_print_members(const struct report *r, const struct report_building *const *building,
+void report_members_print(const struct report *r, const struct report_building *const *building,
                           int n, FILE *to) {
     for (int k = 0; k < TABLES; k++) {
         bool headed = false;

@@ -1,15 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The summary of a run as text: tables by the printer, between them sentences. Long tables are cut
-// to the most severe entries, and a line says so. All values as data: show_table.c, show_json.c.
+// to the most severe entries, and a line says so. All values as data: show_report.c.
 #include <math.h>
 #include <string.h>
 
-#include "command/report_head.h"
-#include "command/report_links.h"
-#include "command/report_members.h"
+#include "command/report_summary.h"
 #include "core/safe.h"
 #include "core/text.h"
 #include "jostle/result.h"
+
+// The number of a run in a study, and the values of its parameters, a line each.
+static void print_run(const struct report *r, FILE *to) {
+    fprintf(to, "run %ld of a study\n", r->run);
+    for (const char *line = r->parameters; *line;) {
+        const int n = (int)strcspn(line, "\n");
+        safe_line(to, "  %.*s", n, line);
+        line += n + (line[n] == '\n');
+    }
+}
+
+static void print_collapse(const struct report *r, FILE *to) {
+    const struct report_collapse *c = &r->collapse;
+    const char *length = r->units.length_name, *time = r->units.time_name;
+    if (c->happened) {
+        safe_line(to,
+                  "COLLAPSED at %.6g %s: the drift of storey %ld of building %s reached %.4g %s; "
+                  "the run ended there",
+                  c->time, time, c->storey, c->building, fabs(c->drift), length);
+    }
+}
+
+static void print_head(const struct report *r, FILE *to) {
+    if (r->title[0]) {
+        safe_line(to, "%s", r->title);
+    }
+    if (r->run > 0) {
+        print_run(r, to);
+    }
+    fprintf(to, "units %s %s %s, duration %.6g %s, ", r->units.force_name, r->units.length_name,
+            r->units.time_name, r->duration, r->units.time_name);
+    if (r->dt > 0.0) {
+        fprintf(to, "step %.6g %s\n", r->dt, r->units.time_name);
+    } else {
+        fprintf(to, "adaptive steps\n");
+    }
+    print_collapse(r, to);
+}
 
 // Index of the largest value of the floors or storeys in summaries; of the first if all are NaN.
 static int largest(const struct report_building *b, const double *value) {
@@ -199,7 +235,7 @@ static void print_members(const struct report_summary *s, const struct report_sh
     for (int i = 0; i < shown->n; i++) {
         building[i] = &s->r->building[shown->choice[i].index];
     }
-    report_print_members(s->r, building, shown->n, s->to);
+    report_members_print(s->r, building, shown->n, s->to);
 }
 
 // The energies of the end, as the tables have numbers.
@@ -246,7 +282,7 @@ static void print_totals(const struct report_summary *s) {
 
 int report_print(const struct report *r, FILE *to, struct error *e) {
     struct report_summary s = {.to = to, .r = r, .e = e};
-    report_head(r, to);
+    print_head(r, to);
     const struct report_shown shown = choose_buildings(r);
     PRINT_TABLE(&s, &shown, "building", buildings, building_row);
     report_summary_rest(&s, r->n_building - shown.n, "buildings", "drift");

@@ -8,7 +8,7 @@
 #include "command/interrupt.h"
 #include "command/output_name.h"
 #include "command/progress.h"
-#include "command/show_study.h"
+#include "command/show.h"
 #include "core/checksum.h"
 #include "core/heap.h"
 #include "core/safe.h"

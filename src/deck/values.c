@@ -99,10 +99,9 @@ static bool check_dimension(struct deck *d, const struct row *row, struct dimens
     char mass[WEIGHT_SIZE];
     bool weight =
         dimension_equal(wanted, dimension_mass) && dimension_equal(q->dimension, dimension_force);
-    deck_error(d, w, "%s has the dimension of %s; %s is needed%s%s", row->key, got.text,
-               noun ? noun : quantity_describe(&d->units, wanted, &need),
-               weight ? "; the mass of a weight is " : "", weight ? mass_of(w, mass) : "");
-    return false;
+    return deck_error(d, w, "%s has the dimension of %s; %s is needed%s%s", row->key, got.text,
+                      noun ? noun : quantity_describe(&d->units, wanted, &need),
+                      weight ? "; the mass of a weight is " : "", weight ? mass_of(w, mass) : "");
 }
 
 // False after having reported a word that does not start like a number, such as a parameter's name.
@@ -143,9 +142,8 @@ static bool read_number(struct deck *d, const struct row *row, struct dimension 
     }
     const double largest = 2147483647;  // whole numbers must fit an int
     if (row->kind == ROW_INTEGER && (q.value != floor(q.value) || fabs(q.value) > largest)) {
-        deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key, q.value,
-                   largest);
-        return false;
+        return deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key,
+                          q.value, largest);
     }
     double size = unit_size(&d->units, dimension);
     if (range_holds(row->range, unit_convert(q.value, size, 1))) {
@@ -154,9 +152,8 @@ static bool read_number(struct deck *d, const struct row *row, struct dimension 
     char unit[64];
     unit_text(&d->units, dimension, unit, sizeof unit);
     bool pure = dimension_equal(dimension, dimension_none);
-    deck_error(d, w, "%s is %.10g%s%s; it must be %s", row->key, q.value, pure ? "" : " ",
-               pure ? "" : unit, row->range->text);
-    return false;
+    return deck_error(d, w, "%s is %.10g%s%s; it must be %s", row->key, q.value, pure ? "" : " ",
+                      pure ? "" : unit, row->range->text);
 }
 
 static bool read_numbers(struct deck *d, const struct row *row, double power,
@@ -250,16 +247,15 @@ bool deck_values(struct deck *d, const struct row *row, double power, const stru
     bool many = row->kind == ROW_LIST || row->kind == ROW_TEXTS;
     int most = row->kind == ROW_FLAG ? 0 : 1;
     if (!many && n_word > most) {
-        deck_error(d, &word[most], "'%s' is not expected: %s takes %s",
-                   text_short(&t, word[most].text), row->key, most ? "one value" : "no value");
-        return false;
+        return deck_error(d, &word[most], "'%s' is not expected: %s takes %s",
+                          text_short(&t, word[most].text), row->key,
+                          most ? "one value" : "no value");
     }
     if (row->kind == ROW_FLAG) {
         return true;
     }
     if (n_word < 1) {
-        deck_error(d, NULL, "%s needs a value", row->key);
-        return false;
+        return deck_error(d, NULL, "%s needs a value", row->key);
     }
     if (row->kind == ROW_CHOICE) {
         return read_choice(d, row, word, out);

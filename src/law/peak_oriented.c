@@ -129,7 +129,9 @@ struct storey_response peak_oriented_respond(const double *c, const double *h, d
         }
         const double zero = s.sign * (s.turn_drift - s.turn_shear / s.unloading);
         s = peak_oriented_side(c, h, !s.right);
-        s.turn_drift = s.sign * zero;
+        // The line has crossed zero before the drift, whatever the rounding of `zero`: a shear of the
+        // other side here would let a link that hangs loose forget where it has unloaded.
+        s.turn_drift = fmin(s.sign * zero, s.sign * drift);
         s.turn_shear = 0.0;
     }
     struct storey_response r = peak_oriented_reload(&s, s.sign * drift);

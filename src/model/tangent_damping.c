@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S_i = sum over j of beta_ij K_ij r_j, with the drift rates r and the tangent stiffness K on
-// drifts at the end of the last step. Where the tangent of a shear storey is negative, 0 takes its
-// place. The history has K less the initial stiffness, which is 0 at first, and what the account
-// needs: the work of the S over a step is the mean of their values at both ends times the drifts.
+// drifts at the end of the last step. Where the tangent of a shear storey, or an eigenvalue of the
+// tangent with parts, is negative, 0 takes its place. The history has K less the initial stiffness,
+// which is 0 at first, and what the account needs: the work of the S over a step is the mean of
+// their values at both ends times the drifts.
 #include "model/tangent_damping.h"
 
 #include <assert.h>
@@ -10,6 +11,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/definite.h"
 
 // History: BEGUN is 1 once a state is committed; then the shears (n), the drifts (n), and the
 // change of K: (n) of a chain, (n, n) with parts.
@@ -65,9 +67,12 @@ static void tangent_damping_stiffness(const struct tangent_damping *t, const dou
             continue;
         }
         change[i * n + i] += own;
-        for (size_t j = 0; j < n; j++) {
-            change[i * n + j] -= t->initial[i * n + j];
-        }
+    }
+    if (t->n_part > 0) {
+        definite_clip(change, t->n, scratch);
+    }
+    for (size_t i = 0; t->n_part > 0 && i < n * n; i++) {
+        change[i] -= t->initial[i];
     }
 }
 
@@ -176,7 +181,8 @@ void tangent_damping_put(struct builder *b, struct building_draft *d, struct bui
                      &(struct part){.kind = &tangent_damping,
                                     .n = t->n,
                                     .data = t,
-                                    .n_history = tangent_damping_change(t) + t->n * (int)width});
+                                    .n_history = tangent_damping_change(t) + t->n * (int)width,
+                                    .n_scratch = t->n_part > 0 ? 2 * t->n * t->n : 0});
     struct part *part = d->parts.item;
     if (!tangent_damping_sum(b->arena, g) || d->parts.n == g->n_part) {
         return;

@@ -149,20 +149,12 @@ static int read_rows(struct arena *a, struct file *f, struct error *e) {
 
 static int read_text(struct arena *a, struct file *f, struct error *e) {
     struct record_text raw = f->text;
-    int status = record_clean(&raw, &f->text, e);
-    if (status == STATUS_OK && !table_find(&f->text, &f->table)) {
-        return lines_error(e, f->text.path, 0, "the file has no line of numbers");
-    }
-    if (status == STATUS_OK) {
-        status = table_check(&f->text, &f->table, e);
-    }
-    if (status == STATUS_OK) {
-        status = check_columns(f, f->table.first_line, f->table.n_column, e);
-    }
-    if (status == STATUS_OK) {
-        status = find_units(f, e);
-    }
-    return status == STATUS_OK ? read_rows(a, f, e) : status;
+    return record_clean(&raw, &f->text, e) != STATUS_OK ||
+                   table_read(&f->text, &f->table, e) != STATUS_OK ||
+                   check_columns(f, f->table.first_line, f->table.n_column, e) != STATUS_OK ||
+                   find_units(f, e) != STATUS_OK
+               ? e->status
+               : read_rows(a, f, e);
 }
 
 static int read_file(struct arena *a, const char *path, struct file *f, const double **value,

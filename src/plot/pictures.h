@@ -9,6 +9,7 @@
 #include "law/storey_loop.h"
 #include "motion/target.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
 
 // The picture of response spectra: pseudo-acceleration against the logarithm of the period.
 
@@ -29,6 +30,13 @@ struct response_sheet {
 // STATUS_INPUT (the picture has another ending). Write errors are the caller's.
 int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e);
+
+// What the pictures of laws share: a panel of curves $curve0, $curve1 ... with what was measured,
+// $measured, and the legend, which a single curve does not need.
+
+void pictures_law_panel(struct canvas *c, const struct panel *p, int n_curve, int x, int y,
+                        double sample);  // size of a sample in the panel; 0: none are drawn
+void pictures_law_legend(struct canvas *c, const char *const *name, int n_curve, size_t n_sample);
 
 // The picture of isolated impacts: force against time, and against penetration.
 

@@ -38,7 +38,7 @@ static struct object *slot_of(const struct walk *w, hobj_ref_t address) {
     return &w->object[i];
 }
 
-// Makes room for one more.
+// Makes room for one more object.
 static bool grow(struct walk *w) {
     if (2 * (w->n_object + 1) <= w->n_slot) {
         return true;
@@ -94,9 +94,7 @@ static enum seal_kind kind_of(hid_t type) {
     if (class == H5T_VLEN) {
         hid_t item = H5Tget_super(type);
         const bool is_list = item >= 0 && H5Tequal(item, H5T_STD_REF_OBJ) > 0;
-        if (item >= 0) {
-            H5Tclose(item);
-        }
+        h5_drop(item);
         return is_list ? KIND_SCALES : KIND_NONE;
     }
     // Lists of users of a scale are compounds of a reference and a number, as the high-level

@@ -137,9 +137,7 @@ static void get_sweeps(struct study_file *f) {
     check_stored(f, f->message, "message");
     hid_t space = f->file.h.failed ? -1 : H5Dget_space(f->status);
     const int n = space >= 0 ? H5Sget_simple_extent_ndims(space) : 0;
-    if (space >= 0) {
-        H5Sclose(space);
-    }
+    h5_drop(space);
     if (!f->file.h.failed && (n < 1 || n > STUDY_SWEEPS_MAX)) {
         h5_fail(&f->file.h, "it has %d sweeps; 1 to %d are allowed", n, STUDY_SWEEPS_MAX);
     }

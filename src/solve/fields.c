@@ -41,18 +41,27 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
     return (size_t)n[f->count];
 }
 
+// The row of the next of the members that one row stands for.
+static struct fields_row fields_next(struct fields_row f) {
+    f.offset += f.count == FIELD_ONE ? f.size : sizeof(void *);
+    f.more--;
+    return f;
+}
+
 bool fields_alloc(const struct fields *f, const struct model *m, void *s, struct arena *a) {
-    for (const struct fields_row *i = f->row; i < f->row + f->n; i++) {
-        const size_t n = fields_count(i, m, 0);
-        char *member = (char *)s + i->offset;
-        if (i->count >= FIELDS_ALLOCATED) {
-            const bool floors = i->count == FIELD_FLOORS && i->size == sizeof(double);
-            void *array = floors                    ? lanes_array(a, m->n_dof)
-                          : i->count == FIELD_LINKS ? lanes_lines(a, n + LANES_WIDTH, i->size)
-                                                    : arena_alloc(a, n, i->size);
-            memcpy(member, &array, sizeof array);  // pointers of all types are alike here
-        } else if (i->count == FIELD_ONE && i->part) {
-            fields_alloc(i->part, m, member, a);
+    for (int k = 0; k < f->n; k++) {
+        for (struct fields_row i = f->row[k]; i.more >= 0; i = fields_next(i)) {
+            const size_t n = fields_count(&i, m, 0);
+            char *member = (char *)s + i.offset;
+            if (i.count >= FIELDS_ALLOCATED) {
+                const bool floors = i.count == FIELD_FLOORS && i.size == sizeof(double);
+                void *array = floors                   ? lanes_array(a, m->n_dof)
+                              : i.count == FIELD_LINKS ? lanes_lines(a, n + LANES_WIDTH, i.size)
+                                                       : arena_alloc(a, n, i.size);
+                memcpy(member, &array, sizeof array);  // pointers of all types are alike here
+            } else if (i.count == FIELD_ONE && i.part) {
+                fields_alloc(i.part, m, member, a);
+            }
         }
     }
     return !arena_failed(a);
@@ -70,15 +79,17 @@ static char *fields_elements(const struct fields_row *f, const void *s) {
 
 static void fields_copy_of(const struct fields *f, const struct model *m, int building, void *to,
                            const void *from) {
-    for (const struct fields_row *i = f->row; i < f->row + f->n; i++) {
-        const size_t n = fields_count(i, m, building);
-        char *there = fields_elements(i, to);
-        const char *here = fields_elements(i, from);
-        if (!i->part && n > 0 && i->count != FIELD_PART_SCRATCH) {
-            memcpy(there, here, n * i->size);
-        }
-        for (size_t k = 0; i->part && k < n; k++) {
-            fields_copy_of(i->part, m, (int)k, there + k * i->size, here + k * i->size);
+    for (int j = 0; j < f->n; j++) {
+        for (struct fields_row i = f->row[j]; i.more >= 0; i = fields_next(i)) {
+            const size_t n = fields_count(&i, m, building);
+            char *there = fields_elements(&i, to);
+            const char *here = fields_elements(&i, from);
+            if (!i.part && n > 0 && i.count != FIELD_PART_SCRATCH) {
+                memcpy(there, here, n * i.size);
+            }
+            for (size_t k = 0; i.part && k < n; k++) {
+                fields_copy_of(i.part, m, (int)k, there + k * i.size, here + k * i.size);
+            }
         }
     }
 }

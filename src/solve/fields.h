@@ -48,6 +48,7 @@ struct fields_row {
     size_t size;    // [bytes] of an element
     enum field_count count;
     const struct fields *part;  // the list of its own fields; NULL: all of it
+    int more;                   // such members behind it, where the struct has an array of them
 };
 
 struct fields {
@@ -55,15 +56,21 @@ struct fields {
     int n;
 };
 
-// Rows of a list for struct S: values in it, arrays behind a pointer, and structs with a list.
+// Rows of a list for struct S: values in it, arrays behind a pointer, and structs with a list. The
+// members of the last two macros are arrays in S, of pointers to arrays and of structs with a list.
 #define FIELD_VALUE(S, member)                                                                     \
-    { offsetof(S, member), sizeof((S *)0)->member, FIELD_ONE, NULL }
+    { offsetof(S, member), sizeof((S *)0)->member, FIELD_ONE, NULL, 0 }
 #define FIELD_ARRAY(S, member, count)                                                              \
-    { offsetof(S, member), sizeof *((S *)0)->member, count, NULL }
+    { offsetof(S, member), sizeof *((S *)0)->member, count, NULL, 0 }
 #define FIELD_PART(S, member, list)                                                                \
-    { offsetof(S, member), sizeof((S *)0)->member, FIELD_ONE, &(list) }
+    { offsetof(S, member), sizeof((S *)0)->member, FIELD_ONE, &(list), 0 }
 #define FIELD_PARTS(S, member, count, list)                                                        \
-    { offsetof(S, member), sizeof *((S *)0)->member, count, &(list) }
+    { offsetof(S, member), sizeof *((S *)0)->member, count, &(list), 0 }
+#define FIELD_ARRAYS(S, member, count)                                                             \
+    { offsetof(S, member), sizeof **((S *)0)->member, count, NULL, FIELDS_MORE(S, member) }
+#define FIELD_EACH_PART(S, member, list)                                                           \
+    { offsetof(S, member), sizeof *((S *)0)->member, FIELD_ONE, &(list), FIELDS_MORE(S, member) }
+#define FIELDS_MORE(S, member) (sizeof((S *)0)->member / sizeof *((S *)0)->member - 1)
 #define FIELDS(array)                                                                              \
     { array, sizeof(array) / sizeof(array)[0] }
 

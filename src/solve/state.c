@@ -168,11 +168,6 @@ void state_complete(struct state *s, const struct model *m) {
     state_totals(s, m);
 }
 
-double state_gap(const struct link *l, const struct model *m, const double *u,
-                 const double *ground) {
-    return link_across(l, u) + state_ground_gap(l, m, ground);
-}
-
 double state_rounding(const struct link *l, const double *x) {
     return 4.0 * DBL_EPSILON * link_size(l, x);
 }

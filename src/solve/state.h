@@ -172,17 +172,18 @@ static inline int state_end(const struct link *l, const struct model *m, int sid
 }
 
 // Penetration of link l before its gap is taken off, from displacements u and those of the grounds
-// (or its rate from velocities).
-double state_gap(const struct link *l, const struct model *m, const double *u,
-                 const double *ground);
-
-// The grounds' share of that; 0 where both ends stand on the same ground. In line for the contact
-// iteration.
+// (or its rate from velocities); and the grounds' share of that, 0 where both ends stand on the
+// same ground. In line for the contact iteration.
 static inline double state_ground_gap(const struct link *l, const struct model *m,
                                       const double *ground) {
     return l->moving_ground ? ground[m->building[l->building[0]].ground] -
                                   ground[m->building[l->building[1]].ground]
                             : 0.0;
+}
+
+static inline double state_gap(const struct link *l, const struct model *m, const double *u,
+                               const double *ground) {
+    return link_across(l, u) + state_ground_gap(l, m, ground);
 }
 
 // Adds to x (n_dof) what a force f of link l does to the accelerations of its floors, or an impulse

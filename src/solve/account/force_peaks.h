@@ -37,18 +37,6 @@ static inline bool force_peaks_due(const struct force_peaks *p) {
 // Takes the states of the batch into the extremes, and empties it.
 void force_peaks_flush(struct force_peaks *p);
 
-// Takes a value of force i of all.
-static inline void force_peaks_take(struct results *r, int i, double value, double time) {
-    if (value > r->force_max[i]) {
-        r->force_max[i] = value;
-        r->force_max_time[i] = time;
-    }
-    if (value < r->force_min[i]) {
-        r->force_min[i] = value;
-        r->force_min_time[i] = time;
-    }
-}
-
 // Takes a state: its displacements, and departures of hinges.
 static inline void force_peaks_note(struct force_peaks *p, const struct state *s) {
     const struct model *m = p->model;

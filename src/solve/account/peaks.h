@@ -36,10 +36,15 @@ void peaks_columns(struct results *r, const struct model *m, const struct state 
 // Takes the drift rates of state `s`.
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s);
 
-// Raises a peak, and its time, to x where that is greater.
+// Raises a peak, and its time, to x where that is greater; lowers it where that is less.
 static inline void peak_larger(double x, double time, double *peak, double *peak_time) {
     *peak_time = x > *peak ? time : *peak_time;
     *peak = x > *peak ? x : *peak;
+}
+
+static inline void peak_smaller(double x, double time, double *peak, double *peak_time) {
+    *peak_time = x < *peak ? time : *peak_time;
+    *peak = x < *peak ? x : *peak;
 }
 
 // Raises the largest velocity of any floor so far to the peaks of n floors.
@@ -59,12 +64,25 @@ static inline void peaks_force(struct results *r, int k, double force, double ti
     peak_larger(force, time, &r->link[k].force, &r->link[k].force_time);
 }
 
-// Takes a value of a force in a struck column.
+// Take a value of a force in a struck column, and of force i of those that follow from drifts.
 static inline void peaks_column(struct column_peak *p, double x, double time) {
-    p->max_time = x > p->max ? time : p->max_time;
-    p->max = x > p->max ? x : p->max;
-    p->min_time = x < p->min ? time : p->min_time;
-    p->min = x < p->min ? x : p->min;
+    peak_larger(x, time, &p->max, &p->max_time);
+    peak_smaller(x, time, &p->min, &p->min_time);
+}
+
+static inline void peaks_member(struct results *r, int i, double x, double time) {
+    if (x > r->force_max[i]) {  // seldom, so that branches are faster than choices
+        peak_larger(x, time, &r->force_max[i], &r->force_max_time[i]);
+    }
+    if (x < r->force_min[i]) {
+        peak_smaller(x, time, &r->force_min[i], &r->force_min_time[i]);
+    }
+}
+
+// Takes the deformation or the shear of storey i with a foundation: PEAK_DRIFT or PEAK_SHEAR.
+static inline void peaks_storey(struct results *r, enum peak q, int i, double x, double time) {
+    const int k = q == PEAK_SHEAR;
+    peak_larger(fabs(x), time, &r->founded_peak[k][i], &r->founded_time[k][i]);
 }
 
 // The same from state `s`, of a live link.

@@ -28,15 +28,8 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, h),
     FIELD_PART(struct dp, now, state_fields),
     FIELD_PART(struct dp, next, state_fields),
-    FIELD_PARTS(struct dp, stage[0], FIELD_AT, dp_rates_fields),
-    FIELD_PARTS(struct dp, stage[1], FIELD_AT, dp_rates_fields),
-    FIELD_PARTS(struct dp, stage[2], FIELD_AT, dp_rates_fields),
-    FIELD_PARTS(struct dp, stage[3], FIELD_AT, dp_rates_fields),
-    FIELD_PARTS(struct dp, stage[4], FIELD_AT, dp_rates_fields),
-    FIELD_PARTS(struct dp, stage[5], FIELD_AT, dp_rates_fields),
-    FIELD_PARTS(struct dp, stage[6], FIELD_AT, dp_rates_fields),
-    FIELD_ARRAY(struct dp, rate[0], FIELD_LINKS),
-    FIELD_ARRAY(struct dp, rate[1], FIELD_LINKS),
+    FIELD_EACH_PART(struct dp, stage, dp_rates_fields),
+    FIELD_ARRAYS(struct dp, rate, FIELD_LINKS),
     FIELD_VALUE(struct dp, fastest.longest),
     FIELD_VALUE(struct dp, fastest.linked),
     FIELD_VALUE(struct dp, trial),
@@ -46,18 +39,14 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, grown),
     FIELD_VALUE(struct dp, jumped),
     FIELD_VALUE(struct dp, is_steep),
+    FIELD_VALUE(struct dp, slow),
     FIELD_VALUE(struct dp, pace),
     FIELD_VALUE(struct dp, event),
     FIELD_VALUE(struct dp, last_link),
     FIELD_VALUE(struct dp, events_before),
     FIELD_VALUE(struct dp, time_before),
     // Scratch.
-    FIELD_ARRAY(struct dp, force[0], FIELD_FORCES),
-    FIELD_ARRAY(struct dp, force[1], FIELD_FORCES),
-    FIELD_ARRAY(struct dp, force[2], FIELD_FORCES),
-    FIELD_ARRAY(struct dp, force[3], FIELD_FORCES),
-    FIELD_ARRAY(struct dp, force[4], FIELD_FORCES),
-    FIELD_ARRAY(struct dp, force[5], FIELD_FORCES),
+    FIELD_ARRAYS(struct dp, force, FIELD_FORCES),
     FIELD_ARRAY(struct dp, reach, FIELD_LINKS),
     FIELD_ARRAY(struct dp, meeting, FIELD_LINKS),
     FIELD_ARRAY(struct dp, fastest.spring, FIELD_FLOORS),
@@ -81,12 +70,13 @@ static bool dp_alloc(struct run *r, struct arena *a) {
                      .floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow),
                      .system.forcing.model = m,
                      .last_link = -1};
-    for (int s = 0; s < DP_STAGES; s++) {
-        fields_alloc(&dp_rates_fields, m, &p->rates[s], a);
-        p->stage[s] = &p->rates[s];
+    if (!fields_alloc(&fields, m, p, a) || !gaps_alloc(&p->gaps, m, r->results, a)) {
+        return false;
     }
-    return fields_alloc(&fields, m, p, a) && gaps_alloc(&p->gaps, m, r->results, a) &&
-           dp_step_alloc(p, a);
+    p->next.live = p->now.live;  // both ends of a step have the links of its start
+    p->next.link = p->now.link;
+    p->next.link_history = p->now.link_history;
+    return dp_step_alloc(p, a);
 }
 
 // The first and the last stage stand at the ends of the step.
@@ -103,13 +93,14 @@ static void dp_start(struct run *r) {
     struct dp *p = r->dp;
     fields_copy(&state_fields, p->model, &p->now, r->now);
     state_open_where(&p->now, p->model, state_rests);
-    dp_bind(p->stage[0], &p->now);
-    dp_bind(p->stage[DP_STAGES - 1], &p->next);
-    dp_system_start(p);
-    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
+    dp_bind(&p->stage[0], &p->now);
+    dp_bind(&p->stage[DP_LAST], &p->next);
+    scale_expect(&p->scales, p->model);
+    p->slow = p->model->control.tolerance * p->scales.most_v / SCALE_EXPECTED;
+    dp_rates_start(p);
+    dp_rates_at(p, p->now.time, DP_ALL, &p->stage[0]);
     dp_step_gaps(p, &p->now, p->rate[0]);
     dp_step_start(p);
-    scale_expect(&p->scales, p->model);
     p->grown = p->jumped = true;
     dp_peaks_jump(p);
     p->before = p->energy = r->energy;
@@ -175,14 +166,14 @@ static int dp_change(struct dp *p, const struct dp_event *event, struct error *e
             p->system.phase[i] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
             break;
         case DP_BRANCH:
-            dp_system_branch(p, i, event->target, event->direction);
+            dp_rates_branch(p, i, event->target, event->direction);
             break;
         case DP_COLLAPSE:
             p->results->collapse =
                 (struct collapse){true, i, p->now.time, foundation_across(p->model, i, p->now.u)};
             return STATUS_COLLAPSE;
         case DP_UNLOAD:
-            dp_system_branch(p, i, p->now.drift[i], event->direction);
+            dp_rates_branch(p, i, p->now.drift[i], event->direction);
             break;
         default:
             break;
@@ -215,13 +206,13 @@ static bool dp_sticks(struct dp *p, int k) {
     const struct model *m = p->model;
     enum phase *phase = &p->system.phase[k];
     const int sign = *phase;
-    if (p->now.delta[k] <= dp_motion_noise(p, k)) {
+    if (p->now.delta[k] <= dp_events_noise(p, k)) {
         return false;  // where d = 0 there is no force
     }
-    double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
-    double after = dp_system_response(p, k, p->now.delta[k], 0.0).force;
+    double change = state_pressing(&p->now, m, k);
+    double after = dp_rates_response(p, k, p->now.delta[k], 0.0).force;
     *phase = -*phase;
-    double before = dp_system_response(p, k, p->now.delta[k], 0.0).force;
+    double before = dp_rates_response(p, k, p->now.delta[k], 0.0).force;
     *phase = -*phase;
     return sign * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
 }
@@ -256,7 +247,7 @@ static int dp_happen(struct dp *p, struct error *e) {
         p->trial *= WHERE_STEEP;
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
-    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
+    dp_rates_at(p, p->now.time, DP_ALL, &p->stage[0]);
     if (event->kind == DP_TURN && dp_sticks(p, event->index)) {
         return dp_stuck(p, event->index, e);
     }
@@ -265,28 +256,20 @@ static int dp_happen(struct dp *p, struct error *e) {
     return dp_rattles(p, e);
 }
 
-static void dp_swap(double **x, double **y) {
-    double *z = *x;
-    *x = *y;
-    *y = z;
-}
-
-// Makes the end of the step the start of the next. Histories and links stay in `now`.
+// Makes the end of the step the start of the next.
 static void dp_swap_ends(struct dp *p) {
-    static const size_t swapped[] = {
-        offsetof(struct state, u),        offsetof(struct state, v),
-        offsetof(struct state, a),        offsetof(struct state, drift),
-        offsetof(struct state, delta),    offsetof(struct state, ground_a),
-        offsetof(struct state, ground_v), offsetof(struct state, ground_u)};
-    for (size_t i = 0; i < sizeof swapped / sizeof swapped[0]; i++) {
-        dp_swap((double **)((char *)&p->now + swapped[i]),
-                (double **)((char *)&p->next + swapped[i]));
-    }
-    dp_swap(&p->rate[0], &p->rate[1]);
-    struct dp_rates *first = p->stage[0];
-    p->stage[0] = p->stage[DP_STAGES - 1];
-    p->stage[DP_STAGES - 1] = first;
-    p->now.time = p->next.time;
+    const struct state state = p->now;
+    const struct dp_rates rates = p->stage[0];
+    double *rate = p->rate[0];
+    p->now = p->next;
+    p->next = state;
+    p->next.storey_history = p->now.storey_history;  // histories and links stay in `now`
+    p->now.storey_history = state.storey_history;
+    p->now.n_live = state.n_live;
+    p->stage[0] = p->stage[DP_LAST];
+    p->stage[DP_LAST] = rates;
+    p->rate[0] = p->rate[1];
+    p->rate[1] = rate;
 }
 
 // Does the last step end at a corner of the forcing?
@@ -303,14 +286,14 @@ static int dp_arrive(struct dp *p, struct error *e) {
     bool turns = dp_is_at_corner(p);
     dp_swap_ends(p);
     p->h = 0.0;
-    dp_system_commit(p);
+    dp_rates_commit(p);
     if (p->yielding->n > 0) {
         yielding_note(p->yielding, &p->now);
     }
     if (turns) {
         p->now.time = dp_step_limit(p);
         if (forcing_turn(&p->system.forcing, p->now.time)) {
-            dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
+            dp_rates_at(p, p->now.time, DP_ALL, &p->stage[0]);
             p->jumped = true;
         }
     }

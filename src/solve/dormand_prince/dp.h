@@ -6,18 +6,15 @@
 #ifndef JOSTLE_DP_H
 #define JOSTLE_DP_H
 
-#include <assert.h>
-#include <float.h>
-
 #include "model/stability.h"
-#include "solve/account/energy.h"
 #include "solve/account/impacts.h"
 #include "solve/contact/gaps.h"
+#include "solve/event/hermite.h"
 #include "solve/forcing.h"
 #include "solve/pace.h"
 #include "solve/scale.h"
 
-enum { DP_STAGES = 7 };
+enum { DP_STAGES = 7, DP_LAST = DP_STAGES - 1 };
 
 // The branch of a link in a step: its velocity has this sign. That is what the law of a contact
 // sees; that of a bilateral link sees the velocity itself.
@@ -55,15 +52,15 @@ struct dp_system {
     double *mobility;        // [1/M] (n_dof) 1 / m
     double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
     double *most_drift;      // [L] (n_dof) largest committed drift of the inelastic storeys
-    double *damping;         // [F] (n_dof) scratch
-    double *part_drift, *part_rate, *part_shear;  // (n_dof) scratch: see dp_rates_parts
-    double *part_history, *part_scratch;  // (model.n_storey_history, n_part_scratch) scratch
-    enum phase *phase;                    // (n_link)
-    int n_inelastic;                      // storeys with a history
-    int *inelastic;                       // (n_dof) their indices
-    int *below;     // (n_dof) index of the floor below; -1: the ground, the zero before the arrays
-    int *building;  // (n_dof) index of the floor's building
-    bool *calls;    // (n_dof) the storey's law is called, as it is not made of lines
+    enum phase *phase;       // (n_link)
+    int n_inelastic;         // storeys with a history
+    int *inelastic;          // (n_dof) their indices
+    int *building;           // (n_dof) index of the floor's building
+    bool *calls;             // (n_dof) the storey's law is called, as it is not made of lines
+    // Scratch: drifts, their rates, forces on floors or shears of parts (n_dof); histories and
+    // scratch of parts.
+    double *drift, *rate, *force;  // [L] [L/T] [F]
+    double *part_history, *part_scratch;
 };
 
 // The system at one instant. Links are those live in the state at the start of the step.
@@ -147,10 +144,9 @@ struct dp {
     struct energy_account before, energy;  // up to the start and to the end of the step
 
     // The step.
-    double h;                           // [T] its length; 0: none has been made
-    struct state now, next;             // its ends; histories and closed links are in `now`
-    struct dp_rates rates[DP_STAGES];   // in any order
-    struct dp_rates *stage[DP_STAGES];  // the first at `now`, the last at `next`
+    double h;                          // [T] its length; 0: none has been made
+    struct state now, next;            // its ends; histories and closed links are in `now`
+    struct dp_rates stage[DP_STAGES];  // the first at `now`, the last at `next`
 
     // Its links.
     struct gaps gaps;         // only the runs of links
@@ -167,6 +163,7 @@ struct dp {
     bool grown;            // motions have grown since the scales were made
     bool jumped;           // something has jumped at `now`, and no peaks have been taken since
     bool is_steep;         // a force may begin with an infinite slope at `now`
+    double slow;           // [L/T] below it, dampers with an infinite slope at v = 0 are linear
     struct pace pace;      // of all steps
 
     // Its event.
@@ -175,68 +172,38 @@ struct dp {
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
 
-    double *force[DP_FORCES];  // (model.n_force) scratch of dp_forces.c
+    double *force[DP_FORCES];  // (model.n_force) scratch of dp_peaks.c
 };
 
-// dp_system.c: the branches of laws.
+// dp_rates.c: the branches of laws, and the right-hand side of the equations of motion.
 
-extern const struct fields dp_system_fields;
+extern const struct fields dp_system_fields, dp_rates_fields;
 
 // The branches at `now`: forcing, storeys and links.
-void dp_system_start(struct dp *p);
+void dp_rates_start(struct dp *p);
 
 // The branch of the inelastic storey below floor i at its committed state when its drift goes on in
 // `direction` (its sign) beyond `from`: its drift, or the end of its line, from which it may be
 // farther than is noise.
-void dp_system_branch(struct dp *p, int i, double from, double direction);
+void dp_rates_branch(struct dp *p, int i, double from, double direction);
 
 // The storey below floor i: its law at `drift` with the committed history, the smallest change of
 // its drift that counts, its initial stiffness without P-delta, and its shear at `drift` on its
 // branch [F].
-struct storey_response dp_system_storey(const struct dp *p, int i, double drift);
-double dp_system_noise(const struct dp *p, int i);
-double dp_system_stiffness(const struct dp *p, int i);
-double dp_system_shear(const struct dp *p, int i, double drift);
-
-// How far its branch has led from its law at `now`, as a drift [L]: the sum of events that were too
-// small to count.
-double dp_system_lag(const struct dp *p, int i);
+struct storey_response dp_rates_storey(const struct dp *p, int i, double drift);
+double dp_rates_noise(const struct dp *p, int i);
+double dp_rates_stiffness(const struct dp *p, int i);
+double dp_rates_shear(const struct dp *p, int i, double drift);
 
 // Brings the histories of `now` to its present drifts, penetrations and velocities.
-void dp_system_commit(struct dp *p);
-
-// state_gap of an array of core/lanes.h: a wall stands at the zero in front of it.
-static inline double dp_system_across(const struct link *l, const struct model *m, const double *x,
-                                      const double *ground) {
-    static_assert(WALL == -1, "a wall is the zero in front of an array");
-    const double own = link_is_plain(l) ? x[l->dof[0]] - x[l->dof[1]] : link_across(l, x);
-    return own + state_ground_gap(l, m, ground);
-}
+void dp_rates_commit(struct dp *p);
 
 // The response of link k at (d, v) on its branch; d and v may lie beyond it.
-static inline struct contact_response dp_system_response(const struct dp *p, int k, double d,
-                                                         double v) {
-    const struct link *l = &p->model->link[k];
-    const double *history = p->now.link_history + l->history;
-    if (l->bilateral) {
-        return l->law->force(l->constant, history, d, v);
-    }
-    int phase = p->system.phase[k];
-    double inside = d > 0.0 ? d : 0.0;
-    double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
-    struct contact_response r = l->law->force(l->constant, history, inside, seen);
-    if (seen != v) {
-        r.force += r.dfdv * v;
-    }
-    if (inside != d) {
-        r.force += r.dfdd * d;
-    }
-    return r;
-}
+struct contact_response dp_rates_response(const struct dp *p, int k, double d, double v);
 
-// dp_rates.c: the right-hand side of the equations of motion.
-
-extern const struct fields dp_rates_fields;
+// Response and flow of live link number i, from r->creep; and the creep at place x of the step.
+void dp_rates_link(const struct dp *p, int i, double d, double v, struct dp_link_rates *r);
+double dp_rates_creep(const struct dp *p, int i, double x);
 
 // Whose rates are asked for: those of one building, by its index, or of all.
 enum { DP_ALL = -1 };
@@ -252,12 +219,8 @@ void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r)
 void dp_rates_move(const struct dp *p, double x, int building);
 void dp_rates_within(struct dp *p, double x, int building);
 
-// Response and flow of live link number i, from r->creep; and the creep at place x of the step.
-void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_link_rates *r);
-double dp_rates_creep(const struct dp *p, int i, double x);
-
 // The storey shears of the parts of building `g` at displacements u and velocities v (n_dof), an
-// array (n_dof): p->system.part_shear, at the drifts part_drift. The history is one of states,
+// array (n_dof): p->system.force, at the drifts p->system.drift. The history is one of states,
 // `after` becomes that at the end, or is NULL.
 const double *dp_rates_parts(const struct dp *p, const struct building *g, const double *history,
                              const double *u, const double *v, double *after);
@@ -271,6 +234,41 @@ static inline double dp_rates_ground(const struct dp *p, double t, struct dp_rat
     }
     forcing_ground(f, t, &r->ground);
     return p->model->n_ground == 1 ? r->ground.a[0] : 0.0;
+}
+
+// The motion in the step of a quantity that is linear in the displacements: value(p, what, i, x) at
+// the displacements x (n_dof), or its rate where x are velocities. `what` and `i` say which one.
+typedef double dp_value(const struct dp *p, int what, int i, const double *x);
+
+static inline struct motion dp_motion(const struct dp *p, dp_value *value, int what, int i) {
+    const struct state *now = &p->now, *next = &p->next;
+    return (struct motion){
+        .d = {value(p, what, i, now->u), value(p, what, i, next->u)},
+        .v = {value(p, what, i, now->v), value(p, what, i, next->v)},
+        .a = {value(p, what, i, now->a), value(p, what, i, next->a)},
+        .h = p->h,
+    };
+}
+
+// The displacement of floor i, and the drift below it.
+static inline double dp_displacement(const struct dp *p, int what, int i, const double *x) {
+    (void)p, (void)what;
+    return x[i];
+}
+
+static inline double dp_drift(const struct dp *p, int what, int i, const double *x) {
+    (void)what;
+    return x[i] - p->model->chain.joint[i] * x[i - 1];
+}
+
+// The motion of link k in the step.
+static inline struct motion dp_motion_link(const struct dp *p, int k) {
+    return (struct motion){
+        .d = {p->now.delta[k], p->next.delta[k]},
+        .v = {p->rate[0][k], p->rate[1][k]},
+        .a = {state_pressing(&p->now, p->model, k), state_pressing(&p->next, p->model, k)},
+        .h = p->h,
+    };
 }
 
 // dp_step.c: a step by the stages of the method, as long as the tolerance allows.
@@ -290,6 +288,9 @@ void dp_step_gaps(const struct dp *p, struct state *s, double *rate);
 // The next instant at which a step has to end.
 double dp_step_limit(const struct dp *p);
 
+// Is the step too short for peaks within it?
+bool dp_step_is_instant(const struct dp *p);
+
 // Tries steps until one meets the tolerance. STATUS_FAILED: they become too short or too many;
 // names the time and the cause.
 int dp_step_attempt(struct dp *p, struct error *e);
@@ -299,73 +300,6 @@ int dp_step_attempt(struct dp *p, struct error *e);
 double dp_step_error(const struct dp *p);
 int dp_step_reject(struct dp *p, double error, struct error *e);
 
-// dp_rates.c, too: the dense output of a step, from position, velocity and acceleration at both its
-// ends. Hermite interpolation: Hairer, Norsett & Wanner (1993), Solving Ordinary Differential
-// Equations I, section II.6.
-
-struct motion {
-    double d[2], v[2], a[2];  // at the start and at the end
-    double h;                 // [T] length of the step
-};
-
-// Polynomial in x, lowest power first.
-enum { POLYNOMIAL_SIZE = 6 };
-struct polynomial {
-    double c[POLYNOMIAL_SIZE];
-};
-
-// Its value, its slope and its second derivative at x.
-static inline double dp_motion_value(const struct polynomial *p, double x) {
-    const double *c = p->c;
-    return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
-}
-
-static inline double dp_motion_slope(const struct polynomial *p, double x) {
-    const double *c = p->c;
-    return c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
-}
-
-// The position, a polynomial of degree 5, right to order 6.
-static inline struct polynomial dp_motion_path(const struct motion *m) {
-    double c1 = m->h * m->v[0];
-    double c2 = m->h * m->h * m->a[0] / 2.0;
-    double rise = m->d[1] - m->d[0] - c1 - c2;
-    double slope = m->h * m->v[1] - c1 - 2.0 * c2;
-    double bend = m->h * m->h * m->a[1] - 2.0 * c2;
-    return (struct polynomial){{m->d[0], c1, c2, 10.0 * rise - 4.0 * slope + bend / 2.0,
-                                -15.0 * rise + 7.0 * slope - bend,
-                                6.0 * rise - 3.0 * slope + bend / 2.0}};
-}
-
-// A zero between low and high, where the values differ in sign (or are zero).
-double dp_motion_root(struct polynomial p, double low, double high);
-
-// The zeros in (0, 1) of the slope of a cubic, ascending; returns how many, at most 2.
-int dp_motion_extrema(const struct polynomial *p, double *at);
-
-// The velocity from velocities and accelerations alone, of degree 3 and order 4: of lower order
-// than the slope of the position, but free of its rounding in short steps.
-struct polynomial dp_motion_velocity(const struct motion *m);
-
-// A motion cut at the instants at which its velocity changes its sign: monotone pieces.
-enum { TURNS_MAX = 3 };
-struct motion_pieces {
-    struct polynomial path;
-    int n;
-    double x[TURNS_MAX + 2], d[TURNS_MAX + 2];  // (n + 1) ends of the pieces
-};
-struct motion_pieces dp_motion_cut(const struct motion *m);
-
-// The motions of floor i relative to floor `below` (-1: to the ground), and of link k.
-struct motion dp_motion_floor(const struct dp *p, int i, int below);
-struct motion dp_motion_link(const struct dp *p, int k);
-
-// Ways of link k that mean nothing [L].
-double dp_motion_noise(const struct dp *p, int k);
-
-// Upper bounds of the penetrations of contacts, into p->reach, and what follows from them.
-void dp_motion_reach(struct dp *p);
-
 // dp_events.c: the first event in the step, into p->event; and the step again, which ends there.
 void dp_events_first(struct dp *p);
 void dp_events_locate(struct dp *p);
@@ -373,25 +307,21 @@ void dp_events_locate(struct dp *p);
 // Is it one of a storey? Else it is one of a link.
 bool dp_events_is_of_storey(const struct dp_event *e);
 
+// Ways of link k that mean nothing [L].
+double dp_events_noise(const struct dp *p, int k);
+
 // dp_peaks.c: largest values.
 
-// Those of the step, within it and at its end.
+// Those of the step, within it and at its end, but for links.
 void dp_peaks_step(struct dp *p);
 
 // Those at `now` after a jump, for when it lasts or is shown: between events at one instant there
 // are velocities and accelerations that nobody has for any time.
 void dp_peaks_jump(struct dp *p);
 
-// Force and penetration in the step of link number i of the live ones, into its peaks and into
-// `share`.
-void dp_peaks_link(struct dp *p, int i, struct impact_share *share);
-
-// dp_forces.c: the extremes of forces that follow from drifts, at its end and, if `within`, inside.
-void dp_forces_step(struct dp *p, bool within);
-
 // dp_account.c: works and impulses of steps, and the state within a step.
 
-// Takes the step into the accounts of energy and of impacts.
+// Takes the step into the accounts of energy and of impacts, with the peaks of links.
 void dp_account_step(struct dp *p);
 
 // The state at time t of the step, and the account of energy up to it.

@@ -8,6 +8,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/number.h"
+#include "core/root.h"
+#include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
 
 // Gauss's rule with five points (Abramowitz & Stegun 1964, table 25.4), on 0 to 1.
@@ -16,6 +19,9 @@ static const double point[POINTS] = {0.046910077030668, 0.230765344947158, 0.5, 
                                      0.953089922969332};
 static const double point_weight[POINTS] = {0.118463442528095, 0.239314335249683, 0.284444444444444,
                                             0.239314335249683, 0.118463442528095};
+
+// Place of the largest force of a link, in the step: the force errs by the square.
+static const double PLACED = 1e-4;
 
 // Times by which what the stages have is multiplied in its integral up to place x of the step. The
 // continuous extension of order 4: Shampine (1986), Math. Comp. 46, 135-150; here as in Hairer,
@@ -46,7 +52,7 @@ static void dp_times(const struct dp *p, double x, double *time) {
 static void dp_integrate(const struct dp *p, const double *time, struct energy_account *energy) {
     p->floors->work(p, time, energy);
     for (int s = 0; p->system.special && s < DP_STAGES; s += s == 0 ? 2 : 1) {
-        const struct dp_rates *r = p->stage[s];
+        const struct dp_rates *r = &p->stage[s];
         energy->input += time[s] * r->input;
         energy->damping += time[s] * r->damping;
         energy->storey += time[s] * r->storey;
@@ -58,14 +64,14 @@ static void dp_integrate(const struct dp *p, const double *time, struct energy_a
 // of such a law gives 0 but for the rule. NAN: it does depend.
 static double dp_elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
-    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0 || p->model->link[k].law->creep) {
+    if (p->stage[DP_LAST].link[n].response.dfdv != 0.0 || p->model->link[k].law->creep) {
         return NAN;
     }
     double start = p->now.delta[k];
     double v = (p->rate[0][k] + p->rate[1][k]) / 2.0;
     double work = 0.0;
     for (int i = 0; i < POINTS; i++) {
-        struct contact_response r = dp_system_response(p, k, start + point[i] * (d - start), v);
+        struct contact_response r = dp_rates_response(p, k, start + point[i] * (d - start), v);
         if (r.dfdv != 0.0) {
             return NAN;
         }
@@ -74,18 +80,17 @@ static double dp_elastic_work(const struct dp *p, int n, double d) {
     return work;
 }
 
-// Work done on link number i of the live ones in these times, at the end of which its penetration
-// is d, and its impulse.
-static double dp_link_work(const struct dp *p, const double *time, int i, double d,
-                           double *impulse) {
-    double elastic = dp_elastic_work(p, i, d);
-    double work = 0.0;
-    *impulse = 0.0;
+// Work and impulse of link number i of the live ones in these times, at the end of which its
+// penetration is d.
+static struct impact_share dp_link_share(const struct dp *p, const double *time, int i, double d) {
+    const double elastic = dp_elastic_work(p, i, d);
+    struct impact_share share = {.steps = 1};
     for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
-        work += time[s] * p->stage[s]->link[i].power;
-        *impulse += time[s] * p->stage[s]->link[i].response.force;
+        share.work += time[s] * p->stage[s].link[i].power;
+        share.impulse += time[s] * p->stage[s].link[i].response.force;
     }
-    return isnan(elastic) ? work : elastic;
+    share.work = isnan(elastic) ? share.work : elastic;
+    return share;
 }
 
 // The account of energy up to place x of the step.
@@ -96,18 +101,28 @@ static void dp_account_up_to(const struct dp *p, double x, struct energy_account
     dp_integrate(p, time, energy);
     for (int i = 0; i < p->now.n_live; i++) {
         struct motion motion = dp_motion_link(p, p->now.live[i]);
-        struct polynomial path = dp_motion_path(&motion);
-        double impulse;
-        energy->contact += dp_link_work(p, time, i, dp_motion_value(&path, x), &impulse);
+        struct polynomial path = hermite_path(&motion);
+        energy->contact += dp_link_share(p, time, i, hermite_value(&path, x)).work;
     }
 }
 
-// Links of a row: open ones as their floors stand, the others with the forces of `rates`.
-static void dp_row_links(const struct dp *p, const struct dp_rates *rates, struct state *row) {
+// A row: links that are open as their floors stand, the others with the forces of `rates`.
+static void dp_row(const struct dp *p, const struct dp_rates *rates, struct state *row) {
     const struct model *m = p->model;
+    const size_t floors = (size_t)m->n_dof * sizeof(double);
+    const size_t grounds = (size_t)m->n_ground * sizeof(double);
+    memcpy(row->u, rates->u, floors);
+    memcpy(row->v, rates->v, floors);
+    memcpy(row->a, rates->a, floors);
+    memcpy(row->ground_a, rates->ground.a, grounds);
+    memcpy(row->ground_v, rates->ground.v, grounds);
+    memcpy(row->ground_u, rates->ground.u, grounds);
+    for (int i = 0; i < m->n_dof; i++) {
+        row->total[i] = row->a[i] + row->ground_a[m->building[p->system.building[i]].ground];
+    }
+    state_reach(row, m, p->now.storey_history);
     for (int k = 0; k < m->n_link; k++) {
-        const struct link *l = &m->link[k];
-        row->delta[k] = dp_system_across(l, m, rates->u, rates->ground.u) - l->gap;
+        row->delta[k] = state_penetration(row, m, k);
         row->link[k].closed = p->now.link[k].closed;
         row->link[k].force = 0.0;
     }
@@ -116,38 +131,85 @@ static void dp_row_links(const struct dp *p, const struct dp_rates *rates, struc
     }
 }
 
-static void dp_row_floors(const struct dp *p, const struct dp_rates *rates, struct state *row) {
-    const struct model *m = p->model;
-    size_t size = (size_t)m->n_dof * sizeof(double);
-    memcpy(row->u, rates->u, size);
-    memcpy(row->v, rates->v, size);
-    memcpy(row->a, rates->a, size);
-    memcpy(row->ground_a, rates->ground.a, (size_t)m->n_ground * sizeof(double));
-    memcpy(row->ground_v, rates->ground.v, (size_t)m->n_ground * sizeof(double));
-    for (int i = 0; i < m->n_dof; i++) {
-        int ground = m->building[p->system.building[i]].ground;
-        row->total[i] = row->a[i] + row->ground_a[ground];
-    }
-    state_reach(row, m, p->now.storey_history);
-}
-
 void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
-    const struct dp_rates *rates = p->stage[0];
+    const struct dp_rates *rates = &p->stage[0];
     *energy = p->energy;
     if (p->h > 0.0) {
         double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
         dp_account_up_to(p, x, energy);
-        rates = p->stage[DP_STAGES - 1];
+        rates = &p->stage[DP_LAST];
         if (x < 1.0) {
             dp_rates_within(p, x, DP_ALL);
-            rates = p->stage[1];
+            rates = &p->stage[1];
         }
     }
     row->time = t;
     memcpy(row->link_history, p->now.link_history,
            (size_t)p->model->n_link_history * sizeof *row->link_history);
-    dp_row_floors(p, rates, row);
-    dp_row_links(p, rates, row);
+    dp_row(p, rates, row);
+}
+
+// Largest penetration of link k in the step: at its end, or where it turns.
+static double dp_penetration(struct dp *p, int k, const struct motion *m) {
+    double largest = peaks_size(p->model, k, m->d[1]);
+    peaks_penetration(p->results, k, largest, p->next.time);
+    if (m->v[0] * m->v[1] < 0.0) {
+        const struct motion_pieces s = hermite_cut(m);
+        for (int j = 1; j < s.n; j++) {
+            const double d = peaks_size(p->model, k, s.d[j]);
+            largest = fmax(largest, d);
+            peaks_penetration(p->results, k, d, p->now.time + s.x[j] * p->h);
+        }
+    }
+    return largest;
+}
+
+// The force of link number i of the live ones at place x of its path in the step, and its rate.
+static double dp_link_force(const struct dp *p, int i, const struct polynomial *path, double x,
+                            double *rate) {
+    const double d = hermite_value(path, x), v = hermite_slope(path, x) / p->h;
+    const double a = hermite_bend(path, x) / (p->h * p->h);
+    struct dp_link_rates r = {.creep = dp_rates_creep(p, i, x)};
+    dp_rates_link(p, i, d, v, &r);
+    *rate = r.response.dfdd * (v - r.flow) + r.response.dfdv * a;
+    return r.response.force;
+}
+
+// The force of link number i of the live ones where its rate changes its sign inside the step, and
+// when; the one at the end where it does not.
+static double dp_inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
+    const struct dp_link_rates *first = &p->stage[0].link[i];
+    const struct dp_link_rates *last = &p->stage[DP_LAST].link[i];
+    const double start =
+        first->response.dfdd * (m->v[0] - first->flow) + first->response.dfdv * m->a[0];
+    double rate = last->response.dfdd * (m->v[1] - last->flow) + last->response.dfdv * m->a[1];
+    double force = last->response.force;
+    *time = p->next.time;
+    if (start * rate >= 0.0 || dp_step_is_instant(p)) {
+        return force;
+    }
+    const struct polynomial path = hermite_path(m);
+    struct root at = {.high = 1.0};
+    while (at.high - at.low > PLACED) {
+        const double x = root_middle(&at);
+        force = dp_link_force(p, i, &path, x, &rate);
+        *time = p->now.time + x * m->h;
+        root_halve(&at, start * rate > 0.0);
+    }
+    return force;
+}
+
+// The largest force and penetration of link number i of the live ones in the step.
+static void dp_link_peaks(struct dp *p, int i, struct impact_share *share) {
+    const int k = p->now.live[i];
+    const struct motion m = dp_motion_link(p, k);
+    double time;
+    const double inner = dp_inner_force(p, i, &m, &time);
+    const double end = p->stage[DP_LAST].link[i].response.force;
+    peaks_force(p->results, k, peaks_size(p->model, k, end), p->next.time);
+    peaks_force(p->results, k, peaks_size(p->model, k, inner), time);
+    share->force = number_max(end, inner);
+    share->penetration = dp_penetration(p, k, &m);
 }
 
 void dp_account_step(struct dp *p) {
@@ -155,10 +217,9 @@ void dp_account_step(struct dp *p) {
     dp_times(p, 1.0, time);
     p->before = p->energy;
     for (int i = 0; i < p->now.n_live; i++) {
-        int k = p->now.live[i];
-        struct impact_share share = {.steps = 1};
-        share.work = dp_link_work(p, time, i, p->next.delta[k], &share.impulse);
-        dp_peaks_link(p, i, &share);
+        const int k = p->now.live[i];
+        struct impact_share share = dp_link_share(p, time, i, p->next.delta[k]);
+        dp_link_peaks(p, i, &share);
         impacts_add(p->impacts, k, &share);
         p->energy.contact += share.work;
     }
@@ -166,7 +227,13 @@ void dp_account_step(struct dp *p) {
     for (int n = 0; n < p->system.n_inelastic; n++) {
         const int i = p->system.inelastic[n];
         for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
-            p->energy.storey_own[i] += time[s] * p->stage[s]->power[i];
+            p->energy.storey_own[i] += time[s] * p->stage[s].power[i];
+        }
+    }
+    for (int k = 0, n = p->deepens ? p->model->n_contact : 0; k < n; k++) {
+        if (p->reach[k] > p->results->deepest[k] && !p->now.link[k].closed) {
+            const struct motion m = dp_motion_link(p, k);
+            dp_penetration(p, k, &m);
         }
     }
 }

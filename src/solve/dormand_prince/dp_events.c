@@ -63,7 +63,41 @@ static double dp_where(const struct motion_pieces *s, int i, double target) {
     }
     struct polynomial path = s->path;
     path.c[0] -= target;
-    return dp_motion_root(path, s->x[i], s->x[i + 1]);
+    return hermite_root(path, s->x[i], s->x[i + 1]);
+}
+
+double dp_events_noise(const struct dp *p, int k) {
+    const struct link *l = &p->model->link[k];
+    double size = fabs(l->gap) + p->scales.most_u;  // bodies at rest move by rounding
+    for (int i = 0; i < 2; i++) {
+        size += fmax(link_size_at(l, i, p->now.u), link_size_at(l, i, p->next.u));
+        if (l->moving_ground) {
+            size += fabs(p->now.ground_u[p->model->building[l->building[i]].ground]);
+        }
+    }
+    return SCALE_ROUNDING * size;
+}
+
+// Upper bounds of the penetrations of contacts, into p->reach, and what follows from them. A motion
+// that goes beyond both its ends does so by a fraction of its way at the larger rate.
+LANES static void dp_find_reach(struct dp *p) {
+    const double *restrict d0 = p->now.delta, *restrict d1 = p->next.delta;
+    const double *restrict v0 = p->rate[0], *restrict v1 = p->rate[1];
+    const double *restrict deepest = p->results->deepest;
+    double *restrict reach = p->reach;
+    double h = p->h;
+    int64_t closes = 0;
+    int64_t deepens = 0;
+    for (int i = 0, n = p->model->n_contact; i < n; i++) {
+        double d = d0[i] > d1[i] ? d0[i] : d1[i];
+        double v = fabs(v0[i]) > fabs(v1[i]) ? fabs(v0[i]) : fabs(v1[i]);
+        double most = d + h * v;
+        reach[i] = most;
+        closes |= most > 0.0;
+        deepens |= most > deepest[i];
+    }
+    p->closes = closes != 0;
+    p->deepens = deepens != 0;
 }
 
 // A motion that counts, of a storey or a damper.
@@ -84,9 +118,9 @@ static bool dp_stays(const struct dp *p, int k, const struct motion *m) {
 // Where link k passes d = 0 to the other side, or a closed one leaves its phase.
 static struct dp_event dp_passing(const struct dp *p, int k, const struct motion *m) {
     const struct link *l = &p->model->link[k];
-    const struct motion_pieces s = dp_motion_cut(m);
+    const struct motion_pieces s = hermite_cut(m);
     const bool closed = p->now.link[k].closed;
-    const double least = l->bilateral ? dp_still(p) : dp_motion_noise(p, k);
+    const double least = l->bilateral ? dp_still(p) : dp_events_noise(p, k);
     const int phase = closed ? p->system.phase[k] : PHASE_ANY, after = closed ? -1 : 1;
     for (int i = 0; i < s.n; i++) {
         const double rise = s.d[i + 1] - s.d[i];
@@ -108,22 +142,22 @@ static struct dp_event dp_passing(const struct dp *p, int k, const struct motion
 static double dp_before_kink(const struct dp *p, int k, double d, double v) {
     const struct link *l = &p->model->link[k];
     double start = p->now.delta[k];
-    double passed = copysign(dp_motion_noise(p, k), d - start);  // the kink where the step starts
+    double passed = copysign(dp_events_noise(p, k), d - start);  // the kink where the step starts
     const struct contact_way way = {start + passed, p->rate[0][k], d, v};
     return l->law->kink(l->constant, p->now.link_history + l->history, &way);
 }
 
 // Is place x of the path before it?
 static bool dp_is_before_kink(const struct dp *p, int k, const struct polynomial *path, double x) {
-    return dp_before_kink(p, k, dp_motion_value(path, x), dp_motion_slope(path, x) / p->h) > 0.0;
+    return dp_before_kink(p, k, hermite_value(path, x), hermite_slope(path, x) / p->h) > 0.0;
 }
 
 // The first kink in the step of the force of closed contact k, or `other` if that is earlier. The
 // search is on the first piece of the path that is longer than noise: there d does not turn.
 static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m,
                                struct dp_event other) {
-    struct motion_pieces s = dp_motion_cut(m);
-    double noise = dp_motion_noise(p, k);
+    struct motion_pieces s = hermite_cut(m);
+    double noise = dp_events_noise(p, k);
     int i = 1;
     while (i < s.n && fabs(s.d[i] - s.d[0]) <= noise) {
         i++;
@@ -135,7 +169,7 @@ static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m
     for (int n = 0; n < ITERATIONS_MAX; n++) {
         root_halve(&at, dp_is_before_kink(p, k, &s.path, root_middle(&at)));
     }
-    double way = fabs(dp_motion_value(&s.path, at.high) - s.d[0]);
+    double way = fabs(hermite_value(&s.path, at.high) - s.d[0]);
     bool moves = way > noise && p->now.time + at.high * p->h > p->now.time;
     const struct dp_event kink = {DP_KINK, k, at.high, -1.0, 0.0};
     return moves && at.high < other.place ? kink : other;
@@ -150,8 +184,8 @@ static struct dp_event dp_link_event(const struct dp *p, int k) {
 
 // A line that is told from the last committed point on has a slope as wrong as that by rounding.
 static bool dp_is_on_branch(const struct dp *p, int i, double drift) {
-    double change = dp_system_storey(p, i, drift).tangent - p->system.tangent[i];
-    return fabs(change) <= SAME * dp_system_stiffness(p, i);
+    double change = dp_rates_storey(p, i, drift).tangent - p->system.tangent[i];
+    return fabs(change) <= SAME * dp_rates_stiffness(p, i);
 }
 
 // The drift between low and high at which the law leaves the tangent of its branch.
@@ -186,15 +220,18 @@ static bool dp_leaves(const struct dp *p, int i, double start, double least, dou
     return !dp_is_on_branch(p, i, *beyond);
 }
 
-// The rise of a drift that counts. Smaller ones add up, over steps however short, until they do.
+// The rise of a drift that counts. Smaller ones add up, over steps however short, until they do:
+// `lag` is how far the branch of the storey has led from its law at `now`, as a drift.
 static double dp_least_rise(const struct dp *p, int i) {
-    double left = dp_still(p) - dp_system_lag(p, i);
-    return fmax(dp_system_noise(p, i), left);
+    const double drift = p->now.drift[i];
+    const double missed = dp_rates_shear(p, i, drift) - dp_rates_storey(p, i, drift).shear;
+    const double lag = fabs(missed) / dp_rates_stiffness(p, i);
+    return fmax(dp_rates_noise(p, i), dp_still(p) - lag);
 }
 
 static struct dp_event dp_storey_event(const struct dp *p, int i) {
-    struct motion m = dp_motion_floor(p, i, p->system.below[i]);
-    struct motion_pieces s = dp_motion_cut(&m);
+    struct motion m = dp_motion(p, dp_drift, 0, i);
+    struct motion_pieces s = hermite_cut(&m);
     double least = dp_least_rise(p, i);
     bool straight = p->model->storey[i].law->traits & STOREY_STRAIGHT;
     bool moved = false;
@@ -216,15 +253,10 @@ static struct dp_event dp_storey_event(const struct dp *p, int i) {
     return nothing;
 }
 
-static struct motion dp_drift(const struct dp *p, int i) {
-    const struct model *m = p->model;
-    const struct state *now = &p->now, *next = &p->next;
-    return (struct motion){
-        .d = {foundation_across(m, i, now->u), foundation_across(m, i, next->u)},
-        .v = {foundation_across(m, i, now->v), foundation_across(m, i, next->v)},
-        .a = {foundation_across(m, i, now->a), foundation_across(m, i, next->a)},
-        .h = p->h,
-    };
+// The drift of a storey, without its foundation.
+static double dp_deformation(const struct dp *p, int what, int i, const double *x) {
+    (void)what;
+    return foundation_across(p->model, i, x);
 }
 
 // Where the drift of storey i reaches its limit, and passes it by less than rounding counts.
@@ -232,13 +264,13 @@ static struct dp_event dp_collapse(const struct dp *p, int i) {
     if (isinf(p->model->collapse[i])) {
         return nothing;
     }
-    const struct motion m = dp_drift(p, i);
+    const struct motion m = dp_motion(p, dp_deformation, 0, i);
     const double limit = p->model->collapse[i] * (1.0 + COLLAPSED);
     const double speed = fmax(fabs(m.v[0]), fabs(m.v[1]));
     if (fmax(fabs(m.d[0]), fabs(m.d[1])) + m.h * speed < limit) {
         return nothing;
     }
-    const struct motion_pieces s = dp_motion_cut(&m);
+    const struct motion_pieces s = hermite_cut(&m);
     int n = 1;
     while (n < s.n && fabs(s.d[n]) < limit) {
         n++;
@@ -259,7 +291,7 @@ static void dp_take_earlier(struct dp *p, struct dp_event event) {
 void dp_events_first(struct dp *p) {
     p->event.kind = DP_NONE;
     p->event.place = INFINITY;
-    dp_motion_reach(p);
+    dp_find_reach(p);
     for (int k = 0, n = p->closes ? p->model->n_contact : 0; k < n; k++) {
         if (p->reach[k] > 0.0 || p->now.link[k].closed) {
             dp_take_earlier(p, dp_link_event(p, k));
@@ -286,8 +318,8 @@ bool dp_events_is_of_storey(const struct dp_event *e) {
 static double dp_value_at_end(const struct dp *p, double *rate) {
     const struct dp_event *e = &p->event;
     int i = e->index;
-    struct motion m = e->kind == DP_COLLAPSE      ? dp_drift(p, i)
-                      : dp_events_is_of_storey(e) ? dp_motion_floor(p, i, p->system.below[i])
+    struct motion m = e->kind == DP_COLLAPSE      ? dp_motion(p, dp_deformation, 0, i)
+                      : dp_events_is_of_storey(e) ? dp_motion(p, dp_drift, 0, i)
                                                   : dp_motion_link(p, i);
     if (e->kind == DP_KINK) {
         double time = PROBE * p->h;
@@ -334,5 +366,5 @@ void dp_events_locate(struct dp *p) {
         }
     }
     p->event.place = 1.0;
-    dp_motion_reach(p);
+    dp_find_reach(p);
 }

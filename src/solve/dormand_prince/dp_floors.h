@@ -65,7 +65,7 @@ static const struct sums error_sums = {
 // The accelerations that sums go over.
 LANES_INLINE void dp_gather(const struct dp *p, const struct sums *s, const double **a) {
     for (int j = 0; j < s->n; j++) {
-        a[j] = p->stage[s->terms == BUT_SECOND && j > 0 ? j + 1 : j]->a;
+        a[j] = p->stage[s->terms == BUT_SECOND && j > 0 ? j + 1 : j].a;
     }
 }
 
@@ -151,21 +151,21 @@ static double dp_creep(const struct dp *p, const struct sums *sums, int link) {
     double sum = 0.0;
     for (int j = 0; j < sums->n; j++) {
         const int stage = sums->terms == BUT_SECOND && j > 0 ? j + 1 : j;
-        sum += sums->v[j] * p->stage[stage]->link[link].flow;
+        sum += sums->v[j] * p->stage[stage].link[link].flow;
     }
     return p->h * sum;
 }
 
 static void dp_creep_to(const struct dp *p, const struct sums *sums, struct dp_rates *r) {
     for (int i = 0; i < p->now.n_live; i++) {
-        r->link[i].creep = p->stage[0]->link[i].creep + dp_creep(p, sums, i);
+        r->link[i].creep = p->stage[0].link[i].creep + dp_creep(p, sums, i);
     }
 }
 
 // Stage number s of the step, at time t.
 LANES_INLINE void dp_take_stage(struct dp *p, int s, double t, ptrdiff_t count) {
     const struct sums *sums = &stage_sums[s];
-    struct dp_rates *r = p->stage[s];
+    struct dp_rates *r = &p->stage[s];
     const double *a[TERMS_MAX];
     dp_gather(p, sums, a);
     const struct stage stage = {
@@ -246,7 +246,7 @@ LANES_INLINE void dp_bend_part(const struct dp *p, ptrdiff_t i, floor_bits *bend
     static const int stages[] = {0, 2, 3, DP_STAGES - 1};
     floor_lanes x[4];
     for (int j = 0; j < 4; j++) {
-        const struct dp_rates *r = p->stage[stages[j]];
+        const struct dp_rates *r = &p->stage[stages[j]];
         x[j] = FLOORS_AT(r->a, i) + r->ground.a[0] * FLOORS_AT(p->system.row[DP_GROUND], i);
     }
     floor_lanes rise = (x[2] - x[1]) * (1.0 / 0.5);
@@ -297,7 +297,7 @@ LANES_INLINE void dp_add_works_of(int n, const struct dp *p, const double *time,
     for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += FLOORS_VECTOR) {
         floor_lanes way = {0.0}, square = {0.0}, product = {0.0};
         for (int j = 0; j < n; j++) {
-            const struct dp_rates *r = p->stage[working[j]];
+            const struct dp_rates *r = &p->stage[working[j]];
             floor_lanes v = FLOORS_AT(r->v, i), moved = time[working[j]] * v;
             way += r->ground.a[0] * moved;
             square += moved * v;

@@ -1,17 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// M a = -M a_g + p - C v - storey shears - link forces, building by building, without a matrix of
-// the whole: what the linear floors (dp_floors.h) leave out. And the dense output: the motion
-// within a step.
+// The right-hand side of the equations of motion on the present branches of the laws,
+//     M a = -M a_g + p - C v - storey shears - link forces,
+// building by building, without a matrix of the whole: what the linear floors (dp_floors.h) leave
+// out.
+//
+// A step of high order needs a smooth right-hand side. So within a step every law is held on its
+// branch, and continued along it where a stage lies beyond: a contact by the tangents at its end
+// (d = 0, or v = 0 from the side of its phase), which is exact for laws that are linear there, a
+// storey made of straight lines by its line. Where the branch really ends the step does; see
+// dp_events.c. Other storey laws are called as they are, and so are parts: their kinks and turns
+// are left to the error control.
 #include <math.h>
 #include <string.h>
 
-#include "core/root.h"
+#include "law/bilateral.h"
 #include "model/parts.h"
+#include "model/storey_force.h"
 #include "solve/dormand_prince/dp.h"
 
-static const double PRECISION = 1e-9;  // of x; the next correction would be about its square
+// How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
+// which its shear would take elastically: far above rounding, far below any tolerance.
+static const double PROBE = 1e-12;
+// Rounding of a drift at which the shear is 0, relative to the largest drift before it.
+static const double ROUNDING = 64.0 * DBL_EPSILON;
 
-static const struct fields_row list[] = {
+static const struct fields_row system_list[] = {
+    FIELD_PART(struct dp_system, forcing, forcing_fields),
+    FIELD_ARRAYS(struct dp_system, row, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, base, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, tangent, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, most_drift, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, phase, FIELD_LINKS),
+    // The rest stays as it is at the start, or is scratch.
+    FIELD_ARRAY(struct dp_system, mobility, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, inelastic, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, building, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, calls, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, drift, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, rate, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, force, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp_system, part_history, FIELD_STOREY_HISTORIES),
+    FIELD_ARRAY(struct dp_system, part_scratch, FIELD_PART_SCRATCH),
+};
+const struct fields dp_system_fields = FIELDS(system_list);
+
+static const struct fields_row rates_list[] = {
     FIELD_ARRAY(struct dp_rates, u, FIELD_FLOORS),
     FIELD_ARRAY(struct dp_rates, v, FIELD_FLOORS),
     FIELD_ARRAY(struct dp_rates, a, FIELD_FLOORS),
@@ -24,18 +57,137 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp_rates, storey),
     FIELD_ARRAY(struct dp_rates, power, FIELD_FLOORS),
 };
-const struct fields dp_rates_fields = FIELDS(list);
+const struct fields dp_rates_fields = FIELDS(rates_list);
+
+struct storey_response dp_rates_storey(const struct dp *p, int i, double drift) {
+    return storey_respond(&p->model->storey[i], p->now.storey_history, drift, NULL);
+}
+
+double dp_rates_shear(const struct dp *p, int i, double drift) {
+    const struct dp_system *s = &p->system;
+    return s->calls[i] ? dp_rates_storey(p, i, drift).shear : s->base[i] + s->tangent[i] * drift;
+}
+
+double dp_rates_stiffness(const struct dp *p, int i) {
+    return p->model->chain.stiffness[i] + p->model->storey[i].pdelta;
+}
+
+double dp_rates_noise(const struct dp *p, int i) {
+    const double drift = p->now.drift[i];
+    const double elastic = dp_rates_storey(p, i, drift).shear / dp_rates_stiffness(p, i);
+    const double probe = PROBE * (fabs(drift) + fabs(elastic));
+    return fmax(probe, ROUNDING * p->system.most_drift[i]);
+}
+
+// The rows of the matrices that have to do with storey i: those of the floors above and below it.
+static void dp_fill_rows(struct dp *p, int i) {
+    struct dp_system *s = &p->system;
+    const struct building *g = &p->model->building[s->building[i]];
+    for (int j = i > g->first ? i - 1 : i; j <= i; j++) {
+        const bool roof = j + 1 == g->first + g->n_dof;
+        const double above = roof ? 0.0 : s->tangent[j + 1];
+        s->row[DP_K_BELOW][j] = j > g->first ? -s->tangent[j] * s->mobility[j] : 0.0;
+        s->row[DP_K_OWN][j] = (s->tangent[j] + above) * s->mobility[j];
+        s->row[DP_K_ABOVE][j] = -above * s->mobility[j];
+        s->row[DP_CONSTANT][j] = ((roof ? 0.0 : s->base[j + 1]) - s->base[j]) * s->mobility[j];
+    }
+}
+
+void dp_rates_branch(struct dp *p, int i, double from, double direction) {
+    struct dp_system *s = &p->system;
+    if (!s->calls[i]) {
+        const double drift = p->now.drift[i];
+        const double beyond = from + copysign(dp_rates_noise(p, i), direction);
+        s->tangent[i] = dp_rates_storey(p, i, beyond).tangent;
+        s->base[i] = dp_rates_storey(p, i, drift).shear - s->tangent[i] * drift;
+    }
+    dp_fill_rows(p, i);
+}
+
+static void dp_start_floor(struct dp *p, int k, int floor) {
+    struct dp_system *s = &p->system;
+    const struct building *g = &p->model->building[k];
+    const int i = g->first + floor;
+    const struct storey_law *law = p->model->storey[i].law;
+    s->row[DP_GROUND][i] = p->model->n_ground == 1 ? 1.0 : 0.0;
+    s->row[DP_CARRIED][i] = s->row[DP_GROUND][i] * g->mass[floor];
+    s->mobility[i] = 1.0 / g->mass[floor];
+    s->building[i] = k;
+    s->calls[i] = law->n_history > 0 && !(law->traits & STOREY_STRAIGHT);
+    s->tangent[i] = s->calls[i] ? 0.0 : g->spring[floor];
+    if (!g->damping_full) {
+        s->row[DP_C_BELOW][i] = floor > 0 ? g->damping_off[floor - 1] * s->mobility[i] : 0.0;
+        s->row[DP_C_OWN][i] = g->damping_diagonal[floor] * s->mobility[i];
+        s->row[DP_C_ABOVE][i] = g->damping_off[floor] * s->mobility[i];
+        s->row[DP_DAMPER][i] = g->damping_diagonal[floor];
+        s->row[DP_DAMPER_ABOVE][i] = 2.0 * g->damping_off[floor];
+    }
+    if (law->n_history > 0) {
+        s->inelastic[s->n_inelastic++] = i;
+        dp_rates_branch(p, i, p->now.drift[i], dp_drift(p, 0, i, p->now.v));
+    }
+    dp_fill_rows(p, i);
+}
+
+static enum phase dp_start_phase(const struct dp *p, int k) {
+    const struct link *l = &p->model->link[k];
+    if (l->bilateral && !(l->law->traits & CONTACT_TURNS) &&
+        !bilateral_is_steep(l->law, l->constant)) {
+        return PHASE_ANY;
+    }
+    return state_rate(&p->now, p->model, k) < 0.0 ? PHASE_RELEASE : PHASE_APPROACH;
+}
+
+void dp_rates_start(struct dp *p) {
+    const struct model *m = p->model;
+    struct dp_system *s = &p->system;
+    (void)forcing_turn(&s->forcing, p->now.time);
+    for (int k = 0; k < m->n_body; k++) {
+        for (int i = 0; i < m->building[k].n_dof; i++) {
+            dp_start_floor(p, k, i);
+        }
+    }
+    s->special = m->n_ground > 1 || m->chain.full_damping || s->n_inelastic > 0 || m->n_load > 0;
+    for (int k = 0; k < m->n_link; k++) {
+        s->phase[k] = dp_start_phase(p, k);
+        s->creeps |= m->link[k].law->creep != NULL;
+    }
+}
+
+void dp_rates_commit(struct dp *p) {
+    const struct model *m = p->model;
+    struct dp_system *s = &p->system;
+    struct state *now = &p->now;
+    for (int n = 0; n < s->n_inelastic; n++) {
+        const int i = s->inelastic[n];
+        storey_respond(&m->storey[i], now->storey_history, now->drift[i], now->storey_history);
+        s->most_drift[i] = fmax(s->most_drift[i], fabs(now->drift[i]));
+    }
+    for (int k = 0; k < m->n_body && !m->elastic; k++) {
+        const struct building *g = &m->building[k];
+        if (!g->elastic && g->n_part > 0) {
+            dp_rates_parts(p, g, s->part_history, now->u, now->v, now->storey_history);
+        }
+    }
+    for (int i = 0; s->creeps && i < now->n_live; i++) {
+        const struct link *l = &m->link[now->live[i]];
+        if (l->law->creep) {
+            now->link_history[l->history + 1] = p->stage[0].link[i].creep;
+        }
+    }
+    state_commit_links(now, m);
+}
 
 const double *dp_rates_parts(const struct dp *p, const struct building *g, const double *history,
                              const double *u, const double *v, double *after) {
     const struct dp_system *s = &p->system;
-    double *shear = s->part_shear + g->first;
+    double *shear = s->force + g->first;
     for (int i = g->first; i < g->first + g->n_dof; i++) {
-        s->part_drift[i] = u[i] - u[s->below[i]];
-        s->part_rate[i] = v[i] - v[s->below[i]];
+        s->drift[i] = dp_drift(p, 0, i, u);
+        s->rate[i] = dp_drift(p, 0, i, v);
     }
     memset(shear, 0, (size_t)g->n_dof * sizeof *shear);
-    parts_respond(g, history, s->part_drift + g->first, s->part_rate + g->first,
+    parts_respond(g, history, s->drift + g->first, s->rate + g->first,
                   &(struct part_sums){.shear = shear, .scratch = s->part_scratch}, after);
     return shear;
 }
@@ -50,7 +202,7 @@ static void dp_part_rates(const struct dp *p, const struct building *g, struct d
         const double above = floor + 1 < g->n_dof ? shear[floor + 1] : 0.0;
         const double spring = p->model->storey[i].law->n_history == 0 ? g->spring[floor] : 0.0;
         r->a[i] += (above - shear[floor]) * s->mobility[i];
-        power += (shear[floor] + spring * s->part_drift[i]) * s->part_rate[i];
+        power += (shear[floor] + spring * s->drift[i]) * s->rate[i];
     }
     r->storey += g->elastic ? 0.0 : power;
 }
@@ -58,15 +210,14 @@ static void dp_part_rates(const struct dp *p, const struct building *g, struct d
 // A storey with a history: its power, and its shear if the law is called.
 static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
     const struct dp_system *s = &p->system;
-    const int below = s->below[i];
-    const double shear = dp_system_shear(p, i, r->u[i] - r->u[below]);
-    r->power[i] = shear * (r->v[i] - r->v[below]);
+    const double shear = dp_rates_shear(p, i, dp_drift(p, 0, i, r->u));
+    r->power[i] = shear * dp_drift(p, 0, i, r->v);
     r->storey += r->power[i];
     if (s->calls[i]) {
         r->a[i] -= shear * s->mobility[i];
     }
-    if (s->calls[i] && below >= 0) {
-        r->a[below] += shear * s->mobility[below];
+    if (s->calls[i] && p->model->chain.joint[i] != 0.0) {
+        r->a[i - 1] += shear * s->mobility[i - 1];
     }
 }
 
@@ -81,11 +232,11 @@ static void dp_building_rates(const struct dp *p, const struct building *g, stru
         r->input -= ground * p->model->mass[i] * r->v[i];
     }
     if (g->damping_full) {
-        building_damping_force(g, r->v + g->first, s->damping + g->first);
+        building_damping_force(g, r->v + g->first, s->force + g->first);
     }
     for (int i = g->first; g->damping_full && i < end; i++) {
-        r->a[i] -= s->damping[i] * s->mobility[i];
-        r->damping += s->damping[i] * r->v[i];
+        r->a[i] -= s->force[i] * s->mobility[i];
+        r->damping += s->force[i] * r->v[i];
     }
     if (g->n_part > 0) {
         dp_part_rates(p, g, r);
@@ -104,52 +255,83 @@ static void dp_load_rates(const struct dp *p, double t, int k, struct dp_rates *
     r->input += load * r->v[i];
 }
 
-// Adds what the force of a link does to the accelerations.
-static void dp_push_link(const struct dp_system *s, const struct link *l, double force, double *a) {
+// The force k d + f(v) of a damper whose slope has no bound at v = 0, with f(w) v / w in place of
+// f(v), w^2 = v^2 + s^2. The velocity s = p->slow is the tolerance times that of the motion, so that
+// a link which this lets creep moves by no more than the steps may be wrong. Without it steps become
+// shorter and shorter where the ends of such a damper move alike: the rate at which they do so is
+// f(v) / (m v).
+static struct contact_response dp_steep_response(const struct dp *p, const struct link *l,
+                                                 const double *history, double d, double v) {
+    const double w = hypot(v, p->slow), share = w > 0.0 ? v / w : 0.0;
+    struct contact_response r = l->law->force(l->constant, history, d, w);
+    const double spring = r.dfdd * d, damper = r.force - spring;
+    r.force = spring + damper * share;
+    r.dfdv = w > 0.0 ? share * share * r.dfdv + (1.0 - share * share) * damper / w : r.dfdv;
+    return r;
+}
+
+// In line, as is the next function: each stage calls them for each link.
+inline struct contact_response dp_rates_response(const struct dp *p, int k, double d, double v) {
+    const struct link *l = &p->model->link[k];
+    const double *history = p->now.link_history + l->history;
+    if (l->bilateral) {
+        return bilateral_is_steep(l->law, l->constant) ? dp_steep_response(p, l, history, d, v)
+                                                       : l->law->force(l->constant, history, d, v);
+    }
+    int phase = p->system.phase[k];
+    double inside = d > 0.0 ? d : 0.0;
+    double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
+    struct contact_response r = l->law->force(l->constant, history, inside, seen);
+    if (seen != v) {
+        r.force += r.dfdv * v;
+    }
+    if (inside != d) {
+        r.force += r.dfdd * d;
+    }
+    return r;
+}
+
+inline void dp_rates_link(const struct dp *p, int i, double d, double v, struct dp_link_rates *r) {
+    const int k = p->now.live[i];
+    const struct link *l = &p->model->link[k];
+    if (l->law->creep) {
+        const double history[] = {0.0, r->creep, 0.0};
+        r->response = l->law->force(l->constant, history, d, v);
+        r->flow = l->law->creep(l->constant, r->response.force);
+    } else {
+        r->response = dp_rates_response(p, k, d, v);
+        r->flow = 0.0;
+    }
+}
+
+double dp_rates_creep(const struct dp *p, int i, double x) {
+    const struct dp_link_rates *first = &p->stage[0].link[i], *last = &p->stage[DP_LAST].link[i];
+    const struct polynomial creep =
+        hermite_cubic(first->creep, p->h * first->flow, last->creep, p->h * last->flow);
+    return hermite_value(&creep, x);
+}
+
+// Adds what link number i of the live ones does to the accelerations and to the power.
+static void dp_add_link(const struct dp *p, int i, struct dp_rates *r) {
+    const struct model *m = p->model;
+    const struct link *l = &m->link[p->now.live[i]];
+    const double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
+    const double rate = state_gap(l, m, r->v, r->ground.v);
+    struct dp_link_rates *own = &r->link[i];
+    if (l->law->creep && p->h == 0.0) {
+        own->creep = p->now.link_history[l->history + 1];
+    }
+    dp_rates_link(p, i, d, rate, own);
+    const double force = own->response.force;
+    own->power = force * rate;
+    r->input += force * state_ground_gap(l, m, r->ground.v);
     for (int side = 0; side < 2; side++) {
         const double push = side == 0 ? -force : force;
         for (int j = 0, n = link_entries(l, side); j < n; j++) {
             const struct link_entry e = link_entry(l, side, j);
-            a[e.dof] += e.weight * push * s->mobility[e.dof];
+            r->a[e.dof] += e.weight * push * p->system.mobility[e.dof];
         }
     }
-}
-
-void dp_rates_creeping(const struct dp *p, int i, double d, double v, struct dp_link_rates *r) {
-    const struct link *l = &p->model->link[p->now.live[i]];
-    const double history[] = {0.0, r->creep, 0.0};
-    r->response = l->law->force(l->constant, history, d, v);
-    r->flow = l->law->creep(l->constant, r->response.force);
-}
-
-double dp_rates_creep(const struct dp *p, int i, double x) {
-    const struct dp_link_rates *first = &p->stage[0]->link[i];
-    const struct dp_link_rates *last = &p->stage[DP_STAGES - 1]->link[i];
-    const double rise = last->creep - first->creep;
-    const double start = p->h * first->flow, end = p->h * last->flow;
-    const double bend = 3.0 * rise - 2.0 * start - end, turn = start + end - 2.0 * rise;
-    return first->creep + x * (start + x * (bend + x * turn));
-}
-
-// Link number i of the live ones.
-static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
-    const struct model *m = p->model;
-    const int k = p->now.live[i];
-    const struct link *l = &m->link[k];
-    const double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
-    const double rate = dp_system_across(l, m, r->v, r->ground.v);
-    struct dp_link_rates *own = &r->link[i];
-    if (p->system.creeps && l->law->creep) {
-        own->creep = p->h == 0.0 ? p->now.link_history[l->history + 1] : own->creep;
-        dp_rates_creeping(p, i, d, rate, own);
-    } else {
-        own->response = dp_system_response(p, k, d, rate);
-        own->flow = 0.0;
-    }
-    const double force = own->response.force;
-    own->power = force * rate;
-    dp_push_link(&p->system, l, force, r->a);
-    r->input += force * state_ground_gap(l, m, r->ground.v);
 }
 
 void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r) {
@@ -168,7 +350,7 @@ void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r
     for (int i = 0; i < p->now.n_live; i++) {
         const int *of = m->link[p->now.live[i]].building;
         if (all || of[0] == building || of[1] == building) {
-            dp_link_rates(p, i, r);
+            dp_add_link(p, i, r);
         }
     }
 }
@@ -203,15 +385,15 @@ LANES static void dp_interpolate(const struct state *now, const struct state *ne
                                  .v = {now->v[i], next->v[i]},
                                  .a = {now->a[i], next->a[i]},
                                  .h = h};
-        const struct polynomial path = dp_motion_path(&m);
-        u[i] = dp_motion_value(&path, x);
-        v[i] = dp_motion_slope(&path, x) / h;
+        const struct polynomial path = hermite_path(&m);
+        u[i] = hermite_value(&path, x);
+        v[i] = hermite_slope(&path, x) / h;
     }
 }
 
 void dp_rates_move(const struct dp *p, double x, int building) {
     const struct dp_range range = dp_range(p->model, building);
-    dp_interpolate(&p->now, &p->next, p->h, x, &range, p->stage[1]->u, p->stage[1]->v);
+    dp_interpolate(&p->now, &p->next, p->h, x, &range, p->stage[1].u, p->stage[1].v);
 }
 
 void dp_rates_within(struct dp *p, double x, int building) {
@@ -224,149 +406,7 @@ void dp_rates_within(struct dp *p, double x, int building) {
         }
     }
     for (int n = 0; p->system.creeps && n < p->now.n_live; n++) {
-        p->stage[1]->link[n].creep = dp_rates_creep(p, n, x);
+        p->stage[1].link[n].creep = dp_rates_creep(p, n, x);
     }
-    dp_rates_at(p, p->now.time + x * p->h, building, p->stage[1]);
-}
-
-static double dp_motion_at(double x, void *context, double *slope) {
-    *slope = dp_motion_slope(context, x);
-    return dp_motion_value(context, x);
-}
-
-double dp_motion_root(struct polynomial p, double low, double high) {
-    double start = dp_motion_value(&p, low);
-    double end = dp_motion_value(&p, high);
-    if (start == 0.0 || start == end) {
-        return low;
-    }
-    const struct root r = {low, high, end > start ? 1.0 : -1.0};
-    return root_newton(dp_motion_at, &p, r, root_between(&r, start, end), PRECISION);
-}
-
-struct polynomial dp_motion_velocity(const struct motion *m) {
-    double c1 = m->h * m->a[0];
-    double end = m->h * m->a[1];
-    double rise = m->v[1] - m->v[0];
-    return (struct polynomial){
-        {m->v[0], c1, 3.0 * rise - 2.0 * c1 - end, c1 + end - 2.0 * rise, 0.0, 0.0}};
-}
-int dp_motion_extrema(const struct polynomial *p, double *at) {
-    double a = 3.0 * p->c[3];
-    double b = p->c[2];  // a x^2 + 2 b x + c
-    double c = p->c[1];
-    bool same_sign = c * (a + 2.0 * b + c) > 0.0;
-    if (same_sign && b * (a + b) >= 0.0) {
-        return 0;  // it is monotone between ends of one sign
-    }
-    double square = b * b - a * c;
-    if (!(square > 0.0)) {
-        return 0;
-    }
-    double q = -(b + copysign(sqrt(square), b));
-    double root[2] = {q / a, c / q};
-    if (!(root[0] <= root[1])) {
-        double first = root[1];
-        root[1] = root[0];
-        root[0] = first;
-    }
-    int n = 0;
-    for (int i = 0; i < 2; i++) {
-        if (root[i] > 0.0 && root[i] < 1.0) {
-            at[n++] = root[i];
-        }
-    }
-    return n;
-}
-
-// Instants 0 < x < 1 at which the velocity changes its sign, ascending; returns how many.
-static int dp_motion_turns(const struct motion *m, double *at) {
-    bool same_sign = m->v[0] * m->v[1] > 0.0;
-    if (same_sign && m->v[0] * m->a[0] >= 0.0 && m->v[1] * m->a[1] <= 0.0) {
-        return 0;  // no cubic with these ends comes back to zero
-    }
-    struct polynomial v = dp_motion_velocity(m);
-    double end[TURNS_MAX + 1];
-    int n_end = dp_motion_extrema(&v, end);
-    end[n_end++] = 1.0;
-    int n = 0;
-    double low = 0.0;
-    for (int i = 0; i < n_end; i++) {
-        if (dp_motion_value(&v, low) * dp_motion_value(&v, end[i]) < 0.0) {
-            double x = dp_motion_root(v, low, end[i]);
-            if (x > 0.0 && x < 1.0) {
-                at[n++] = x;
-            }
-        }
-        low = end[i];
-    }
-    return n;
-}
-
-struct motion_pieces dp_motion_cut(const struct motion *m) {
-    struct motion_pieces s = {.path = dp_motion_path(m), .n = 1};
-    s.n += dp_motion_turns(m, s.x + 1);
-    s.x[0] = 0.0;
-    s.x[s.n] = 1.0;
-    s.d[0] = m->d[0];
-    s.d[s.n] = m->d[1];
-    for (int i = 1; i < s.n; i++) {
-        s.d[i] = dp_motion_value(&s.path, s.x[i]);
-    }
-    return s;
-}
-
-struct motion dp_motion_link(const struct dp *p, int k) {
-    const struct link *l = &p->model->link[k];
-    return (struct motion){
-        .d = {p->now.delta[k], p->next.delta[k]},
-        .v = {p->rate[0][k], p->rate[1][k]},
-        .a = {dp_system_across(l, p->model, p->now.a, p->now.ground_a),
-              dp_system_across(l, p->model, p->next.a, p->next.ground_a)},
-        .h = p->h,
-    };
-}
-
-// The ground is the zero in front of the arrays.
-struct motion dp_motion_floor(const struct dp *p, int i, int below) {
-    const struct state *now = &p->now, *next = &p->next;
-    return (struct motion){
-        .d = {now->u[i] - now->u[below], next->u[i] - next->u[below]},
-        .v = {now->v[i] - now->v[below], next->v[i] - next->v[below]},
-        .a = {now->a[i] - now->a[below], next->a[i] - next->a[below]},
-        .h = p->h,
-    };
-}
-
-double dp_motion_noise(const struct dp *p, int k) {
-    const struct link *l = &p->model->link[k];
-    double size = fabs(l->gap) + p->scales.most_u;  // bodies at rest move by rounding
-    for (int i = 0; i < 2; i++) {
-        size += fmax(link_size_at(l, i, p->now.u), link_size_at(l, i, p->next.u));
-        if (l->moving_ground) {
-            size += fabs(p->now.ground_u[p->model->building[l->building[i]].ground]);
-        }
-    }
-    return SCALE_ROUNDING * size;
-}
-
-// A motion that goes beyond both its ends does so by a fraction of its way at the larger rate.
-LANES void dp_motion_reach(struct dp *p) {
-    const double *restrict d0 = p->now.delta, *restrict d1 = p->next.delta;
-    const double *restrict v0 = p->rate[0], *restrict v1 = p->rate[1];
-    const double *restrict deepest = p->results->deepest;
-    double *restrict reach = p->reach;
-    double h = p->h;
-    int64_t closes = 0;
-    int64_t deepens = 0;
-    for (int i = 0, n = p->model->n_contact; i < n; i++) {
-        double d = d0[i] > d1[i] ? d0[i] : d1[i];
-        double v = fabs(v0[i]) > fabs(v1[i]) ? fabs(v0[i]) : fabs(v1[i]);
-        double most = d + h * v;
-        reach[i] = most;
-        closes |= most > 0.0;
-        deepens |= most > deepest[i];
-    }
-    p->closes = closes != 0;
-    p->deepens = deepens != 0;
+    dp_rates_at(p, p->now.time + x * p->h, building, &p->stage[1]);
 }

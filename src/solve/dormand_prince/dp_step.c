@@ -35,6 +35,11 @@ static const double UNSEEN = 51.5;
 // First step over the shortest period of a building over 2 pi, or over the duration.
 static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
 
+// No peak is looked for in a step that is shorter than this share of the largest displacement over
+// the largest velocity, as between two events: rounding of displacements changes the interpolated
+// velocities by more than a peak could.
+static const double INSTANT = 1e-8;
+
 // Steps in which rounding may hide the errors of accelerations: an impact takes less.
 enum { NOISY = 1000 };
 
@@ -88,7 +93,7 @@ bool dp_step_alloc(struct dp *p, struct arena *a) {
 // force is taken to be at least that of the spring at a small displacement.
 static double dp_creeping_step(const struct dp *p, int n) {
     const struct link *l = &p->model->link[p->now.live[n]];
-    const struct contact_response *r = &p->stage[0]->link[n].response;
+    const struct contact_response *r = &p->stage[0].link[n].response;
     const double force = fmax(fabs(r->force), CREEPING_SHARE * r->dfdd * p->scales.most_u);
     const double change =
         l->law->creep(l->constant, 2.0 * force) - l->law->creep(l->constant, force);
@@ -102,13 +107,13 @@ static void dp_add_link(struct dp *p, int n) {
     struct dp_fastest *f = &p->fastest;
     const int k = p->now.live[n];
     const struct link *l = &p->model->link[k];
-    const struct dp_rates *r = p->stage[0];
+    const struct dp_rates *r = &p->stage[0];
     const bool unbounded = l->bilateral && bilateral_is_steep(l->law, l->constant);
-    if (p->system.creeps && l->law->creep) {
+    if (l->law->creep) {
         f->longest = number_min(f->longest, dp_creeping_step(p, n));
     }
     const double dfdd = l->bilateral ? r->link[n].response.dfdd
-                                     : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
+                                     : dp_rates_response(p, k, p->now.delta[k], 0.0).dfdd;
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < link_entries(l, end); i++) {
             const int dof = link_entry(l, end, i).dof;
@@ -180,6 +185,10 @@ double dp_step_limit(const struct dp *p) {
     return number_min(p->system.forcing.corner, p->model->duration);
 }
 
+bool dp_step_is_instant(const struct dp *p) {
+    return p->h * p->scales.most_v < INSTANT * p->scales.most_u;
+}
+
 // What makes steps of h short: the link that is stiffest at its state, the last contact that had an
 // event, or the tolerance.
 static struct pace_cause dp_cause(const struct dp *p, double h, const char *remedy) {
@@ -188,7 +197,7 @@ static struct pace_cause dp_cause(const struct dp *p, double h, const char *reme
     double fastest = 0.5 / h;  // slower ones do not matter
     for (int i = 0; i < p->now.n_live; i++) {
         const int k = p->now.live[i];
-        const struct contact_response r = dp_system_response(p, k, p->now.delta[k], p->rate[0][k]);
+        const struct contact_response r = dp_rates_response(p, k, p->now.delta[k], p->rate[0][k]);
         const double mass = m->link[k].mass;
         const double rate = fmax(fabs(r.dfdv) / mass, sqrt(fabs(r.dfdd) / mass));
         if (rate > fastest) {
@@ -225,8 +234,8 @@ static double dp_way_stop(const struct dp *p, const struct building *g, double x
     static const double SAME = 1e-9;
     double next = (floor(x * POINTS + SAME) + 1.0) / POINTS;
     for (int i = g->first; i < g->first + g->n_dof; i++) {
-        const struct motion m = dp_motion_floor(p, i, p->system.below[i]);
-        const struct motion_pieces s = dp_motion_cut(&m);
+        const struct motion m = dp_motion(p, dp_drift, 0, i);
+        const struct motion_pieces s = hermite_cut(&m);
         for (int j = 1; j < s.n; j++) {
             next = s.x[j] > x + SAME ? fmin(next, s.x[j]) : next;
         }
@@ -241,7 +250,7 @@ static double dp_way_stop(const struct dp *p, const struct building *g, double x
 static double dp_way_error(const struct dp *p, int k) {
     const struct building *g = &p->model->building[k];
     double *after = p->system.part_history;
-    struct dp_rates *r = p->stage[1];  // its weight in the step is 0
+    const struct dp_rates *r = &p->stage[1];  // its weight in the step is 0
     double *kept = r->a + g->first;
     const double allowed = p->model->control.tolerance * p->scales.most_u;
     double largest = 0.0;

@@ -45,8 +45,8 @@ static const struct fields_row length_rows[] = {
 static const struct fields length_fields = FIELDS(length_rows);
 
 static const struct fields_row rows[] = {
-    {0, sizeof(struct run), FIELD_ONE, &run_step_fields},
-    {0, sizeof(struct run), FIELD_ONE, &length_fields},
+    {0, sizeof(struct run), FIELD_ONE, &run_step_fields, 0},
+    {0, sizeof(struct run), FIELD_ONE, &length_fields, 0},
 };
 static const struct fields adaptive_fields = FIELDS(rows);
 
