@@ -64,7 +64,8 @@ struct building {
     const double *damping_diagonal;  // [F T/L] (n_dof) of the damping matrix
     const double *damping_off;       // [F T/L] (n_dof) entry i couples floors i+1 and i+2; last 0
     const double *damping_full;      // (n_dof, n_dof) symmetric to the bit; NULL: the two above
-    int n_part;                      // beside the shear storeys; with any, damping_full is there
+    int n_part;                      // beside the shear storeys; with any that is not
+                                     // PART_DIAGONAL, damping_full is there
     const struct part *part;         // (n_part)
     const double *part_stiffness;    // [F/L] (n_dof, n_dof) initial d shear / d drift of all
                                      // parts; NULL: there is none
@@ -109,7 +110,7 @@ struct chain {
     const double *stiffness;  // [F/L] (n) initial, of the shear storey below
     const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
     const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
-    bool full_damping;  // some building has a full matrix C, as those with parts
+    bool full_damping;  // some building has a full matrix C, as those whose parts couple storeys
     bool parts;         // some building has parts
 };
 
@@ -308,9 +309,10 @@ static inline int building_n_action(const struct building *g) {
     return g->n_dof + g->n_hinge + g->n_struck;
 }
 
-// The tangents of its storeys (n_dof), and with parts theirs by drifts and by rates.
+// The tangents of its storeys (n_dof), and with parts theirs by drifts and by rates: full matrices
+// where the building has such, else their diagonals.
 static inline int building_n_tangent(const struct building *g) {
-    return g->n_dof + (g->n_part > 0 ? 2 * g->n_dof * g->n_dof : 0);
+    return g->n_dof + (g->n_part > 0 ? 2 * g->n_dof * (g->damping_full ? g->n_dof : 1) : 0);
 }
 
 // Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN

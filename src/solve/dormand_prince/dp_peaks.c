@@ -321,8 +321,8 @@ void dp_peaks_step(struct dp *p) {
             }
         }
     }
-    for (int k = 0; m->chain.full_damping && k < m->n_body; k++) {
-        if (m->building[k].n_part > 0) {  // which has a full damping matrix
+    for (int k = 0; m->chain.parts && k < m->n_body; k++) {
+        if (m->building[k].n_part > 0) {
             dp_part_shears(p, &m->building[k]);
         }
     }

@@ -147,7 +147,8 @@ void dp_rates_start(struct dp *p) {
             dp_start_floor(p, k, i);
         }
     }
-    s->special = m->n_ground > 1 || m->chain.full_damping || s->n_inelastic > 0 || m->n_load > 0;
+    s->special = m->n_ground > 1 || m->chain.full_damping || m->chain.parts || s->n_inelastic > 0 ||
+                 m->n_load > 0;
     for (int k = 0; k < m->n_link; k++) {
         s->phase[k] = dp_start_phase(p, k);
         s->creeps |= m->link[k].law->creep != NULL;
