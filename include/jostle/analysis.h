@@ -45,7 +45,8 @@ struct observer {
     int (*row)(void *context, const struct row_view *row, struct error *e);
     // Called every few thousand steps, rows or not; NULL: nothing to ask. Not 0 ends the run.
     int (*poll)(void *context, double time, struct error *e);
-    void *context;  // borrowed
+    void *context;   // borrowed
+    long steps_max;  // with so many steps a run has failed, when it is next polled; 0: no limit
 };
 
 // Largest absolute values over every computed step (dormand-prince: at any time), and when. Arrays

@@ -114,6 +114,14 @@ void deck_free(struct deck *d);  // NULL is allowed
 int deck_meaning(const char *text, struct checksum *out, struct error *e);
 int deck_meaning_of_file(const char *path, struct checksum *out, struct error *e);
 
+// Reads the deck to its end and adds what it says to a checksum: its statements in their order with
+// the values of their parameters, but not the title, comments, layout and parameters that nothing
+// uses. Two readings that add the same build the same model from the same files. Files that the
+// deck names are in deck.files afterwards; their contents are not added. False: the deck has an
+// error that may depend on more than what was added.
+struct checksum_sum;
+bool deck_key(struct deck *d, struct checksum_sum *to);
+
 // Selects one run of a study; call it before the first statement is read. `first` is another
 // reading of this deck that has come to its end. A swept parameter takes value choice[k] of sweep
 // number k of `first`. `first` and `choice` are borrowed. Without deck_bind a parameter takes its

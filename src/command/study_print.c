@@ -263,7 +263,7 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
         fprintf(to, ", the sum of %d part%s", v->n_part, v->n_part == 1 ? "" : "s");
     }
     if (v->n_kept > 0) {
-        fprintf(to, ", without %ld runs of an earlier start", v->n_kept);
+        fprintf(to, "; %ld runs computed, %ld taken", v->n_run - v->n_kept, v->n_kept);
     }
     fputc('\n', to);
     safe_line(to, "results     %s", v->path);

@@ -9,8 +9,7 @@
 #include "deck/parameter.h"
 #include "deck/quantity.h"
 
-// The `*` after the count of a repeat, as in 3*250t; NULL: the word is not a repeat.
-static const char *repeat_mark(const struct word *w) {
+const char *deck_repeat_mark(const struct word *w) {
     const char *end;
     double count;
     bool number = w->text[0] >= '0' && w->text[0] <= '9' &&
@@ -22,7 +21,7 @@ static const char *repeat_mark(const struct word *w) {
 
 // The count of a repeat; 1 for other words; 0: the count is wrong.
 static int repeat_count(const struct word *w) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     if (!mark) {
         return 1;
     }
@@ -35,7 +34,7 @@ static int repeat_count(const struct word *w) {
 
 // False after having reported a repeat with a wrong count, or a repeat that the row does not allow.
 static bool check_repeat(struct deck *d, const struct row *row, const struct word *w) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     if (!mark || (row->kind == ROW_LIST && repeat_count(w) > 0)) {
         return true;
     }
@@ -76,7 +75,7 @@ enum { WEIGHT_SIZE = 64 };
 
 // The expression that turns the weight in the word into a mass, for a message.
 static const char *mass_of(const struct word *w, char text[WEIGHT_SIZE]) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     const char *from = mark ? mark + 1 : w->text;
     const bool expression = strncmp(from, "${", 2) == 0;
     from += expression ? 2 : *from == '$';
@@ -129,7 +128,7 @@ static bool check_number_like(struct deck *d, const struct row *row, const struc
 
 static bool read_number(struct deck *d, const struct row *row, struct dimension dimension,
                         const struct word *w, double *value, bool *bare) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     const char *from = mark ? mark + 1 : w->text;
     struct quantity q;
     if (!check_number_like(d, row, w, from) || !expression_number(d, w, from, &q)) {

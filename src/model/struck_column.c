@@ -56,15 +56,21 @@ static const struct link *link_at_level(const struct builder *b, const struct st
 }
 
 static bool set_elastic(struct builder *b, struct struck_draft *d) {
-    double *constant = arena_alloc(b->arena, BILATERAL_ROWS, sizeof *constant);
-    if (constant) {
-        constant[BILATERAL_STIFFNESS] = d->column.stiffness;
-        constant[BILATERAL_DASHPOT] = d->column.dashpot;
-        constant[BILATERAL_EXPONENT] = 1.0;
-        d->law = &bilateral_law;
-        d->value = d->constant = constant;
+    double *value = arena_alloc(b->arena, BILATERAL_ROWS, sizeof *value);
+    double *constant = arena_alloc(b->arena, (size_t)bilateral_law.n_constant, sizeof *constant);
+    if (!value || !constant) {
+        return false;
     }
-    return constant != NULL;
+    for (int r = 0; r < BILATERAL_ROWS; r++) {
+        value[r] = bilateral_rows[r].fallback;
+    }
+    value[BILATERAL_STIFFNESS] = d->column.stiffness;
+    value[BILATERAL_DASHPOT] = d->column.dashpot;
+    bilateral_law.prepare(value, 0.0, constant, NULL);
+    d->law = &bilateral_law;
+    d->value = value;
+    d->constant = constant;
+    return true;
 }
 
 // All columns together have n times the force of one at its deformation. False after a report.

@@ -10,6 +10,7 @@
 #include "motion/target.h"
 #include "plot/figure.h"
 #include "plot/panel.h"
+#include "study/comparison.h"
 
 // The picture of response spectra: pseudo-acceleration against the logarithm of the period.
 
@@ -64,6 +65,27 @@ struct impact_figure {
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e);
 
+// The picture of the peak forces of isolated impacts over a velocity, a restitution or a stiffness.
+
+struct force_curve {
+    const char *name;
+    size_t n;
+    const double *x, *force;  // (n) in SI
+};
+
+struct force_figure {
+    const char *subtitle, *version;
+    const char *name, *unit;  // of the axis across; "": a number
+    bool logarithmic;
+    int n_curve;  // at most IMPACT_FIGURE_CURVES
+    const struct force_curve *curve;
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending). Write
+// errors are the caller's.
+int force_figure_write(const struct force_figure *f, const struct figure_files *to,
+                       struct error *e);
+
 // The picture of storeys under a protocol: shear against drift, and energy, plastic deformation and
 // tangent over the turns.
 
@@ -107,5 +129,25 @@ struct pounding_map {
 // errors are the caller's.
 int pounding_map_write(const struct pounding_map *map, const struct figure_files *to,
                        struct error *e);
+
+// The picture of histories beside others: a panel for each of the pairs that differ most, or one
+// for all runs and a measurement.
+
+enum { COMPARISON_PANELS = 3, COMPARISON_RUNS = 6 };
+
+struct comparison_figure {
+    const char *title, *version;
+    const char *quantity;  // the name of its axis
+    struct dimension dimension;
+    const struct unit_system *units;
+    bool measured;  // all pairs have one reference
+    int n;
+    const struct comparison_pair *pair;  // (n)
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending),
+// STATUS_SYSTEM (no memory). Write errors are the caller's.
+int comparison_figure_write(const struct comparison_figure *f, const struct figure_files *to,
+                            struct error *e);
 
 #endif

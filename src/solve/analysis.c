@@ -18,6 +18,11 @@
 
 int run_poll_now(struct run *r, double time) {
     const struct observer *o = r->observer;
+    if (o && o->steps_max > 0 && r->results->totals.steps >= o->steps_max) {
+        return error_set(r->error, STATUS_FAILED,
+                         "the limit of %ld steps was reached at t = %.6g %s", o->steps_max, time,
+                         r->model->deck->units.time_name);
+    }
     return o && o->poll ? o->poll(o->context, time, r->error) : STATUS_OK;
 }
 

@@ -150,8 +150,10 @@ done
 rm one.csv
 run "$jostle" check grid.deck -D k=2e6
 expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed with -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
-run "$jostle" run grid.deck -o one.h5
-expect "an existing file is refused" '[ $status -eq 2 ] && said "one.h5 exists; --force overwrites it"'
+run "$jostle" run grid.deck -o one.h5 -D k=3e6
+expect "an existing file of other runs is refused" '[ $status -eq 2 ] && said "one.h5 holds 12 finished runs that this study does not have, as the deck or a file has changed; --force overwrites it, -o NAME.h5 --take one.h5 keeps it"'
+run "$jostle" run grid.deck -o single.h5
+expect "and so is a file of another kind" '[ $status -eq 2 ] && said "single.h5 exists; --force overwrites it"'
 mkdir folder.h5
 run "$jostle" run grid.deck -o folder.h5 --force
 expect "so is a folder, before a run is made" '[ $status -eq 2 ] && said "folder.h5 is a directory" && [ ! -s "$out" ] && [ ! -e folder.h5.runs ]'

@@ -175,6 +175,9 @@ static void columns_that_are_struck_together_add_up(void **state) {
     const double k = 3.0 * 64e6 * 27.0 / (pow(0.75, 3.0) * pow(2.25, 3.0));
     assert_close(c->stiffness, k, 1e-14);
     assert_close(c->dashpot, 0.1 * sqrt(k * 600.0), 1e-14);
+    const struct link *spring = &two->link[two->n_link - 1];
+    const struct contact_response r = spring->law->force(spring->constant, NULL, 1e-3, 2.0);
+    assert_close(r.force, 1e-3 * k + 2.0 * c->dashpot, 1e-14);
     assert_close(c->weight, 0.15625, 1e-14);
     assert_close(two->displacement[4], 0.15625e-3, 1e-14);
     assert_close(two->mass[4], 600.0, 0.0);
