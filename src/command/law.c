@@ -29,8 +29,8 @@ const struct command command_law = {
 struct options {
     struct law_words words;
     struct words compare;
+    const struct law_storey_kind *of_storey;  // NULL: a contact
     const char *peak, *over;
-    bool of_storey;
     const char *protocol;
     const char *history;
     struct picture_options picture;  // what exists of the history too
@@ -52,7 +52,7 @@ static int read_peak(struct options *o) {
 }
 
 static int check(const struct options *o) {
-    const char *kind = o->of_storey ? "storey" : "contact";
+    const char *kind = o->of_storey ? o->of_storey->name : "contact";
     if (o->words.n_word == 0) {
         return command_usage(&command_law, "a %s law is expected", kind);
     }
@@ -200,7 +200,7 @@ static int write_loops(void *context, const struct figure_files *to, struct erro
     struct loop_curve curve[LOOP_FIGURE_CURVES];
     struct texts t;
     snprintf(t.title, sizeof t.title, "Loops of %s",
-             l->n == 1 ? l->storey[0].choice.law->name : "storey laws");
+             l->n == 1 ? l->storey[0].choice.law->name : "laws");
     snprintf(t.subtitle, sizeof t.subtitle, "%s %s", l->shear ? "measured:" : "protocol",
              l->protocol);
     if (l->n == 1) {
@@ -217,6 +217,9 @@ static int write_loops(void *context, const struct figure_files *to, struct erro
                                        .curve = curve,
                                        .n = l->n_point,
                                        .n_part = l->n_part,
+                                       .drifts = l->kind->deformation,
+                                       .shears = l->kind->force,
+                                       .turns = l->kind->turns,
                                        .progress = l->shear ? "sample" : "turn",
                                        .n_sample = l->n_sample,
                                        .drift = l->target,
@@ -279,7 +282,7 @@ static int use_impacts(const struct options *o) {
 
 static int use_loops(const struct options *o) {
     struct law_storeys laws;
-    const struct law_storey_words words = {o->words, o->protocol};
+    const struct law_storey_words words = {o->words, o->of_storey, o->protocol};
     const struct law_output out = {&laws, loop_history, draw_loops, warn_of_loops, print_loops};
     int status = law_storey_run(&words, &laws);
     if (status == EXIT_DONE) {
@@ -301,9 +304,12 @@ static int use_list(const struct options *o) {
 static int use(void *options, struct arena *a, const struct words *operand) {
     (void)a;
     struct options *o = options;
-    o->of_storey = operand->n > 0 && strcmp(operand->word[0], "storey") == 0;
-    o->words.word = operand->word + o->of_storey;
-    o->words.n_word = operand->n - o->of_storey;
+    for (int k = 0; operand->n > 0 && k < LAW_STOREY_KINDS; k++) {
+        const bool named = strcmp(operand->word[0], law_storey_kinds[k].name) == 0;
+        o->of_storey = named ? &law_storey_kinds[k] : o->of_storey;
+    }
+    o->words.word = operand->word + (o->of_storey != NULL);
+    o->words.n_word = operand->n - (o->of_storey != NULL);
     o->words.compare = o->compare.word;
     o->words.n_compare = o->compare.n;
     int status = check(o);
@@ -345,13 +351,14 @@ static int law_command(int argc, char **argv) {
          .doc = "one name and value per line, in SI, not rounded"},
         {0}};
     static const struct option_part parts[] = {
-        {.text = "LAW and its options are those of a deck; bare numbers are in SI. `jostle laws` "
-                 "lists the laws.\n\n  -m1 M, -m2 M    masses of the bodies; without -m2 the other "
-                 "one is a wall\n  -v V            closing velocity\n\nStorey laws, `jostle law "
-                 "storey LAW ...`:\n"
-                 "  -stiffness K    initial stiffness\n  -amplitude D    largest drift of the "
-                 "protocol\n  -find OPTIONS   what --fit finds besides stiffness and required "
-                 "options\n"},
+        {.text =
+             "LAW and its options are those of a deck; bare numbers are in SI. `jostle laws` "
+             "lists the laws.\n\n  -m1 M, -m2 M    masses of the bodies; without -m2 the other "
+             "one is a wall\n  -v V            closing velocity\n\nStorey laws, `jostle law "
+             "storey LAW ...`, and `jostle law hinge LAW ...` of moment and rotation:\n"
+             "  -stiffness K    initial stiffness\n  -amplitude D    largest deformation of the "
+             "protocol\n  -find OPTIONS   what --fit finds besides stiffness and required "
+             "options\n"},
         {.row = rows},
         {.row = printer_rows, .at = AT(form)},
         {.row = option_help},

@@ -13,10 +13,15 @@ enum { N_SHARED = 1 };  // rows of all laws: STIFFNESS
 
 static const struct row rows[N_ROW] = {
     [STIFFNESS] = {"stiffness", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN,
-                   "initial stiffness of the storey"},
+                   "initial stiffness"},
     [AMPLITUDE] = {"amplitude", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN,
-                   "largest drift of the protocol"},
+                   "largest deformation of the protocol"},
     [FIND] = {"find", ROW_TEXTS, 0, OF_NONE, NULL, NAN, "further options that --fit finds"},
+};
+
+const struct law_storey_kind law_storey_kinds[LAW_STOREY_KINDS] = {
+    {"storey", "drift", "shear", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false},
+    {"hinge", "rotation", "moment", OF_NONE, {1, 1, 0}, {1, 1, 0}, "rad", "N*m", true},
 };
 
 enum { PARTS = 60, STEPS = 100, SAMPLE_STEPS = 20 };
@@ -66,18 +71,27 @@ static bool read_law(struct law_storeys *l, const struct law_words *words, struc
     struct deck *d = l->deck;
     struct law_storey *at = &l->storey[l->n];
     bool found[STOREY_ROWS_MAX];
-    struct row row[N_ROW];
+    struct row row[N_ROW], turned[STOREY_ROWS_MAX];
     const struct storey_law *law = storey_choice_find(d, &s->word[0]);
     if (!law || (first && s->n_word == 1 && !law_words_lend(d, first, has_key, law, s)) ||
         (words->fit && !choose_found(d, s, law, found, at))) {
         return false;
     }
+    if (law->respond_at_rate && l->kind->turns) {
+        deck_error(d, &s->word[0], "law %s depends on the velocity; it is for storeys only",
+                   law->name);
+        return false;
+    }
+    storey_choice_turn(law, turned);
     memcpy(row, rows, sizeof row);
+    row[STIFFNESS].dimension = l->kind->of_stiffness;
+    row[AMPLITUDE].dimension = l->kind->of_deformation;
     if (words->fit || first) {
         row[STIFFNESS].flags = 0;
     }
     const struct row_set set = {row, first ? N_SHARED : N_ROW, own};
-    if (!storey_choice_read(d, s, law, &set, words->fit ? found : NULL, &at->choice)) {
+    if (!storey_choice_read(d, s, law, l->kind->turns ? turned : law->row, &set,
+                            words->fit ? found : NULL, &at->choice)) {
         return false;
     }
     const struct argument *stiffness = &own[STIFFNESS];
@@ -110,7 +124,7 @@ static int find_targets(struct law_storeys *l, const char *name, double amplitud
         return STATUS_OK;
     }
     const struct time_series_column column = {
-        .name = "drift", .dimension = dimension_length, .unit = 1.0};
+        .name = l->kind->deformation, .dimension = l->kind->of_deformation, .unit = 1.0};
     int status = time_series_columns(l->deck->arena, name, &column, 1, &l->target, &l->n_target, e);
     double largest = 0.0;
     for (size_t i = 0; status == STATUS_OK && i < l->n_target; i++) {
@@ -128,8 +142,8 @@ static int find_targets(struct law_storeys *l, const char *name, double amplitud
 
 static int read_loop(struct law_storeys *l, const char *path, struct error *e) {
     const struct time_series_column column[] = {
-        {.name = "deformation", .dimension = dimension_length, .unit = 1.0},
-        {.name = "force", .dimension = dimension_force, .unit = 1.0},
+        {.name = "deformation", .dimension = l->kind->of_deformation, .unit = 1.0},
+        {.name = "force", .dimension = l->kind->of_force, .unit = 1.0},
     };
     const double *value[2] = {0};
     const int status = time_series_columns(l->deck->arena, path, column, 2, value, &l->n_sample, e);
@@ -206,7 +220,7 @@ int law_storey_run(const struct law_storey_words *words, struct law_storeys *out
     size_t n_law = 0;
     struct error e;
     double amplitude = NAN;
-    *out = (struct law_storeys){.deck = NULL};
+    *out = (struct law_storeys){.kind = words->kind};
     int status = law_words_open(&words->laws, &out->deck, &n_law, &e);
     if (status == STATUS_OK) {
         out->storey = deck_array(out->deck, n_law, sizeof *out->storey);

@@ -10,8 +10,20 @@
 #include "law/storey_loop.h"
 #include "model/storey_choice.h"
 
+// Laws of storeys, or those of hinges, which are the same of other quantities.
+struct law_storey_kind {
+    const char *name;                 // behind `jostle law`
+    const char *deformation, *force;  // what its quantities are called
+    struct dimension of_deformation, of_force, of_stiffness;
+    const char *unit, *force_unit;  // in SI
+    bool turns;                     // rotations and moments
+};
+extern const struct law_storey_kind law_storey_kinds[];
+enum { LAW_STOREY_KINDS = 2 };
+
 struct law_storey_words {
     struct law_words laws;
+    const struct law_storey_kind *kind;
     const char *protocol;  // a file or the name of a protocol; NULL: the first one
 };
 
@@ -26,11 +38,12 @@ struct law_storey {
 };
 
 struct law_storeys {
+    const struct law_storey_kind *kind;
     struct deck *deck;  // owns what is below
     struct law_storey *storey;
     int n;
     const char *protocol;
-    const double *target;  // (n_target) drifts
+    const double *target;  // (n_target) deformations
     size_t n_target;
     int n_part;      // points from one target to the next
     size_t n_point;  // n_target n_part + 1

@@ -85,15 +85,7 @@ static struct largest largest_of(const struct law_storeys *l, const struct law_s
     return m;
 }
 
-static const struct quantity {
-    const char *words, *unit;
-} quantities[] = {
-    {"largest shear", "N"},
-    {"least shear", "N"},
-    {"dissipated energy", "N*m"},
-    {"plastic deformation", "m"},
-};
-enum { N_QUANTITY = sizeof quantities / sizeof quantities[0] };
+enum { N_QUANTITY = 4 };
 
 static int print_summary(const struct law_storeys *l, int first, int last, FILE *to) {
     struct printer t = {.to = to};
@@ -104,9 +96,16 @@ static int print_summary(const struct law_storeys *l, int first, int last, FILE 
         printer_add(&t, &(struct printer_column)COLUMN_G(name, 17, 6), 1);
     }
     printer_head(&t);
+    char largest[32], least[32];
+    snprintf(largest, sizeof largest, "largest %s", l->kind->force);
+    snprintf(least, sizeof least, "least %s", l->kind->force);
+    const char *const words[N_QUANTITY] = {largest, least, "dissipated energy",
+                                           "plastic deformation"};
+    const char *const unit[N_QUANTITY] = {l->kind->force_unit, l->kind->force_unit, "N*m",
+                                          l->kind->unit};
     for (int q = 0; q < N_QUANTITY; q++) {
-        printer_text(&t, quantities[q].words);
-        printer_text(&t, quantities[q].unit);
+        printer_text(&t, words[q]);
+        printer_text(&t, unit[q]);
         for (int i = first; i < last; i++) {
             const struct largest m = largest_of(l, &l->storey[i]);
             const double value[N_QUANTITY] = {m.shear, m.least, m.last->dissipated,
@@ -118,23 +117,28 @@ static int print_summary(const struct law_storeys *l, int first, int last, FILE 
     return printer_close(&t);
 }
 
-static const struct printer_column turn_columns[] = {
-    {.head = "turn", .key = "turn", .width = 5},
-    {.head = "drift", .key = "drift", .dimension = &dimension_length, .width = 13, .digits = 6},
-    {.head = "shear", .key = "shear", .dimension = &dimension_force, .width = 13, .digits = 6},
-    {.head = "tangent",
-     .key = "tangent",
-     .dimension = &dimension_stiffness,
-     .width = 13,
-     .digits = 6},
-    {.head = "work", .key = "work", .dimension = &dimension_energy, .width = 13, .digits = 6},
-    {.head = "dissipated",
-     .key = "dissipated",
-     .dimension = &dimension_energy,
-     .width = 13,
-     .digits = 6},
-    {.head = "plastic", .key = "plastic", .dimension = &dimension_length, .width = 13, .digits = 6},
-};
+enum { TURN_COLUMNS = 7 };
+
+// The columns of a table, from number `first` on; the first is the number of the turn.
+static void add_turn_columns(const struct law_storey_kind *k, int first, struct printer *t) {
+    const char *const head[TURN_COLUMNS] = {"turn", k->deformation, k->force, "tangent",
+                                            "work", "dissipated",   "plastic"};
+    const struct dimension *const of[TURN_COLUMNS] = {NULL,
+                                                      &k->of_deformation,
+                                                      &k->of_force,
+                                                      &k->of_stiffness,
+                                                      &dimension_energy,
+                                                      &dimension_energy,
+                                                      &k->of_deformation};
+    for (int i = first; i < TURN_COLUMNS; i++) {
+        const struct printer_column column = {.head = head[i],
+                                              .key = head[i],
+                                              .dimension = of[i],
+                                              .width = i == 0 ? 5 : 13,
+                                              .digits = i == 0 ? 0 : 6};
+        printer_add(t, &column, 1);
+    }
+}
 
 // Readers are shown 0 where there is only rounding.
 static double shown(const struct printer *t, double value, double size) {
@@ -212,7 +216,7 @@ static int print_text(const struct law_storeys *l, FILE *to) {
     for (int i = 0; i < l->n && status == EXIT_DONE && !l->shear; i++) {
         struct printer t = {.to = to, .units = &si, .at_head = UNITS_BELOW_BARE};
         fprintf(to, "\n%s\n", l->storey[i].choice.law->name);
-        PRINTER_ADD(&t, turn_columns);
+        add_turn_columns(l->kind, 0, &t);
         printer_head(&t);
         print_turns(l, &l->storey[i], &t);
         status = printer_close(&t);
@@ -231,7 +235,7 @@ int law_storey_print(const struct law_storeys *l, enum printer_form form, FILE *
         return print_fit_data(l, &t);
     }
     printer_add(&t, &(struct printer_column)COLUMN_DATA("law"), 1);
-    PRINTER_ADD(&t, turn_columns);
+    add_turn_columns(l->kind, 0, &t);
     printer_head(&t);
     for (int i = 0; i < l->n; i++) {
         print_turns(l, &l->storey[i], &t);
@@ -243,7 +247,7 @@ int law_storey_print_path(const struct law_storeys *l, FILE *to) {
     struct unit_system si;
     unit_system_init(&si);
     struct printer t = {.to = to, .form = FORM_TSV, .units = &si};
-    printer_add(&t, turn_columns + 1, (int)(sizeof turn_columns / sizeof turn_columns[0]) - 1);
+    add_turn_columns(l->kind, 1, &t);
     printer_head(&t);
     for (size_t i = 0; i < l->n_point; i++) {
         print_point(&l->storey[0].point[i], &t);

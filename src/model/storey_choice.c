@@ -26,11 +26,19 @@ int storey_choice_row(const struct storey_law *law, const char *key) {
     return -1;
 }
 
+void storey_choice_turn(const struct storey_law *law, struct row *row) {
+    for (int r = 0; r < law->n_row; r++) {
+        row[r] = law->row[r];
+        row[r].dimension.length = row[r].dimension.force;
+    }
+}
+
 bool storey_choice_read(struct deck *d, const struct statement *s, const struct storey_law *law,
-                        const struct row_set *own, const bool *found, struct storey_choice *out) {
+                        const struct row *of, const struct row_set *own, const bool *found,
+                        struct storey_choice *out) {
     *out = (struct storey_choice){.law = law, .word = &s->word[0]};
     struct row row[STOREY_ROWS_MAX];
-    memcpy(row, law->row, (size_t)law->n_row * sizeof *row);
+    memcpy(row, of, (size_t)law->n_row * sizeof *row);
     for (int r = 0; found && r < law->n_row; r++) {
         row[r].flags &= found[r] ? ~(unsigned)ROW_REQUIRED : ~0u;
     }

@@ -21,10 +21,16 @@ const struct storey_law *storey_choice_find(struct deck *d, const struct word *n
 // The place of the law's row; -1: it has none of this name.
 int storey_choice_row(const struct storey_law *law, const char *key);
 
+// The rows of the law (law->n_row) as one of moment and rotation: forces become moments, and
+// lengths become angles.
+void storey_choice_turn(const struct storey_law *law, struct row *row);
+
 // Reads the options of `s`, those of `own` and of the law, and sets the values. Rows for which
-// `found` holds need not be given; NULL: none. False after a report.
+// `found` holds need not be given; NULL: none. `of` has the rows of the law, which may be turned.
+// False after a report.
 bool storey_choice_read(struct deck *d, const struct statement *s, const struct storey_law *law,
-                        const struct row_set *own, const bool *found, struct storey_choice *out);
+                        const struct row *of, const struct row_set *own, const bool *found,
+                        struct storey_choice *out);
 
 // Computes the constants. False after a report at the name of the law.
 bool storey_choice_prepare(struct deck *d, struct storey_choice *c);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Force against deformation: the contact that was hit hardest, and of the buildings beside it, or
-// the first two, the storey with the largest drift. The rows of output are drawn; a contact needs
-// many of them.
+// Force against deformation: the contact that was hit hardest, of the buildings beside it, or the
+// first two, the storey with the largest drift, and the link that has dissipated most. The rows of
+// output are drawn; a contact needs many of them.
 #include <math.h>
 #include <stdlib.h>
 
@@ -10,16 +10,17 @@
 #include "plot/script.h"
 
 enum { BINS = 800, IMPACTS_MAX = 12, LOOP_ROWS = 6, FINE_ROWS = 10 };
-enum { STOREYS_MAX = 2, PANELS_MAX = 1 + STOREYS_MAX };
+enum { STOREYS_MAX = 2, LOOPS_MAX = STOREYS_MAX + 1, PANELS_MAX = 1 + LOOPS_MAX };
 
 struct view {
     const struct runs *s;
-    int contact[RUNS_MAX];                           // the hardest; -1: none
-    long impact[RUNS_MAX];                           // its hardest impact
-    size_t rows[RUNS_MAX];                           // within that
-    bool others;                                     // loops of other impacts are drawn
-    int building[STOREYS_MAX], storey[STOREYS_MAX];  // from 0
-    int n_storey;
+    int contact[RUNS_MAX];                     // the hardest; -1: none
+    long impact[RUNS_MAX];                     // its hardest impact
+    size_t rows[RUNS_MAX];                     // within that
+    bool others;                               // loops of other impacts are drawn
+    int n_loop;                                // of storeys, then of a link
+    int building[LOOPS_MAX];                   // -1: it is a link
+    int number[LOOPS_MAX];                     // of the storey or the link, from 0
     struct span x[PANELS_MAX], y[PANELS_MAX];  // the contact's first
     struct span all_x, all_y;                  // drifts, forces: one unit for one quantity
 };
@@ -40,9 +41,24 @@ static bool has_contact(const struct runs *s) {
            isfinite(s->r[0]->contact[contact[0]].peak.force);
 }
 
+// The link that has dissipated most; where none has, that with the largest force. -1: there is no
+// such link, or no history of it.
+static int hardest_link(const struct runs *s) {
+    const struct report *r = s->r[0];
+    int most = -1;
+    for (int i = 0; i < r->n_link && runs_have(s, contact_fields); i++) {
+        const struct link_peak *p = &r->link[i].peak;
+        const struct link_peak *best = most < 0 ? NULL : &r->link[most].peak;
+        const bool harder =
+            !best || p->lost > best->lost || (p->lost == best->lost && p->force > best->force);
+        most = p->force > 0.0 && harder ? i : most;
+    }
+    return most;
+}
+
 static int check(const struct subject *p, struct error *e) {
     const struct runs *s = p->runs;
-    bool any = has_contact(s);
+    bool any = has_contact(s) || hardest_link(s) >= 0;
     for (int i = 0; i < s->r[0]->n_building && !any; i++) {
         any = has_storeys(s, i);
     }
@@ -55,7 +71,7 @@ static int check(const struct subject *p, struct error *e) {
 }
 
 static void add_storey(struct view *v, int building) {
-    if (building < 0 || v->n_storey == STOREYS_MAX || !has_storeys(v->s, building)) {
+    if (building < 0 || v->n_loop == STOREYS_MAX || !has_storeys(v->s, building)) {
         return;
     }
     const struct report_building *b = &v->s->r[0]->building[building];
@@ -63,8 +79,8 @@ static void add_storey(struct view *v, int building) {
     for (int i = 1; i < b->n_floor; i++) {
         most = b->peak[PEAK_DRIFT][i] > b->peak[PEAK_DRIFT][most] ? i : most;
     }
-    v->building[v->n_storey] = building;
-    v->storey[v->n_storey++] = most;
+    v->building[v->n_loop] = building;
+    v->number[v->n_loop++] = most;
 }
 
 static void choose(struct view *v) {
@@ -82,6 +98,11 @@ static void choose(struct view *v) {
     }
     for (int i = 0; i < r->n_building && !c; i++) {
         add_storey(v, i);
+    }
+    const int link = hardest_link(v->s);
+    if (link >= 0) {
+        v->building[v->n_loop] = -1;
+        v->number[v->n_loop++] = link;
     }
 }
 
@@ -145,17 +166,20 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
     return status;
 }
 
-static int write_storey_data(struct view *v, int run, int k, FILE *to, struct error *e) {
-    const int building = v->building[k], storey = v->storey[k];
+static int write_loop_data(struct view *v, int run, int k, FILE *to, struct error *e) {
+    const int building = v->building[k], number = v->number[k];
+    const bool storey = building >= 0;
+    const enum history_kind kind = storey ? HISTORY_FLOOR : HISTORY_LINK;
+    const int index = storey ? building : number, floor = storey ? number : 0;
     const struct history h[] = {{.kind = HISTORY_TIME},
-                                {HISTORY_FLOOR, FIELD_DRIFT, building, storey},
-                                {HISTORY_FLOOR, FIELD_STOREY_SHEAR, building, storey}};
+                                {kind, storey ? FIELD_DRIFT : FIELD_PENETRATION, index, floor},
+                                {kind, storey ? FIELD_STOREY_SHEAR : FIELD_FORCE, index, floor}};
     char name[32];
     struct data d;
     int status = runs_read(v->s, run, h, 3, &d, e);
     if (status == STATUS_OK) {
         snprintf(name, sizeof name, "storey%d%d", run, k);
-        status = data_write(&d, name, "time drift shear", BINS, to, e);
+        status = data_write(&d, name, "time deformation force", BINS, to, e);
         data_span(&d, 1, &v->x[1 + k]);
         data_span(&d, 2, &v->y[1 + k]);
     }
@@ -163,15 +187,20 @@ static int write_storey_data(struct view *v, int run, int k, FILE *to, struct er
     return status;
 }
 
-// Panel 0 is that of the contact, those behind it are of storeys.
+// Panel 0 is that of the contact, those behind it are of storeys and of a link.
 static struct panel panel_of(const struct view *v, int i, struct area a) {
     const double from = i == 0 ? 0 : (double)NAN;
+    const bool link = i > 0 && v->building[i - 1] < 0;
     return (struct panel){.area = a,
-                          .x = {.name = i == 0 ? "penetration" : "drift",
+                          .x = {.name = i == 0 ? "penetration"
+                                        : link ? "shortening"
+                                               : "drift",
                                 .dimension = dimension_length,
                                 .span = span_with_room(v->x[i], from),
                                 .scale = i == 0 ? span_none : v->all_x},
-                          .y = {.name = i == 0 ? "contact force" : "storey shear",
+                          .y = {.name = i == 0 ? "contact force"
+                                        : link ? "link force"
+                                               : "storey shear",
                                 .dimension = dimension_force,
                                 .span = span_with_room(v->y[i], from),
                                 .scale = v->all_y}};
@@ -196,12 +225,16 @@ static void draw_contact(const struct view *v, struct canvas *c, struct area a) 
     panel_close(c);
 }
 
-static void draw_storey(const struct view *v, struct canvas *c, struct area a, int k) {
+static void draw_loop(const struct view *v, struct canvas *c, struct area a, int k) {
     struct panel p = panel_of(v, 1 + k, a);
     char storey[32];
-    snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
-    p.caption = v->s->r[0]->building[v->building[k]].name;
-    p.tail = storey;
+    snprintf(storey, sizeof storey, ", storey %d", v->number[k] + 1);
+    if (v->building[k] < 0) {
+        p.caption = v->s->r[0]->link[v->number[k]].name;
+    } else {
+        p.caption = v->s->r[0]->building[v->building[k]].name;
+        p.tail = storey;
+    }
     panel_open(c, &p);
     for (int run = 0; run < v->s->n; run++) {
         panel_series(c, panel_line(script_colour[run], 0.7), "$storey%d%d using 2:3", run, k);
@@ -246,8 +279,8 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
         if (v.impact[run] >= 0) {
             status = write_contact_data(&v, run, c->data, e);
         }
-        for (int k = 0; k < v.n_storey && status == STATUS_OK; k++) {
-            status = write_storey_data(&v, run, k, c->data, e);
+        for (int k = 0; k < v.n_loop && status == STATUS_OK; k++) {
+            status = write_loop_data(&v, run, k, c->data, e);
         }
     }
     if (status != STATUS_OK) {
@@ -260,14 +293,14 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
     }
     write_head(&v, c);
     const bool contact = v.contact[0] >= 0;
-    const int n = contact + v.n_storey;
+    const int n = contact + v.n_loop;
     for (int i = 0; i < n; i++) {
         const struct area a =
             canvas_inset(canvas_part(c, (double)i / n, (i + 1.0) / n, 0, 1), 5.6, 0.8, 3.2, 1.8);
         if (contact && i == 0) {
             draw_contact(&v, c, a);
         } else {
-            draw_storey(&v, c, a, i - contact);
+            draw_loop(&v, c, a, i - contact);
         }
     }
     return STATUS_OK;
@@ -275,7 +308,8 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
 
 const struct figure figure_loops = {
     .name = "loops",
-    .doc = "contact force against penetration, storey shear against drift",
+    .doc = "contact force against penetration, storey shear against drift, link force against "
+           "shortening",
     .check = check,
     .draw = draw,
 };

@@ -98,8 +98,8 @@ static void draw_panels(const struct loop_figure *f, const struct extent *x, con
     const struct scale number = {1.0, ""};
     const struct span turns = {0.0, (double)(f->n - 1) / f->n_part};
     struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.55, 0, 1), 6.0, 1.0, 3.2, 0.7),
-                      .x = scale_axis("drift", &s->drift, span_with_room(x->drift, NAN)),
-                      .y = scale_axis("shear", &s->shear, span_with_room(x->shear, NAN))};
+                      .x = scale_axis(f->drifts, &s->drift, span_with_room(x->drift, NAN)),
+                      .y = scale_axis(f->shears, &s->shear, span_with_room(x->shear, NAN))};
     pictures_law_panel(c, &p, f->n_curve, 2, 3, f->n_sample > 0 ? 0.5 : 0);
     const struct axis axis[] = {
         scale_axis("dissipated", &s->energy, span_with_room(x->energy, x->energy.low)),
@@ -125,9 +125,12 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
     const struct figure_head head = {
         .name = "loops", .doc = "storeys under a protocol", .version = f->version, .units = &si};
     const struct extent x = extent_of(f);
-    const struct scales s = {.drift = scale_for(scale_lengths, largest(x.drift)),
-                             .shear = scale_for(scale_forces, largest(x.shear)),
-                             .energy = scale_for(scale_energies, largest(x.energy))};
+    static const struct scale rotations[] = {{1.0, "rad"}, {1e-3, "mrad"}, {0.0, NULL}};
+    static const struct scale moments[] = {{1e6, "MN m"}, {1e3, "kN m"}, {1.0, "N m"}, {0.0, NULL}};
+    const struct scales s = {
+        .drift = scale_for(f->turns ? rotations : scale_lengths, largest(x.drift)),
+        .shear = scale_for(f->turns ? moments : scale_forces, largest(x.shear)),
+        .energy = scale_for(scale_energies, largest(x.energy))};
     struct canvas canvas;
     const int status = figure_open(&head, to, &canvas, e);
     if (status != STATUS_OK) {

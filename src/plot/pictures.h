@@ -103,7 +103,9 @@ struct loop_figure {
     const struct loop_curve *curve;
     size_t n;                     // points of each curve
     int n_part;                   // points from one turn to the next
-    const char *progress;         // what the turns are called
+    const char *progress;         // what the turns are called,
+    const char *drifts, *shears;  // and the deformations and forces
+    bool turns;                   // these are rotations and moments
     size_t n_sample;              // of a measured loop; 0: there is none
     const double *drift, *shear;  // (n_sample)
 };

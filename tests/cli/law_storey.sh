@@ -31,6 +31,20 @@ expect "with drift and shear" '[ "$(cut -f 1-4 "$out" | tail -n 3)" = "$(printf 
 expect "the dissipated energy" 'near $(cell 7 3) 18e3 1e-4 && near $(cell 7 4) 54e3 1e-4 && near $(cell 7 5) 66e3 1e-4'
 expect "the work, which stores energy too" 'near $(cell 6 3) 21e3 1e-4 && near $(cell 6 5) 69e3 1e-4'
 expect "and the plastic deformation" 'near $(cell 8 3) 0.03 1e-9 && near $(cell 8 4) -0.03 1e-9 && near $(cell 8 5) -0.01 1e-9'
+
+# A hinge: moments and rotations. It yields at 10 mrad.
+printf '0.04\n-0.04\n0\n' >rotations.txt
+hinge="bilinear -yield 600kN*m -hardening 0 -stiffness 60MN*m"
+# shellcheck disable=SC2086  # options are one word each
+run "$jostle" law hinge $hinge --protocol rotations.txt --tsv
+expect "a hinge has moments over rotations" '[ $status -eq 0 ] && [ "$(head -n 1 "$out")" = "$(printf "law\tturn\trotation [1]\tmoment [N*m]\ttangent [N*m]\twork [N*m]\tdissipated [N*m]\tplastic [1]")" ] && [ "$(cut -f 3,4 "$out" | tail -n 3 | tr "\t\n" "  ")" = "0.04 600000 -0.04 -600000 0 600000 " ] && near $(cell 7 5) 66e3 1e-4'
+# shellcheck disable=SC2086
+run "$jostle" law hinge $hinge --protocol rotations.txt --script hinge
+expect "and a picture of them" '[ $status -eq 0 ] && grep -q "moment \[kN m\]" hinge/loops.gp && grep -q "rotation \[mrad\]" hinge/loops.gp'
+run "$jostle" law hinge bilinear -yield 600kN -hardening 0 -stiffness 60MN*m -amplitude 0.02
+expect "its yield is a moment" '[ $status -eq 2 ] && said "a moment or energy"'
+run "$jostle" law hinge fps -weight 1 -mu 0.1 -stiffness 60 -amplitude 1
+expect "no hinge depends on the velocity" '[ $status -eq 2 ] && said "law fps depends on the velocity; it is for storeys only"'
 storey $bilinear --protocol turns.txt -amplitude 20mm --tsv
 expect "-amplitude scales the drifts of a file" '[ "$(cut -f 3 "$out" | tail -n 3 | tr "\n" " ")" = "0.02 -0.02 0 " ]'
 storey $bilinear --protocol turns.txt
@@ -56,9 +70,9 @@ expect "a law is needed" '[ $status -eq 2 ] && said "a storey law is expected"'
 storey billinear
 expect "an unknown law is named with the nearest" '[ $status -eq 2 ] && said "unknown storey law '"'billinear'; did you mean 'bilinear'?"'"'
 storey bilinear -yield 1 -hardening 0
-expect "a stiffness is needed" '[ $status -eq 2 ] && said "error: bilinear needs -stiffness: initial stiffness of the storey"'
+expect "a stiffness is needed" '[ $status -eq 2 ] && said "error: bilinear needs -stiffness: initial stiffness"'
 storey $bilinear
-expect "and an amplitude" '[ $status -eq 2 ] && said "protocol fema461 needs -amplitude: largest drift of the protocol"'
+expect "and an amplitude" '[ $status -eq 2 ] && said "protocol fema461 needs -amplitude: largest deformation of the protocol"'
 storey bilinear -yield 600kN 500kN -hardening 0 -stiffness 60MN/m -amplitude 1mm
 expect "one storey has one value" '[ $status -eq 2 ] && said "command line:1:27: error: one storey has one -yield"'
 storey takeda -yield 1 -hardening 0 -alpha 1 -stiffness 1 -amplitude 1

@@ -119,6 +119,24 @@ rm -rf scripts
 run "$jostle" plot mixed.h5 loops --script scripts
 expect "forces of one picture are in one unit" '[ $status -eq 0 ] && [ "$(grep -c "^set label .contact force \[10³ kN\]" scripts/loops.gp)" -eq 1 ] && [ "$(grep -c "^set label .storey shear \[10³ kN\]" scripts/loops.gp)" -eq 2 ]'
 
+# A link that yields between two buildings that do not meet.
+cat >linked.deck <<'END'
+units kN m s
+building A -floors 2 -mass 100t -stiffness 50MN/m
+building B -floors 2 -mass 100t -stiffness 90MN/m
+ground sine -amplitude 3m/s^2 -frequency 1.5Hz -cycles 4
+link A:1 B:1 -law bilinear -stiffness 20MN/m -yield 30kN -hardening 0.05
+step fixed 1ms
+duration 3
+END
+run "$jostle" run -q linked.deck
+"$jostle" show linked.h5 --tsv >linked.tsv
+run "$jostle" plot linked.h5 loops --script linked
+awk -F '\t' '$1 == "links" && $3 == "force" { print $5 }' linked.tsv >most
+awk 'NR == FNR { want = $1; next } /^.storey02/ { inside = 1 } /^EOD/ { inside = 0 } inside && /^[0-9]/ { size = $3 < 0 ? -$3 : $3; most = size > most ? size : most } END { exit !(most > 0.95 * want && most < 1.001 * want) }' most linked/loops.dat
+same=$?
+expect "a link has its loop beside those of storeys" '[ $status -eq 0 ] && [ $same -eq 0 ] && [ "$(grep -c "^plot" linked/loops.gp)" -eq 3 ] && grep -q "^set label .link force" linked/loops.gp'
+
 # A single impact, which lasts beyond the end; the ground is at rest.
 cat >closed.deck <<'END'
 building A -floors 1 -mass 25t -stiffness 0

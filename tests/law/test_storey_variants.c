@@ -118,18 +118,21 @@ static bool is_straight(const struct test_storey *s) {
     } while (0)
 static int bad;
 
-// The tangent is the slope on one side at least: at a corner both differ.
+// The tangent is the slope on one side at least: at a corner both differ. That of a curved law is
+// the mean of both slopes but for the error of its own integration.
 static void tangent(const struct test_storey *virgin, const char *name) {
     struct test_storey s = *virgin;
     unsigned seed = 3;
-    const double h = 1e-6 * YIELD_DRIFT, allowed = (is_straight(&s) ? 1e-7 : 1e-4) * STIFFNESS;
+    const double h = 1e-6 * YIELD_DRIFT, allowed = (is_straight(&s) ? 1e-7 : 1e-5) * STIFFNESS;
     for (int i = 1; i <= LEGS; i++) {
         const double d = target(&seed, i), end = target(&seed, i);
         const struct storey_response at = test_storey_at(&s, d);
         const double up = (test_storey_at(&s, d + h).shear - at.shear) / h;
         const double down = (at.shear - test_storey_at(&s, d - h).shear) / h;
-        EXPECT(fabs(up - at.tangent) < allowed || fabs(down - at.tangent) < allowed, name,
-               "tangent %g at leg %d, slopes %g %g", at.tangent, i, down, up);
+        const double mean = is_straight(&s) ? up : (up + down) / 2.0;
+        EXPECT(fabs(up - at.tangent) < allowed || fabs(down - at.tangent) < allowed ||
+                   fabs(mean - at.tangent) < allowed,
+               name, "tangent %g at leg %d, slopes %g %g", at.tangent, i, down, up);
         test_storey_go(&s, end, 3);
     }
 }
@@ -191,7 +194,8 @@ static void the_number_of_steps_does_not_matter(void **state) {
 }
 
 // The work on a storey is at least what it has stored, and a cycle dissipates: what is not stored
-// grows.
+// grows. The trapezoidal rule errs by s^2 / 8 times the change of the slope at a corner within a
+// step s, which is up to 0.012 of the yield drift here.
 static void energy(const struct test_storey *virgin, const char *name) {
     struct test_storey s = *virgin;
     unsigned seed = 11;
@@ -200,9 +204,9 @@ static void energy(const struct test_storey *virgin, const char *name) {
     for (int i = 1; i <= LEGS; i++) {
         work += test_storey_work(&s, target(&seed, i), 2000);
         const double dissipated = work - s.law->stored(s.constant, s.history, s.drift);
-        EXPECT(dissipated > -1e-3 * unit, name, "leg %d: work less than stored by %g", i,
+        EXPECT(dissipated > -1e-5 * unit, name, "leg %d: work less than stored by %g", i,
                -dissipated / unit);
-        EXPECT(dissipated > most - 2e-3 * unit, name, "leg %d: gives back %g", i,
+        EXPECT(dissipated > most - 1e-5 * unit, name, "leg %d: gives back %g", i,
                (most - dissipated) / unit);
         most = fmax(most, dissipated);
     }

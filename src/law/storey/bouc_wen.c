@@ -243,7 +243,10 @@ const struct storey_law storey_bouc_wen = {
         "Typical for timber: n 1 to 3, beta 0.5 to 0.9, zeta-s 0.7 to 0.98, q 0 to 0.3, p 0.1 to "
         "2, "
         "psi 0.1 to 0.5, lambda 0.1 to 0.8. Small loops at V > 0 let the shear relax and drifts "
-        "creep. A tangent near 0 (zeta-s near 1) and narrow slips (psi lambda < 0.02) need short "
+        "creep. Growing eta and falling A raise the energy stored at the same z: without pinching, "
+        "loading gives back dissipated energy where z^(n - 2) < (delta-A / A + delta-eta) / (2 nu "
+        "(beta + gamma)), for n = 2 only if delta-A / A + delta-eta is above 2 nu (beta + gamma). "
+        "A tangent near 0 (zeta-s near 1) and narrow slips (psi lambda < 0.02) need short "
         "steps",
     .example = "-yield 600kN -hardening 0.05 -n 1 -delta-nu 0.02 -delta-eta 0.02 "
                "-zeta-s 0.9 -q 0.1",

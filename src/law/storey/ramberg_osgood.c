@@ -20,7 +20,8 @@
 #include "law/yield.h"
 
 enum { YIELD, ETA, R, N_ROW };
-enum { STIFFNESS, STRENGTH, PER_DRIFT, SHARE, EXPONENT, N_CONSTANT };  // PER_DRIFT: 1 / d_y
+// PER_DRIFT: 1 / d_y; WHOLE: r - 1 if it is a whole number, else 0.
+enum { STIFFNESS, STRENGTH, PER_DRIFT, SHARE, EXPONENT, WHOLE, N_CONSTANT };
 enum { TURNS = 20 };
 enum {
     X,          // where the storey is
@@ -54,18 +55,18 @@ static int ramberg_osgood_prepare(const double *value, double stiffness, double 
     constant[PER_DRIFT] = stiffness / value[YIELD];
     constant[SHARE] = value[ETA];
     constant[EXPONENT] = value[R];
+    constant[WHOLE] = value[R] == floor(value[R]) ? value[R] - 1.0 : 0.0;
     return STATUS_OK;
 }
 
 // eta f^(r - 1) for f >= 0. Whole exponents, which most are, are products.
 static inline double ramberg_osgood_power(const double *c, double f) {
-    const double exponent = c[EXPONENT] - 1.0;
-    if (exponent != floor(exponent)) {
-        return c[SHARE] * pow(f, exponent);
+    if (c[WHOLE] == 0.0) {
+        return c[SHARE] * pow(f, c[EXPONENT] - 1.0);
     }
     double power = c[SHARE];
-    for (int n = (int)exponent; n > 0; n /= 2) {
-        power *= n % 2 ? f : 1.0;
+    for (unsigned n = (unsigned)c[WHOLE]; n > 0; n >>= 1) {
+        power = n & 1 ? power * f : power;
         f *= f;
     }
     return power;
@@ -84,17 +85,19 @@ struct point {
     double x, f, slope;
 };
 
-// The point at x by Newton's iteration from a point nearby. From the first step on the iteration
-// comes down to the root, as x(f) is convex.
+// The point at x by Newton's iteration, which comes down to the root from the first step on, as
+// x(f) is convex. It starts from the cubic parabola of f(x) at a point nearby: with v = df / f on
+// the tangent and a = (r - 1) (1 - slope),
+//     f = f0 (1 + v (1 - v a / 2 (1 - v (3 a - r + 2) / 3))).
 static struct point ramberg_osgood_backbone(const double *c, const struct point *near, double x) {
     static const double ROUNDING = 1e-16;
-    const double r = c[EXPONENT], way = x - near->x, slope = near->slope;
-    const double bend = near->f > 0.0 ? (r - 1.0) * (1.0 - slope) * slope * slope / near->f : 0.0;
-    double f = near->f + way * (slope - way * bend / 2.0);
+    const double r = c[EXPONENT], a = (r - 1.0) * (1.0 - near->slope);
+    const double v = (x - near->x) * near->slope / near->f;
+    double f = near->f * (1.0 + v * (1.0 - v * (a / 2.0) * (1.0 - v * (3.0 * a - r + 2.0) / 3.0)));
     if (x == 0.0) {
         return (struct point){0.0, 0.0, 1.0};
     }
-    if (!(fabs(f - near->f) < 0.1 * near->f)) {
+    if (!(fabs(v) * (1.0 + a) < 0.2)) {
         f = fmin(x, pow(x / c[SHARE], 1.0 / r));
     }
     for (int i = 0; i < 60; i++) {

@@ -129,7 +129,7 @@ static bool read_options(struct builder *b, const struct statement *s, struct ar
             return false;
         }
     }
-    if (!law || !storey_choice_read(b->deck, s, law, &own, NULL, c)) {
+    if (!law || !storey_choice_read(b->deck, s, law, law->row, &own, NULL, c)) {
         return false;
     }
     if (a[LINE].given) {

@@ -5,6 +5,7 @@
 
 #include "deck/reader.h"
 #include "model/frame_draft.h"
+#include "model/storey_choice.h"
 #include "model/storey_choices.h"
 
 enum { STIFFNESS, LINES, BAYS, N_ROW };
@@ -119,14 +120,6 @@ static void place(struct builder *b, const struct statement *s, const struct arg
     q->frame->torn |= !good || !any;
 }
 
-// The rows of a law of moment and rotation.
-static void turn_rows(const struct storey_law *law, struct row *row) {
-    for (int r = 0; r < law->n_row; r++) {
-        row[r] = law->row[r];
-        row[r].dimension.length = row[r].dimension.force;
-    }
-}
-
 static void build(struct builder *b, const struct statement *s) {
     if (!builder_plain(b, s, 3, 3, statement_hinges.usage)) {
         return;
@@ -145,7 +138,7 @@ static void build(struct builder *b, const struct statement *s) {
                    c.law->name);
         return;
     }
-    turn_rows(c.law, turned);
+    storey_choice_turn(c.law, turned);
     struct row_set set[] = {{rows, N_ROW, a}, {turned, c.law->n_row, c.given}};
     struct building_draft *d = builder_draft(b, q.selection.building);
     if (!deck_options(b->deck, s, set, 2) || !frame_draft_has_frame(b, s, d)) {

@@ -257,10 +257,10 @@ static void dp_load_rates(const struct dp *p, double t, int k, struct dp_rates *
 }
 
 // The force k d + f(v) of a damper whose slope has no bound at v = 0, with f(w) v / w in place of
-// f(v), w^2 = v^2 + s^2. The velocity s = p->slow is the tolerance times that of the motion, so that
-// a link which this lets creep moves by no more than the steps may be wrong. Without it steps become
-// shorter and shorter where the ends of such a damper move alike: the rate at which they do so is
-// f(v) / (m v).
+// f(v), w^2 = v^2 + s^2. The velocity s = p->slow is the tolerance times that of the motion, so
+// that a link which this lets creep moves by no more than the steps may be wrong. Without it steps
+// become shorter and shorter where the ends of such a damper move alike: the rate at which they do
+// so is f(v) / (m v).
 static struct contact_response dp_steep_response(const struct dp *p, const struct link *l,
                                                  const double *history, double d, double v) {
     const double w = hypot(v, p->slow), share = w > 0.0 ? v / w : 0.0;
