@@ -129,8 +129,8 @@ struct storey_response peak_oriented_respond(const double *c, const double *h, d
         }
         const double zero = s.sign * (s.turn_drift - s.turn_shear / s.unloading);
         s = peak_oriented_side(c, h, !s.right);
-        // The line has crossed zero before the drift, whatever the rounding of `zero`: a shear of the
-        // other side here would let a link that hangs loose forget where it has unloaded.
+        // Zero is not beyond the drift, whatever the rounding: a shear of the side just left would
+        // let a link that hangs loose forget where it has unloaded.
         s.turn_drift = fmin(s.sign * zero, s.sign * drift);
         s.turn_shear = 0.0;
     }
