@@ -9,6 +9,7 @@
 #include <float.h>
 
 #include "law/bilateral.h"
+#include "model/foundation.h"
 #include "model/stability.h"
 #include "solve/account/impacts.h"
 #include "solve/contact/gaps.h"
@@ -165,7 +166,6 @@ struct dp {
     bool grown;            // motions have grown since the scales were made
     bool jumped;           // something has jumped at `now`, and no peaks have been taken since
     bool is_steep;         // a force may begin with an infinite slope at `now`
-    double slow;           // [L/T] below it, dampers with an infinite slope at v = 0 are linear
     struct pace pace;      // of all steps
 
     // Its event.
@@ -299,6 +299,12 @@ static inline double dp_displacement(const struct dp *p, int what, int i, const 
 static inline double dp_drift(const struct dp *p, int what, int i, const double *x) {
     (void)what;
     return x[i] - p->model->chain.joint[i] * x[i - 1];
+}
+
+// The drift of the storey below floor i, without its foundation.
+static inline double dp_deformation(const struct dp *p, int what, int i, const double *x) {
+    (void)what;
+    return foundation_across(p->model, i, x);
 }
 
 // The motion of link k in the step.

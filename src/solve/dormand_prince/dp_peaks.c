@@ -11,7 +11,6 @@
 
 #include "core/number.h"
 #include "model/forces.h"
-#include "model/foundation.h"
 #include "model/struck_column.h"
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
@@ -213,11 +212,6 @@ static double dp_linear_shear(const struct dp *p, int what, int i, const double 
     return sum;
 }
 
-static double dp_deformation(const struct dp *p, int what, int i, const double *x) {
-    (void)what;
-    return foundation_across(p->model, i, x);
-}
-
 // The storey shears of a building with parts, and the deformations on a foundation. Shears of parts
 // that yield are known at the end of the step only.
 static void dp_part_shears(struct dp *p, const struct building *g) {
@@ -299,7 +293,6 @@ static void dp_rescale(struct dp *p) {
     if (p->grown) {
         p->grown = false;
         scale_update(&p->scales, p->model, p->results);
-        p->slow = fmax(p->slow, p->model->control.tolerance * p->scales.most_v);
     }
 }
 

@@ -13,7 +13,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "law/bilateral.h"
 #include "model/parts.h"
 #include "model/storey_force.h"
 #include "solve/dormand_prince/dp.h"
@@ -254,14 +253,14 @@ static void dp_load_rates(const struct dp *p, double t, int k, struct dp_rates *
 }
 
 // The force k d + f(v) of a damper whose slope has no bound at v = 0, with f(w) v / w in place of
-// f(v), w^2 = v^2 + s^2. The velocity s = p->slow is the tolerance times that of the motion, so
-// that a link which this lets creep moves by no more than the steps may be wrong. Without it steps
-// become shorter and shorter where the ends of such a damper move alike: the rate at which they do
-// so is f(v) / (m v).
+// f(v), w^2 = v^2 + s^2. The velocity s is that by which steps may be wrong. Without it steps
+// become shorter and shorter where the ends of such a damper move alike: the rate at which they
+// come to do so is f(v) / (m v).
 struct contact_response dp_rates_steep(const struct dp *p, const struct link *l, double d,
                                        double v) {
     const double *history = p->now.link_history + l->history;
-    const double w = hypot(v, p->slow), share = w > 0.0 ? v / w : 0.0;
+    const double least = p->model->control.tolerance * p->scales.most_v;
+    const double w = hypot(v, least), share = w > 0.0 ? v / w : 0.0;
     struct contact_response r = l->law->force(l->constant, history, d, w);
     const double spring = r.dfdd * d, damper = r.force - spring;
     r.force = spring + damper * share;
