@@ -222,21 +222,19 @@ bench: setup  ## times per step of some models; BENCH=-t: columns separated by t
 	@$(MAKE) $(PROGRAM) $(B)/bench
 	@$(B)/bench $(BENCH) $(PROGRAM) $(B)
 
-bench-docs: setup  ## bench, and its table into docs/performance.md
+bench-docs: setup  ## bench; its cases that have a target into docs/performance.md
 	@$(MAKE) $(PROGRAM) $(B)/bench
-	@$(B)/bench $(PROGRAM) $(B) >$(B)/bench.txt
+	@$(B)/bench $(PROGRAM) $(B) >$(B)/bench.all
+	@awk '!model || $$NF != "-" { print } /^model/ { model = 1 }' $(B)/bench.all >$(B)/bench.txt
 	@RECORDS= bash tests/bench/studies.sh $(PROGRAM) $(B)/studies >$(B)/studies.txt
 	@sh tests/support/with_block.sh bench $(B)/bench.txt <docs/performance.md | \
 	    sh tests/support/with_block.sh studies $(B)/studies.txt >$(B)/performance.md
 	@cp $(B)/performance.md docs
 
-bench-half: setup  ## lockstep and single runs without AVX-512; their times into docs/performance.md
+bench-half: setup  ## times of lockstep and single runs without AVX-512
 	@$(MAKE) BUILD=$(B)/half CPPFLAGS='$(CPPFLAGS) -DLANES_HALF_AT_MOST' $(B)/half/bench
 	@for text in pair x10 'of 8, no'; do $(B)/half/bench -f "$$text" $(PROGRAM) $(B)/half; done | \
-	    awk '!n++ || /^model/ && !m++ || /^(pair  |pair, no|row|ensemble)/ && !/prince/' \
-	    >$(B)/half.txt
-	@sh tests/support/with_block.sh half $(B)/half.txt <docs/performance.md >$(B)/performance.md
-	@cp $(B)/performance.md docs
+	    awk '!n++ || /^model/ && !m++ || /^(pair  |pair, no|row|ensemble)/ && !/prince/'
 
 bench-count: setup  ## instructions per step against those on record; ACCEPT=1 records them
 	$(SETUP) count

@@ -19,7 +19,7 @@ static void print_help(FILE *to) {
     fprintf(to, "usage: jostle COMMAND ...\n\n"
                 "Simulates the earthquake pounding of multistorey buildings.\n\n");
     for (int i = 0; i < n_command; i++) {
-        fprintf(to, "  %-10s %s\n", commands[i]->name, commands[i]->summary);
+        fprintf(to, "  %-12s %s\n", commands[i]->name, commands[i]->summary);
     }
     fprintf(
         to,

@@ -45,7 +45,8 @@ struct observer {
     int (*row)(void *context, const struct row_view *row, struct error *e);
     // Called every few thousand steps, rows or not; NULL: nothing to ask. Not 0 ends the run.
     int (*poll)(void *context, double time, struct error *e);
-    void *context;  // borrowed
+    void *context;   // borrowed
+    long steps_max;  // with so many steps a run has failed, when it is next polled; 0: no limit
 };
 
 // Largest absolute values over every computed step (dormand-prince: at any time), and when. Arrays
@@ -59,6 +60,18 @@ enum peak {
     PEAK_COUNT
 };
 extern const char *const peak_names[];  // (PEAK_COUNT) displacement velocity acceleration ...
+
+// What a storey or a hinge that yields has gone through; 0 of others.
+enum yield_quantity {
+    YIELD_DUCTILITY,      // largest deformation over that at yield, of the direction with more
+    YIELD_HYSTERETIC,     // [F L] energy that its law has dissipated
+    YIELD_DETERIORATION,  // energy consumed over the least capacity of its law
+    YIELD_DAMAGE,         // index of Park & Ang (storey_law_damage)
+    YIELD_QUANTITIES
+};
+struct yield_demand {
+    double value[YIELD_QUANTITIES];
+};
 
 // The largest and smallest value of a force in a struck column over all computed steps, and when.
 struct column_peak {
@@ -129,8 +142,10 @@ struct results {
                                                 // storeys of buildings with a foundation, and when
     double *drift_rate;      // (n_dof) [L/T] largest at the rows that are observed
     double *residual_drift;  // (n_dof) [L] where the storeys have no shear after the end
-    double *deepest;         // (n_link) [L] largest penetration of each link so far,
-    double *deepest_time;    // (n_link) [T] and when
+    struct yield_demand *storey_demand;  // (n_dof)
+    struct yield_demand *hinge_demand;   // (model.n_hinge)
+    double *deepest;                     // (n_link) [L] largest penetration of each link so far,
+    double *deepest_time;                // (n_link) [T] and when
     double *force_max, *force_max_time;  // (model.n_force) forces that follow from drifts, [T]
     double *force_min, *force_min_time;  // over every computed step, signed
     struct link_peak *link;              // (n_link) contacts first

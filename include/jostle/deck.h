@@ -114,6 +114,14 @@ void deck_free(struct deck *d);  // NULL is allowed
 int deck_meaning(const char *text, struct checksum *out, struct error *e);
 int deck_meaning_of_file(const char *path, struct checksum *out, struct error *e);
 
+// Reads the deck to its end and adds what it says to a checksum: its statements in their order with
+// the values of their parameters, but not the title, comments, layout and parameters that nothing
+// uses. Two readings that add the same build the same model from the same files. Files that the
+// deck names are in deck.files afterwards; their contents are not added. False: the deck has an
+// error that may depend on more than what was added.
+struct checksum_sum;
+bool deck_key(struct deck *d, struct checksum_sum *to);
+
 // Selects one run of a study; call it before the first statement is read. `first` is another
 // reading of this deck that has come to its end. A swept parameter takes value choice[k] of sweep
 // number k of `first`. `first` and `choice` are borrowed. Without deck_bind a parameter takes its
@@ -206,7 +214,9 @@ const char *deck_quote(struct deck_quote *q, const struct word *w, const char *v
 // deck_unknown quotes `value`, which `w` gives, and suggests the nearest of `known` (n texts),
 // which it returns: "unknown contact law 'herz'; did you mean 'hertz'?". If none is near, it lists
 // `known`, unless they are many, and returns NULL.
-void deck_error(struct deck *d, const struct word *w, const char *format, ...)
+//
+// deck_error returns false.
+bool deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 // Reports the message of `e` at `w`; diagnostics.system remembers a STATUS_SYSTEM.
 void deck_error_of(struct deck *d, const struct word *w, const struct error *e);

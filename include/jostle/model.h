@@ -64,16 +64,20 @@ struct building {
     const double *damping_diagonal;  // [F T/L] (n_dof) of the damping matrix
     const double *damping_off;       // [F T/L] (n_dof) entry i couples floors i+1 and i+2; last 0
     const double *damping_full;      // (n_dof, n_dof) symmetric to the bit; NULL: the two above
-    int n_part;                      // beside the shear storeys; with any, damping_full is there
+    int n_part;                      // beside the shear storeys; with any that is not
+                                     // PART_DIAGONAL, damping_full is there
     const struct part *part;         // (n_part)
     const double *part_stiffness;    // [F/L] (n_dof, n_dof) initial d shear / d drift of all
                                      // parts; NULL: there is none
     const double *part_dashpot;      // [F T/L] (n_dof, n_dof) initial d shear / d drift rate
     int n_force, force;              // forces that follow from its drifts (model/forces.h), and the
                                      // index of the first among those of all buildings
-    const double *force_by_action;   // (n_dof + n_hinge, n_force in whole lanes) transposed: by
-                                     // unit drifts, and unit departures of hinges from their lines
+    const double *force_by_action;   // (building_n_action, n_force in whole lanes) transposed: by
+                                     // unit drifts, unit departures of hinges from their lines, and
+                                     // unit displacements of the struck points of its frame
     int n_hinge;                     // of its frame
+    int n_struck;                    // struck points of its frame
+    const int *struck;               // (n_struck) their degrees of freedom
     int departure, first_hinge;      // offset of these in the state's storey history, and the index
                                      // of the first among those of all buildings
     bool storeys_linear;             // every shear storey is elastic
@@ -106,7 +110,7 @@ struct chain {
     const double *stiffness;  // [F/L] (n) initial, of the shear storey below
     const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
     const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
-    bool full_damping;  // some building has a full matrix C, as those with parts
+    bool full_damping;  // some building has a full matrix C, as those whose parts couple storeys
     bool parts;         // some building has parts
 };
 
@@ -171,8 +175,9 @@ enum column_force {
 
 // A column that is struck between the floors of its storey. The struck point has a mass and one
 // degree of freedom, which is a body of the model. A spring, one of the links, joins the body to
-// the floors below and above: the column is clamped in both, and the rotation of its point has no
-// inertia. The spring may have a law. The storey keeps the stiffness of all its columns.
+// the floors below and above, in which the column is clamped, or to all floors of its frame. The
+// rotation of the point has no inertia. The spring may have a law. The storey keeps the stiffness
+// of all its columns.
 struct struck_column {
     const char *name;
     int building;      // index into model.building
@@ -188,9 +193,13 @@ struct struck_column {
     double dashpot;    // [F T/L]
     double n;          // columns that are struck together
     double shear_strength, moment_strength;  // [F] [F L] of one of them; infinite: not given
-    int dof[3];  // the struck point, the floor above, the floor below; WALL: the ground
-    double force[COLUMN_FORCE_COUNT][3];   // [F/L] or [F] for unit displacements of these
-    bool yields;                           // the spring has a law, and the forces also have
+    int line;   // of the frame, whose joints turn at its ends; 0: it is clamped in the floors
+    int point;  // among those of the frame
+    const double *rest;   // (n_dof of its building) the displacement of the point without a force
+    int n_dof;            // degrees of freedom on which its forces depend
+    const int *dof;       // (n_dof) the struck point, then those of its building
+    const double *force;  // (COLUMN_FORCE_COUNT, n_dof) [F/L] or [F] for unit displacements
+    bool yields;          // the spring has a law, and the forces also have
     double by_spring[COLUMN_FORCE_COUNT];  // 1 or [L] for its unit force; 0: elastic
 };
 
@@ -295,9 +304,15 @@ long model_rows(const struct model *m);
 // The damping forces C v of building `g`; v and force are (n_dof) [L/T] [F].
 void building_damping_force(const struct building *g, const double *v, double *force);
 
-// The tangents of its storeys (n_dof), and with parts theirs by drifts and by rates.
+// The actions that its forces follow from.
+static inline int building_n_action(const struct building *g) {
+    return g->n_dof + g->n_hinge + g->n_struck;
+}
+
+// The tangents of its storeys (n_dof), and with parts theirs by drifts and by rates: full matrices
+// where the building has such, else their diagonals.
 static inline int building_n_tangent(const struct building *g) {
-    return g->n_dof + (g->n_part > 0 ? 2 * g->n_dof * g->n_dof : 0);
+    return g->n_dof + (g->n_part > 0 ? 2 * g->n_dof * (g->damping_full ? g->n_dof : 1) : 0);
 }
 
 // Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN

@@ -34,6 +34,7 @@
 #define deck_is_option jostle_deck_is_option
 #define deck_is_study jostle_deck_is_study
 #define deck_keyword jostle_deck_keyword
+#define deck_key jostle_deck_key
 #define deck_meaning jostle_deck_meaning
 #define deck_meaning_of_file jostle_deck_meaning_of_file
 #define deck_next jostle_deck_next
@@ -140,12 +141,17 @@
 #define spectrum_at jostle_spectrum_at
 #define spectrum_velocity jostle_spectrum_velocity
 #define statement_kinds jostle_statement_kinds
+#define storey_law_damage jostle_storey_law_damage
+#define storey_law_ductility jostle_storey_law_ductility
+#define storey_law_figures jostle_storey_law_figures
 #define storey_law_find jostle_storey_law_find
 #define storey_laws jostle_storey_laws
 #define study_file_check jostle_study_file_check
 #define study_file_close jostle_study_file_close
 #define study_file_each jostle_study_file_each
+#define study_file_endings jostle_study_file_endings
 #define study_file_is_study jostle_study_file_is_study
+#define study_file_keys jostle_study_file_keys
 #define study_file_open jostle_study_file_open
 #define study_file_read jostle_study_file_read
 #define study_file_report jostle_study_file_report
@@ -157,6 +163,7 @@
 #define study_run jostle_study_run
 #define study_shard_run jostle_study_shard_run
 #define study_shard_size jostle_study_shard_size
+#define study_table_collapsed jostle_study_table_collapsed
 #define study_table_create jostle_study_table_create
 #define study_table_find jostle_study_table_find
 #define study_table_free jostle_study_table_free

@@ -20,10 +20,13 @@ enum part_trait {
     PART_LINEAR = 1,     // the shears are one matrix times the drifts: no rates, no history
     PART_STRAIGHT = 2,   // they are so between corners: the tangent changes at these only
     PART_SHARELESS = 4,  // it is of the shear storeys: results show no share of its own
+    PART_DIAGONAL = 8,   // it couples no storeys, unless another part of the building does: its
+                         // tangents are diagonal
 };
 
 // What a part adds to. Matrices are symmetric to the bit. NULL: not needed.
 struct part_sums {
+    bool diagonal;     // the matrices are (n): their diagonals, as all parts are PART_DIAGONAL
     double *shear;     // [F] (n)
     double *by_drift;  // [F/L] (n, n) d shear / d drift; it may be negative
     double *by_rate;   // [F T/L] (n, n) d shear / d drift rate

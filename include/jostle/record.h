@@ -51,7 +51,7 @@ int record_read(struct arena *a, const struct record_request *request, struct re
                 struct error *e);
 
 struct record_text;
-struct record_content;
+struct record_reader;
 
 // A format is one file in src/motion/ and one line in record_list.inc. The functions are described
 // with their arguments in src/motion/record_format.h.
@@ -62,13 +62,15 @@ struct record_format {
     bool certain;      // files of other formats do not have its marks
     bool plain;        // can read values without an acceleration unit
 
+    // Text in capitals in one of the first `mark_lines` lines of the format; NULL: `matches` tells.
+    const char *mark;
+    int mark_lines;
     // True if the text looks like this format. jostle tries the formats in the order of the list,
     // first those that are `certain`.
     bool (*matches)(const struct record_text *t);
 
     // Reads the statements of the file only. record_read compares them with the request.
-    int (*read)(struct arena *a, const struct record_request *request, const struct record_text *t,
-                struct record_content *out, struct error *e);
+    bool (*read)(const struct record_reader *r);
 };
 extern const struct record_format *const record_formats[];
 extern const int n_record_format;

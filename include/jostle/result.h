@@ -35,9 +35,9 @@ struct report_member {
     const char *name;             // "column_2_3": storey 2, third line; "beam_1_2": floor 1, bay 2
     double moment, shear, axial;  // largest absolute values; moment: of both ends
     struct member_extreme extreme[MEMBER_QUANTITIES];
-    double plastic;    // largest absolute plastic rotation of its hinges; 0: it has none
-    double ductility;  // largest rotation of a hinge over that at yield; 0: it has none; NAN: the
-                       // law has no yield
+    double plastic;  // largest absolute plastic rotation of its hinges; 0: it has none
+    // Of its hinges; 0: it has none. Their energies add up, of the others the largest counts.
+    struct yield_demand demand;
 };
 
 // What resists in a building beside others: a part, or its shear storeys.
@@ -57,22 +57,23 @@ extern const char *const report_foundation_names[];  // (FOUNDATION_QUANTITIES)
 struct report_building {
     const char *name;
     int n_floor;
-    int isolated;                          // storey of the isolators, from 1; 0: none
-    const double *mass;                    // [M]
-    const double *stiffness;               // [F/L]
-    const double *height;                  // [L] 0 where not given
-    const double *period;                  // [T] of the building alone, elastic, longest first
-    const double *axial, *theta;           // [F] and 1, as in struct building; NULL: no P-delta
-    const double *peak[PEAK_COUNT];        // largest absolute values; NULL before the run
-    const double *peak_time[PEAK_COUNT];   // [T]
-    const double *residual_drift;          // [L] of the storeys; NULL: none can yield
-    int n_member, n_share;                 // shares: 0 where one alone resists
-    struct report_member *member;          // (n_member)
-    struct report_share *share;            // (n_share)
-    struct report_foundation *foundation;  // NULL: it has none
-    bool extremes;                         // those of members are known, not only the sizes
-    bool hinged;                           // its members have rotations besides
-    const char *path, *parts;              // of its group in the file, and of its shares
+    int isolated;                            // storey of the isolators, from 1; 0: none
+    const double *mass;                      // [M]
+    const double *stiffness;                 // [F/L]
+    const double *height;                    // [L] 0 where not given
+    const double *period;                    // [T] of the building alone, elastic, longest first
+    const double *axial, *theta;             // [F] and 1, as in struct building; NULL: no P-delta
+    const double *peak[PEAK_COUNT];          // largest absolute values; NULL before the run
+    const double *peak_time[PEAK_COUNT];     // [T]
+    const double *residual_drift;            // [L] of the storeys; NULL: none can yield
+    const double *demand[YIELD_QUANTITIES];  // the same
+    int n_member, n_share;                   // shares: 0 where one alone resists
+    struct report_member *member;            // (n_member)
+    struct report_share *share;              // (n_share)
+    struct report_foundation *foundation;    // NULL: it has none
+    bool extremes;                           // those of members are known, not only the sizes
+    bool hinged;                             // its members have rotations besides
+    const char *path, *parts;                // of its group in the file, and of its shares
 };
 
 // A contact or a bilateral link of a report.

@@ -39,6 +39,14 @@ struct storey_branch {
     double limit;         // [F]
 };
 
+// What demands on a storey are measured by, to the right [0] and to the left [1].
+struct storey_figures {
+    double yield[2];     // [L] drift at yield
+    double strength[2];  // [F] shear there
+    double ultimate[2];  // [L] drift at which all strength is lost; infinite: never
+    double capacity;     // [F L] least energy that a mode of deterioration has; infinite: none
+};
+
 struct storey_law {
     const char *name;
     const char *summary;
@@ -73,7 +81,24 @@ struct storey_law {
 
     // Recoverable energy at `drift` with the committed history [F L].
     double (*stored)(const double *constant, const double *history, double drift);
+
+    // Sets the yield and what else the law knows. NULL: it does not yield.
+    void (*describe)(const double *constant, struct storey_figures *out);
+
+    // The energy that the capacity has lost [F L]. NULL: the law has none.
+    double (*consumed)(const double *constant, const double *history);
 };
+
+// The figures of a law; infinite where it has none.
+struct storey_figures storey_law_figures(const struct storey_law *law, const double *constant);
+
+// Ductility: the larger of the largest drifts `most` to the right and to the left over those at
+// yield.
+double storey_law_ductility(const struct storey_figures *f, const double most[2]);
+
+// The damage index of Park & Ang (1985), J. Struct. Eng. ASCE 111, 722-739, of the direction in
+// which it is larger: most / ultimate + 0.05 energy / (strength ultimate). 0: nothing is ultimate.
+double storey_law_damage(const struct storey_figures *f, const double most[2], double energy);
 
 extern const struct storey_law *const storey_laws[];
 extern const int n_storey_law;

@@ -14,7 +14,7 @@ JOSTLE_C_BEGIN
 
 struct study_progress {
     long n_run;           // of the study, or of the part of it
-    long n_kept;          // runs found in the journal of an earlier start
+    long n_kept;          // runs that were found done: in the journal, in a file
     long n_done;          // runs done so far, kept and failed ones included
     long n_failed;        // of them, those that failed
     long n_left;          // after an error: runs that the same command finds done
@@ -24,9 +24,8 @@ struct study_progress {
     char failure[768];  // of this start, the failed run of the lowest number, and why; "": none
 };
 
-// What to do with the journal of an earlier start. STUDY_ACCEPT goes on with it even if the deck,
-// the files that runs have read or the version of the numerics have changed; the result file tells.
-enum study_journal { STUDY_RESUME, STUDY_RESTART, STUDY_ACCEPT };
+// What to do with the journal of an earlier start.
+enum study_journal { STUDY_RESUME, STUDY_RESTART };
 
 struct study_request {
     const struct model *first;  // the model of the deck, that of its first run
@@ -35,6 +34,11 @@ struct study_request {
     int n_thread;
     struct study_shard shard;  // the part to run; all zero: the whole
     enum study_journal journal;
+    const char *const *take;  // (n_take) study files whose finished runs are taken
+    int n_take;
+    bool retry;               // runs that failed are not taken
+    long steps_max;           // a run with more steps has failed; 0: no limit
+    double seconds_max;       // a run that takes longer [s of its thread] has failed; 0: no limit
     int numerics;             // NUMERICS_VERSION: results of another one are not mixed in
     struct checksum program;  // of the program, for the record in the result file
     struct result_options result;
@@ -45,12 +49,13 @@ struct study_request {
     void *context;
 };
 
-// Runs what the journal does not have and writes the result file; the journal is then removed.
-// Results do not depend on the number of threads, nor on interruptions, to the last bit. Runs that
-// fail are results. *p tells how far it came, whatever happens. A part whose file is there already
-// is done: nothing is run and nothing written. Errors: STATUS_INPUT (the result exists; the journal
-// is that of another study; runs differ in their buildings or contacts; a file changed),
-// STATUS_SYSTEM, or what `poll` returned.
+// Runs what is not done and writes the result file; the journal is then removed. A run is done if a
+// run of its key (study/keys.h) is in the journal, in a file to be taken, or in the result file of
+// an earlier study that has no other runs, which is then replaced. If that file is just this study,
+// nothing is written. Results do not depend on the number of threads, nor on where they come from,
+// to the last bit. Runs that fail are results. *p tells how far it came, whatever happens. Errors:
+// STATUS_INPUT (the result or the journal has other runs; runs differ in their buildings or
+// contacts; a file changed), STATUS_SYSTEM, or what `poll` returned.
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e);
 
 JOSTLE_C_END

@@ -19,6 +19,12 @@ struct study_shard {
     long number, n;
 };
 
+// What tells a run from all others: the SHA-256 of what it depends on (study/keys.h). All zero:
+// not known.
+struct study_key {
+    unsigned char byte[32];
+};
+
 // A file that runs have read.
 struct study_source {
     const char *path;     // relative to the folder of the deck where it lies below it
@@ -31,9 +37,9 @@ struct study_origin {
     const char *study;     // which study it is: see study/origin.h
     const char *define;    // its -D NAME=VALUE, a line each
     const char *programs;  // checksums of the programs that made runs or parts, a line each
-    const char *accepted;  // what had changed when --accept went on, a line each; "": nothing
     int n_source;          // in the order of their paths
     const struct study_source *source;  // (n_source)
+    const struct study_key *key;        // (n_run of the file); NULL: none are written, or read
 };
 
 // What the file of a part says besides the results of its runs.
@@ -69,6 +75,9 @@ void study_table_free(struct study_table *t);  // NULL is allowed
 
 // The item of `t` that is `wanted`, as a file lists its items in another order; -1: none.
 int study_table_find(const struct study_table *t, const struct study_item *wanted);
+
+// The value of a run that is 1 if it has collapsed, else 0; -1: there is none.
+long study_table_collapsed(const struct study_table *t);
 
 // The values of one run, (n_value).
 void study_table_read(const struct report *r, double *value);
@@ -164,6 +173,15 @@ const struct study_view *study_file_view(const struct study_file *f);
 // Checks that the data of the file are as they were written and tell what its runs come from.
 // Errors: STATUS_INPUT (they are not, or there is no checksum), STATUS_SYSTEM; they name the path.
 int study_file_verify(struct study_file *f, struct error *e);
+
+// The keys of the runs of the file, (n_run), to be freed; NULL: it has none, as an earlier version
+// wrote it. Errors as of study_file_open.
+int study_file_keys(struct study_file *f, struct study_key **out, struct error *e);
+
+// How each run ended, (n_run), to be freed: its status, and with it STUDY_COLLAPSED. Errors as of
+// study_file_open.
+enum { STUDY_STATUS = 3, STUDY_COLLAPSED = 4 };  // masks
+int study_file_endings(struct study_file *f, int **out, struct error *e);
 
 // The number in the study, from 0, of run `i` of the file; which value of sweep `i` a run of the
 // study has.

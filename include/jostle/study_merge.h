@@ -41,7 +41,7 @@ struct study_merged {
 
 // Joins parts to the file of the whole study, whose datasets are those of a study run as a whole,
 // to the last bit. Any division will do, and runs may be in several parts. With STUDY_PARTIAL runs
-// may be missing: STUDY_MISSING, NaN. Memory grows with the number of parts, and by 9 bytes for
+// may be missing: STUDY_MISSING, NaN. Memory grows with the number of parts, and by 41 bytes for
 // each run. Errors: STATUS_FAILED (runs are missing), STATUS_INPUT (no parts, or of different
 // studies; the file exists), STATUS_SYSTEM, or what `poll` returned.
 int study_merge(const struct study_merge_request *q, struct study_merged *out, struct error *e);

@@ -10,6 +10,7 @@
 #include "command/sweeps.h"
 #include "core/safe.h"
 #include "model/foundation.h"
+#include "model/frame.h"
 
 static int check_command(int argc, char **argv);
 
@@ -48,15 +49,42 @@ static const struct printer_column link_columns[] = {
     {"m*", NULL, NULL, &dimension_mass, 12, 6, LOOK_G},
     COLUMN_TEXT("law", 0)};
 
+// Has a column of the storey below floor `i` (from 0), or a beam of that floor, hinges?
+static bool has_hinges(const struct building *own, int i) {
+    for (int p = 0; p < own->n_part; p++) {
+        const struct plane_frame *f = frame_of(&own->part[p]);
+        for (int k = 0; f && k < f->n_member; k++) {
+            const struct frame_member *member = &f->member[k];
+            if (member->level == i + 1 && (member->hinge[0] >= 0 || member->hinge[1] >= 0)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// The law of a storey, and whether its frame yields.
+enum { LAW_TEXT = 48 };
+static const char *law_of(const struct model *m, const struct building *g, int i,
+                          char text[LAW_TEXT]) {
+    const struct storey_law *law = foundation_storey(m, g, i)->law;
+    const bool hinges = has_hinges(g->fixed ? g->fixed : g, i);
+    const bool both = hinges && law->n_history > 0;
+    snprintf(text, LAW_TEXT, "%s%s", hinges && !both ? "hinges" : law->name,
+             both ? ", hinges" : "");
+    return text;
+}
+
 // The last of the storeys from `first` on that are like it.
 static int last_alike(const struct model *m, const struct building *g, const struct building *own,
                       int first) {
-    const struct storey_law *law = foundation_storey(m, g, first)->law;
+    char law[LAW_TEXT], other[LAW_TEXT];
     int last = first;
+    law_of(m, g, first, law);
     while (last + 1 < g->n_floor && own->mass[last + 1] == own->mass[first] &&
            own->stiffness[last + 1] == own->stiffness[first] &&
            (!g->height || g->height[last + 1] == g->height[first]) &&
-           foundation_storey(m, g, last + 1)->law == law) {
+           strcmp(law_of(m, g, last + 1, other), law) == 0) {
         last++;
     }
     return last;
@@ -68,14 +96,14 @@ static int print_storeys(const struct model *m, const struct building *g) {
     PRINTER_ADD(&t, storey_columns);
     printer_head(&t);
     for (int i = 0, last; i < g->n_floor; i = last + 1) {
-        char floors[32];
+        char floors[32], law[LAW_TEXT];
         last = last_alike(m, g, own, i);
         snprintf(floors, sizeof floors, last > i ? "%d:%d" : "%d", i + 1, last + 1);
         printer_text(&t, floors);
         printer_number(&t, own->mass[i]);
         printer_number(&t, own->stiffness[i]);
         printer_number(&t, g->height ? g->height[i] : (double)NAN);
-        printer_text(&t, foundation_storey(m, g, i)->law->name);
+        printer_text(&t, law_of(m, g, i, law));
         printer_line(&t);
     }
     return printer_close(&t);

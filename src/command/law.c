@@ -3,10 +3,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/law_over.h"
 #include "command/law_print.h"
 #include "command/law_storey.h"
 #include "command/option.h"
 #include "command/picture.h"
+#include "command/quantity_word.h"
 #include "plot/figure.h"
 #include "plot/pictures.h"
 #include "result/partial_file.h"
@@ -17,7 +19,7 @@ const struct command command_law = {
     .name = "law",
     .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv|--csv|--json] [--compare LAWS]...\n"
              "                  [--history FILE.tsv] [--plot FILE.png|.svg|.pdf] [--script DIR]\n"
-             "                  [--fit FILE] [--force]\n"
+             "                  [--fit FILE | --peak FORCE] [--over LIST] [--force]\n"
              "       jostle law storey LAW ... -stiffness K -amplitude D\n"
              "                  [--protocol fema461|sac|FILE] and the options above",
     .summary = "computes one isolated impact under a contact law, or the loops of a storey law",
@@ -27,6 +29,7 @@ const struct command command_law = {
 struct options {
     struct law_words words;
     struct words compare;
+    const char *peak, *over;
     bool of_storey;
     const char *protocol;
     const char *history;
@@ -34,6 +37,19 @@ struct options {
     enum printer_form form;
 };
 #define AT(member) offsetof(struct options, member)
+
+// The peak force of --peak [N].
+static int read_peak(struct options *o) {
+    if (o->of_storey || o->words.fit) {
+        return command_usage(&command_law, "--peak is for contact laws, and not with --fit");
+    }
+    if (!quantity_whole(o->peak, &dimension_force, BARE_ALLOWED, &o->words.peak) ||
+        !(o->words.peak > 0.0)) {
+        return command_usage(&command_law, "--peak is '%s'; it must be a force above 0, as 12kN",
+                             o->peak);
+    }
+    return EXIT_DONE;
+}
 
 static int check(const struct options *o) {
     const char *kind = o->of_storey ? "storey" : "contact";
@@ -273,6 +289,15 @@ static int use_loops(const struct options *o) {
     return status;
 }
 
+static int use_list(const struct options *o) {
+    const struct law_over_request q = {o->words, o->over, o->picture, o->form};
+    if (o->of_storey || o->words.fit || o->history) {
+        return command_usage(&command_law,
+                             "--over is for contact laws, without --fit and --history");
+    }
+    return law_over_run(&q);
+}
+
 static int use(void *options, struct arena *a, const struct words *operand) {
     (void)a;
     struct options *o = options;
@@ -281,7 +306,11 @@ static int use(void *options, struct arena *a, const struct words *operand) {
     o->words.n_word = operand->n - o->of_storey;
     o->words.compare = o->compare.word;
     o->words.n_compare = o->compare.n;
-    const int status = check(o);
+    int status = check(o);
+    status = status == EXIT_DONE && o->peak ? read_peak(o) : status;
+    if (status == EXIT_DONE && o->over) {
+        return use_list(o);
+    }
     return status != EXIT_DONE ? status : o->of_storey ? use_loops(o) : use_impacts(o);
 }
 
@@ -305,6 +334,11 @@ static int law_command(int argc, char **argv) {
          .doc = "finds -k and -zeta from a measured force: two columns, time and force, separated "
                 "by spaces, tabs, commas or semicolons. Storey laws: finds what is not given from "
                 "deformation and force"},
+        {"peak", 0, "FORCE", OPTION_TEXT, 0, AT(peak),
+         .doc = "finds the -k with which the impact has this peak force"},
+        {"over", 0, "LIST", OPTION_TEXT, 0, AT(over),
+         .doc = "a line for each value of v, e or k: v=0.1,0.2,0.5 or v=FROM:TO:N, evenly spaced. "
+                "--plot draws the peak force over the values"},
         {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
          .doc = "overwrites existing files"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/root.h"
 #include "model/law_choice.h"
 
 enum { M1, M2, VELOCITY, N_ROW };
@@ -61,10 +62,10 @@ static bool check_lent(struct deck *d, const struct law_choice *first, const str
     return true;
 }
 
-// True for a row that a fit finds, or one that could replace it.
-static bool is_found(const struct contact_law *law, int row) {
+// True for a row that a fit finds, or one that could replace it. A peak force tells k only.
+static bool is_found(const struct contact_law *law, int row, bool fits) {
     const char *key = law->row[row].key;
-    if (strcmp(key, "k") == 0 || contact_law_row(law, "zeta") < 0) {
+    if (strcmp(key, "k") == 0 || !fits || contact_law_row(law, "zeta") < 0) {
         return strcmp(key, "k") == 0;
     }
     return strcmp(key, "e") == 0 || strcmp(key, "zeta") == 0 ||
@@ -72,28 +73,29 @@ static bool is_found(const struct contact_law *law, int row) {
 }
 
 // False after a report if the option is given.
-static bool check_absent(struct deck *d, const struct statement *s, const char *key) {
+static bool check_absent(struct deck *d, const struct statement *s, const char *key, bool fits) {
     int n;
     const struct word *given = deck_option(s, key, &n);
     if (given) {
-        deck_error(d, given - 1, "%s cannot be given: --fit finds it", given[-1].text);
+        deck_error(d, given - 1, "%s cannot be given: --%s finds it", given[-1].text,
+                   fits ? "fit" : "peak");
     }
     return !given;
 }
 
-// The law with the rows that a fit finds taken out of what must be given.
+// The law with the rows that a fit or a peak force finds taken out of what must be given.
 static const struct contact_law *law_to_fit(struct deck *d, const struct statement *s,
-                                            const struct contact_law *law) {
+                                            const struct contact_law *law, bool fits) {
     struct row *row = deck_array(d, (size_t)law->n_row, sizeof *row);
     struct contact_law *copy = deck_array(d, 1, sizeof *copy);
     if (!row || !copy) {
         return NULL;
     }
     memcpy(row, law->row, (size_t)law->n_row * sizeof *row);
-    bool good = check_absent(d, s, law_choice_rows[LAW_CHOICE_K_FROM].key);
+    bool good = check_absent(d, s, law_choice_rows[LAW_CHOICE_K_FROM].key, fits);
     for (int r = 0; r < law->n_row; r++) {
-        if (is_found(law, r)) {
-            good &= check_absent(d, s, row[r].key);
+        if (is_found(law, r, fits)) {
+            good &= check_absent(d, s, row[r].key, fits);
             row[r].flags &= ~(unsigned)(ROW_REQUIRED | ROW_ONE_OF);
         }
     }
@@ -133,6 +135,56 @@ static int fit(struct law_impacts *l, struct law_impact *i, struct error *e) {
     return status;
 }
 
+// The search for the stiffness of a peak force: over the logarithm of k, on which the logarithm of
+// the force is nearly a straight line.
+struct law_search {
+    struct law_impacts *l;
+    struct law_impact *i;
+    double peak;
+    int status;
+    struct error *e;
+};
+
+// The logarithm of the peak force over the one that is asked for. NAN after an error.
+static double excess(double log_k, void *context) {
+    struct law_search *s = context;
+    struct isolated_impact impact;
+    if (!put(s->l->deck, &s->i->choice, "k", exp(log_k)) ||
+        !law_choice_prepare(s->l->deck, &s->i->choice, s->l->mass, &s->i->value, &s->i->constant)) {
+        s->status = error_set(s->e, STATUS_INPUT, "%s has no impact at k = %.6g",
+                              s->i->choice.law->name, exp(log_k));
+        return (double)NAN;
+    }
+    s->status = isolated_run(s->i->choice.law, s->i->constant, s->l->mass, s->l->velocity, NULL,
+                             &impact, s->e);
+    return s->status == STATUS_OK ? log(impact.peak_force / s->peak) : (double)NAN;
+}
+
+// Finds k. The force grows with k; a bracket is found by factors of 100 from that of a spring.
+static int find_stiffness(struct law_impacts *l, struct law_impact *i, double peak,
+                          struct error *e) {
+    enum { FACTORS_MAX = 20 };
+    static const double factor = 4.6051701859880918;  // ln 100
+    struct law_search s = {l, i, peak, STATUS_OK, e};
+    double low = 2.0 * log(peak / l->velocity) - log(l->mass), high = low;
+    double at = excess(low, &s);
+    const double way = at > 0.0 ? -factor : factor;
+    for (int n = 0; n < FACTORS_MAX && at * way < 0.0; n++) {
+        low = high;
+        high += way;
+        at = excess(high, &s);
+    }
+    if (s.status == STATUS_OK && !(at * way >= 0.0)) {
+        return error_set(e, STATUS_INPUT, "no k of %s gives a peak force of %.6g N",
+                         i->choice.law->name, peak);
+    }
+    const double root = s.status == STATUS_OK && at != 0.0
+                            ? root_find(excess, &s, fmin(low, high), fmax(low, high), 1e-14)
+                            : high;
+    (void)excess(root, &s);
+    return s.status;
+}
+
 // Reads one law; `first` is the statement of the first one, NULL for itself.
 static bool read_law(struct law_impacts *l, const struct law_words *words, struct statement *s,
                      const struct statement *first, struct argument *own) {
@@ -143,7 +195,11 @@ static bool read_law(struct law_impacts *l, const struct law_words *words, struc
     if (!law || (lent && !law_words_lend(d, first, has_key, law, s))) {
         return false;
     }
-    law = words->fit ? law_to_fit(d, s, law) : law;
+    if (words->peak > 0.0 && contact_law_row(law, "k") < 0) {
+        deck_error(d, &s->word[0], "the law %s has no -k that --peak could find", law->name);
+        return false;
+    }
+    law = words->fit || words->peak > 0.0 ? law_to_fit(d, s, law, words->fit != NULL) : law;
     const struct row_set set = {rows, first ? 0 : N_ROW, own};
     if (!law || !law_choice_read(d, s, law, &s->word[0], &set, &i->choice) ||
         (lent && !check_lent(d, &l->impact[0].choice, &i->choice))) {
@@ -151,7 +207,10 @@ static bool read_law(struct law_impacts *l, const struct law_words *words, struc
     }
     const int e = contact_law_row(law, "e");
     i->nominal = e >= 0 && i->choice.given[e].given ? i->choice.given[e].number[0] : NAN;
-    if (words->fit && !(put(d, &i->choice, "k", 1.0) && put(d, &i->choice, "zeta", 0.0))) {
+    if ((words->fit || words->peak > 0.0) && !put(d, &i->choice, "k", 1.0)) {
+        return false;
+    }
+    if (words->fit && !put(d, &i->choice, "zeta", 0.0)) {
         return false;
     }
     l->n++;
@@ -247,6 +306,9 @@ int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
     for (int i = 0; i < out->n && status == STATUS_OK; i++) {
         if (words->fit) {
             status = fit(out, &out->impact[i], &e);
+        } else if (words->peak > 0.0) {
+            out->found_k = true;
+            status = find_stiffness(out, &out->impact[i], words->peak, &e);
         }
         if (status == STATUS_OK) {
             status = run(out, &out->impact[i], &e);

@@ -27,6 +27,7 @@ struct law_impacts {
     double mass;                // effective
     struct law_impact *impact;  // (n)
     int n;
+    bool found_k;                 // k is that of a peak force
     struct time_series measured;  // n = 0: nothing was
 };
 

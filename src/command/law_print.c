@@ -158,6 +158,11 @@ static double fitted_value(const struct law_impact *i, int which) {
     return value[which];
 }
 
+static double found_stiffness(const struct law_impact *i, int which) {
+    (void)which;
+    return i->value[contact_law_row(i->choice.law, "k")];
+}
+
 int law_print(const struct law_impacts *l, enum printer_form form, FILE *to) {
     if (form == FORM_TEXT) {
         return print_text(l, to);
@@ -172,6 +177,9 @@ int law_print(const struct law_impacts *l, enum printer_form form, FILE *to) {
     }
     for (int q = 0; q < N_QUANTITY; q++) {
         print_row(quantities[q].name, l, quantity, q, &t);
+    }
+    if (l->found_k) {
+        print_row("k", l, found_stiffness, 0, &t);
     }
     for (int f = 0; f < N_FITTED && l->measured.n > 0; f++) {
         print_row(fitted[f], l, fitted_value, f, &t);

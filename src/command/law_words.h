@@ -12,6 +12,7 @@ struct law_words {
     const char *const *compare;  // (n_compare) "LAW,LAW" or "LAW -option value ..."
     int n_compare;
     const char *fit;  // a measurement; NULL: nothing is fitted
+    double peak;      // [N] a peak force, for which k is found; 0: none
 };
 
 // Opens the deck; *n_law, which is 0 before, counts its statements.

@@ -5,7 +5,7 @@
 #include "command/option.h"
 #include "command/output_name.h"
 #include "command/progress.h"
-#include "command/show_study.h"
+#include "command/show.h"
 #include "jostle/study_merge.h"
 
 static int merge_command(int argc, char **argv);

@@ -44,6 +44,22 @@ static int tag(const struct option_row *r, char *text, size_t size) {
                     r->value ? " " : "", r->value ? r->value : "");
 }
 
+void option_wrap(const char *text, int column, int width) {
+    int at = column;
+    for (const char *word = text; *word; word += strspn(word, " ")) {
+        const size_t n = strcspn(word, " ");
+        const int wide = text_columns(word, n);
+        if (at > column && at + 1 + wide > width) {
+            printf("\n%*s", column, "");
+            at = column;
+        }
+        at += printf(at > column ? " " : "") + wide;
+        printf("%.*s", (int)n, word);
+        word += n;
+    }
+    printf("\n");
+}
+
 static void print_rows(const struct option_row *row, int column) {
     char text[64];
     for (const struct option_row *r = row; r->doc; r++) {
@@ -52,20 +68,7 @@ static void print_rows(const struct option_row *row, int column) {
         } else {
             printf("  %-*s", column - 2, text);
         }
-        // Prints the text, wrapped, from a column on.
-        int at = column;
-        for (const char *word = r->doc; *word; word += strspn(word, " ")) {
-            const size_t n = strcspn(word, " ");
-            const int width = text_columns(word, n);
-            if (at > column && at + 1 + width > HELP_WIDTH) {
-                printf("\n%*s", column, "");
-                at = column;
-            }
-            at += printf(at > column ? " " : "") + width;
-            printf("%.*s", (int)n, word);
-            word += n;
-        }
-        printf("\n");
+        option_wrap(r->doc, column, HELP_WIDTH);
     }
 }
 
@@ -111,7 +114,7 @@ static int find_letter(const struct scan *s, int letter) {
     return -1;
 }
 
-// Is it one of the options, as in `-o --force`, where a value is forgotten?
+// Is the word an option, as in `-o --force`, where the value of -o is missing?
 static bool is_option(const struct scan *s, const char *word) {
     if (word[0] == '-' && !is_long(word)) {
         return find_letter(s, word[1]) >= 0;
@@ -284,14 +287,14 @@ static int read_option(struct scan *s, char **argv) {
     int at = -1;
     const int answer = (s->list->dash == DASH_ONE ? getopt_long_only : getopt_long)(
         s->argc, argv, s->letters, s->option, &at);
-    // getopt_long takes the beginning of a name, too. A slip may be that of another option, and a
-    // script breaks by an option to come.
+    // getopt_long also accepts the beginning of a name. jostle does not: a typing error may be the
+    // beginning of another option, and a new option would change the meaning of a script.
     if (at >= 0 && !is_whole(word, s->row[at]->name)) {
         return refuse_word(s, word);
     }
     if (answer == '?' || answer == ':') {
-        // getopt_long found an error in a word. '?': unknown option; ':': no value. A word may have
-        // several letters; the wrong letter is in optopt.
+        // '?': unknown option; ':': no value. A word may have several letters; optopt is the wrong
+        // one.
         const char letter[] = {'-', (char)optopt, '\0'};
         const char *shown = optopt == 0 || optopt > UCHAR_MAX ? word : letter;
         return answer == ':' ? command_usage(s->list->command, "option '%s' needs a value", shown)

@@ -75,6 +75,10 @@ extern const struct option_row option_help[];
 // Reads the command line into the request, and calls use(). Returns the exit status.
 int option_run(const struct option_list *l, int argc, char **argv, void *request);
 
+// Prints a text that begins in column `column`, in lines of at most `width` columns. Further lines
+// are indented as far.
+void option_wrap(const char *text, int column, int width);
+
 // Reads the text as a whole number within the limits of the row. Returns EXIT_DONE or EXIT_INPUT.
 int option_whole(const struct command *c, const struct option_row *r, const char *text, int *value);
 

@@ -47,35 +47,7 @@ static int name_pair(const char *folder, const char *name, struct pair *p, struc
     return STATUS_OK;
 }
 
-static int close_file(FILE *to, const char *path, struct error *e) {
-    const int failed = ferror(to);
-    return fclose(to) != 0 || failed ? cannot_write(path, e) : STATUS_OK;
-}
-
-// Writes script and data into a folder of our own.
-static int write_pair(const struct picture_request *q, const char *picture, const struct pair *p,
-                      struct error *e) {
-    const struct figure_files to = {
-        .script = fopen(p->script, "wx"), .data = fopen(p->data, "wx"), .picture = picture};
-    int status = STATUS_OK;
-    if (!to.script || !to.data) {
-        status = cannot_write(to.script ? p->data : p->script, e);
-    } else {
-        status = q->write(q->context, &to, e);
-    }
-    const char *const path[] = {p->script, p->data};
-    FILE *const file[] = {to.script, to.data};
-    for (int i = 0; i < 2; i++) {
-        struct error late;
-        if (file[i] && close_file(file[i], path[i], &late) != STATUS_OK && status == STATUS_OK) {
-            *e = late;
-            status = late.status;
-        }
-    }
-    return status;
-}
-
-// Both get their names, or neither. If the script cannot have its own, new data does not stay.
+// Publishes both files or none: removes the data if the script cannot be published.
 static int publish_pair(struct partial_file *data, struct partial_file *script, struct error *e) {
     int status = partial_file_publish(data, e);
     if (status != STATUS_OK) {
@@ -88,14 +60,13 @@ static int publish_pair(struct partial_file *data, struct partial_file *script, 
     return status;
 }
 
-static int write_script(const struct picture_request *q, const struct pair *p, struct error *e) {
+// Writes script and data; the script makes the file `picture`.
+static int write_pair(const struct picture_request *q, const char *picture, const struct pair *p,
+                      enum result_existing existing, struct error *e) {
     struct partial_file data = {0}, script = {0};
-    char picture[64];
-    snprintf(picture, sizeof picture, "%s.%s", q->name,
-             q->options.output ? figure_ending(q->options.output) : "png");
-    int status = partial_file_open(&data, p->data, q->options.existing, e);
+    int status = partial_file_open(&data, p->data, existing, e);
     if (status == STATUS_OK) {
-        status = partial_file_open(&script, p->script, q->options.existing, e);
+        status = partial_file_open(&script, p->script, existing, e);
     }
     if (status == STATUS_OK) {
         const struct figure_files to = {script.to, data.to, picture};
@@ -111,7 +82,10 @@ static int write_script(const struct picture_request *q, const struct pair *p, s
 
 static int keep_script(const struct picture_request *q, struct error *e) {
     struct pair pair;
+    char picture[64];
     assert(q->name);
+    snprintf(picture, sizeof picture, "%s.%s", q->name,
+             q->options.output ? figure_ending(q->options.output) : "png");
     if (strcmp(q->options.script_folder, "-") == 0) {
         return error_set(e, STATUS_INPUT, "--script takes a folder; ./- is one called -");
     }
@@ -119,7 +93,7 @@ static int keep_script(const struct picture_request *q, struct error *e) {
         return cannot_write(q->options.script_folder, e);
     }
     const int status = name_pair(q->options.script_folder, q->name, &pair, e);
-    return status == STATUS_OK ? write_script(q, &pair, e) : status;
+    return status == STATUS_OK ? write_pair(q, picture, &pair, q->options.existing, e) : status;
 }
 
 // In the child: gnuplot in `folder`, its messages in the file `messages`.
@@ -141,7 +115,8 @@ static void become_gnuplot(const char *folder) {
     _exit(errno == ENOENT ? NOT_FOUND : NOT_FOUND - 1);
 }
 
-// Waits for the end of gnuplot. No signal ends it once its number may be that of another process.
+// Waits for the end of gnuplot. After that, no signal is sent to its number, which another process
+// may have.
 static int wait_for(pid_t child, int *state) {
     siginfo_t ended;
     int status;
@@ -200,7 +175,7 @@ static int run_gnuplot(const char *folder, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "gnuplot failed: %s", line[0] ? line : "no message");
 }
 
-// gnuplot ends as if all was well where the disk was full.
+// gnuplot reports no error when the disk is full.
 static bool is_whole(FILE *picture, const char *last_mark) {
     char tail[FIGURE_TAIL];
     const size_t n_mark = strlen(last_mark);
@@ -218,7 +193,7 @@ static int copy_into(FILE *to, FILE *from, const char *last_mark, struct error *
     char block[BUFSIZ];
     for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;) {
         if (fwrite(block, 1, n, to) < n) {
-            return STATUS_OK;  // told when the file is published
+            return STATUS_OK;  // reported when the file is published
         }
     }
     if (ferror(from)) {
@@ -266,7 +241,7 @@ static int draw_in(const struct picture_request *q, const char *folder, const ch
     snprintf(drawn, sizeof drawn, "%s/%s", folder, picture);
     int status = name_pair(folder, "figure", &pair, e);
     if (status == STATUS_OK) {
-        status = write_pair(q, picture, &pair, e);
+        status = write_pair(q, picture, &pair, RESULT_KEEP, e);
     }
     if (status == STATUS_OK) {
         status = interrupt_check(e);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/report_links.h"
-
 #include <math.h>
 #include <string.h>
 
+#include "command/report_summary.h"
 #include "core/safe.h"
 #include "core/text.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/report_members.h"
-
 #include <math.h>
 #include <string.h>
 
+#include "command/report_summary.h"
 #include "core/safe.h"
 
 // The kinds of members, by which their names begin.
@@ -30,7 +29,10 @@ static const struct member_table tables[] = {
      {{"moment", &dimension_energy, AT(moment), false},
       {"shear", &dimension_force, AT(shear), false},
       {"axial", &dimension_force, AT(axial), false}}},
-    {2, true, {{"plastic", NULL, AT(plastic), false}, {"ductility", NULL, AT(ductility), true}}},
+    {2,
+     true,
+     {{"plastic", NULL, AT(plastic), false},
+      {"ductility", NULL, AT(demand.value[YIELD_DUCTILITY]), true}}},
 };
 enum { TABLES = sizeof tables / sizeof tables[0] };
 
@@ -97,7 +99,7 @@ static void print_heads(const struct member_table *t, const struct report *r, FI
     }
 }
 
-void report_print_members(const struct report *r, const struct report_building *const *building,
+void report_members_print(const struct report *r, const struct report_building *const *building,
                           int n, FILE *to) {
     for (int k = 0; k < TABLES; k++) {
         bool headed = false;

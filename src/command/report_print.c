@@ -1,15 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The summary of a run as text: tables by the printer, between them sentences. Long tables are cut
-// to the most severe entries, and a line says so. All values as data: show_table.c, show_json.c.
+// to the most severe entries, and a line says so. All values as data: show_report.c.
 #include <math.h>
 #include <string.h>
 
-#include "command/report_head.h"
-#include "command/report_links.h"
-#include "command/report_members.h"
+#include "command/report_summary.h"
 #include "core/safe.h"
 #include "core/text.h"
 #include "jostle/result.h"
+
+// The number of a run in a study, and the values of its parameters, a line each.
+static void print_run(const struct report *r, FILE *to) {
+    fprintf(to, "run %ld of a study\n", r->run);
+    for (const char *line = r->parameters; *line;) {
+        const int n = (int)strcspn(line, "\n");
+        safe_line(to, "  %.*s", n, line);
+        line += n + (line[n] == '\n');
+    }
+}
+
+static void print_collapse(const struct report *r, FILE *to) {
+    const struct report_collapse *c = &r->collapse;
+    const char *length = r->units.length_name, *time = r->units.time_name;
+    if (c->happened) {
+        safe_line(to,
+                  "COLLAPSED at %.6g %s: the drift of storey %ld of building %s reached %.4g %s; "
+                  "the run ended there",
+                  c->time, time, c->storey, c->building, fabs(c->drift), length);
+    }
+}
+
+static void print_head(const struct report *r, FILE *to) {
+    if (r->title[0]) {
+        safe_line(to, "%s", r->title);
+    }
+    if (r->run > 0) {
+        print_run(r, to);
+    }
+    fprintf(to, "units %s %s %s, duration %.6g %s, ", r->units.force_name, r->units.length_name,
+            r->units.time_name, r->duration, r->units.time_name);
+    if (r->dt > 0.0) {
+        fprintf(to, "step %.6g %s\n", r->dt, r->units.time_name);
+    } else {
+        fprintf(to, "adaptive steps\n");
+    }
+    print_collapse(r, to);
+}
 
 // Index of the largest value of the floors or storeys in summaries; of the first if all are NaN.
 static int largest(const struct report_building *b, const double *value) {
@@ -81,11 +117,33 @@ static bool displacement_row(struct printer *t, const struct report *r, int i) {
     return false;
 }
 
-static const struct printer_column residuals[] = {READ("storey drift", 12, length), RATIO(9),
-                                                  COUNT("storey", 7)};
+// Energies are those of all storeys together.
+static const struct printer_column residuals[] = {
+    READ("residual drift", 14, length),
+    RATIO(9),
+    COUNT("storey", 7),
+    {.head = "ductility", .width = 10, .digits = 4, .look = LOOK_READ},
+    COUNT("storey", 7),
+    READ("dissipated", 12, energy),
+    {.head = "damage", .width = 8, .digits = 3, .look = LOOK_READ}};
 static bool residual_row(struct printer *t, const struct report *r, int i) {
-    printer_text(t, r->building[i].name);
-    drift_cells(t, &r->building[i], r->building[i].residual_drift);
+    const struct report_building *b = &r->building[i];
+    const double *const *demand = b->demand;
+    printer_text(t, b->name);
+    drift_cells(t, b, b->residual_drift);
+    if (!demand[YIELD_DUCTILITY]) {  // of an earlier version
+        printer_numbers(t, (double[]){(double)NAN, (double)NAN, (double)NAN, (double)NAN}, 4);
+        return false;
+    }
+    const int most = largest(b, demand[YIELD_DUCTILITY]);
+    const double damage = demand[YIELD_DAMAGE][largest(b, demand[YIELD_DAMAGE])];
+    double energy = 0.0;
+    for (int k = 0; k < b->n_floor; k++) {
+        energy += demand[YIELD_HYSTERETIC][k];
+    }
+    const double value[] = {demand[YIELD_DUCTILITY][most], most + 1, energy,
+                            damage > 0.0 ? damage : (double)NAN};
+    printer_numbers(t, value, 4);
     return false;
 }
 
@@ -161,7 +219,7 @@ static void print_peaks(struct report_summary *s, const struct report_shown *sho
     }
     PRINT_TABLE(s, shown, "peak of", displacements, displacement_row);
     if (yielding.n > 0) {
-        PRINT_TABLE(s, &yielding, "residual", residuals, residual_row);
+        PRINT_TABLE(s, &yielding, "yielding", residuals, residual_row);
     }
     PRINT_TABLE(s, shown, "peak of", forces, force_row);
     if (founded.n > 0) {
@@ -177,7 +235,7 @@ static void print_members(const struct report_summary *s, const struct report_sh
     for (int i = 0; i < shown->n; i++) {
         building[i] = &s->r->building[shown->choice[i].index];
     }
-    report_print_members(s->r, building, shown->n, s->to);
+    report_members_print(s->r, building, shown->n, s->to);
 }
 
 // The energies of the end, as the tables have numbers.
@@ -224,7 +282,7 @@ static void print_totals(const struct report_summary *s) {
 
 int report_print(const struct report *r, FILE *to, struct error *e) {
     struct report_summary s = {.to = to, .r = r, .e = e};
-    report_head(r, to);
+    print_head(r, to);
     const struct report_shown shown = choose_buildings(r);
     PRINT_TABLE(&s, &shown, "building", buildings, building_row);
     report_summary_rest(&s, r->n_building - shown.n, "buildings", "drift");

@@ -46,4 +46,14 @@ void report_summary_rest(const struct report_summary *s, int n, const char *what
 // The width of a column so far, or that of `text`, up to `limit`.
 int report_summary_widest(int width, const char *text, int limit);
 
+// The parts about contacts, links, and columns that are struck (report_links.c).
+void report_links_contacts(struct report_summary *s);
+void report_links_links(struct report_summary *s);
+void report_links_columns(struct report_summary *s);
+
+// Prints the largest forces of members of frames and walls: a line for the columns, the beams and
+// the walls of each of these buildings (n) that has such members (report_members.c).
+void report_members_print(const struct report *r, const struct report_building *const *building,
+                          int n, FILE *to);
+
 #endif

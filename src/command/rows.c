@@ -90,23 +90,6 @@ static void widen(int *width, const struct line *l) {
     }
 }
 
-// Prints `text` from column `column` on; further lines are indented as far.
-static void wrap(const char *text, int column) {
-    int at = column;
-    for (const char *word = text; *word;) {
-        size_t n = strcspn(word, " ");
-        int wide = text_columns(word, n);
-        if (at > column && at + 1 + wide > WIDTH) {
-            printf("\n%*s", column, "");
-            at = column;
-        }
-        at += printf("%s", at > column ? " " : "") + wide;
-        fwrite(word, 1, n, stdout);
-        word += n + (word[n] == ' ');
-    }
-    printf("\n");
-}
-
 static void print_text(const struct line *l, const int *width) {
     int column = printf("  ");
     for (int c = 0; c < MEANING; c++) {
@@ -114,7 +97,7 @@ static void print_text(const struct line *l, const int *width) {
         printf("%s%*s  ", text, width[c] - text_columns(text, strlen(text)), "");
         column += width[c] + 2;
     }
-    wrap(l->meaning, column);
+    option_wrap(l->meaning, column, WIDTH);
 }
 
 // One row of the Markdown table. Unit, range and default share a cell, because most are empty.
@@ -204,7 +187,7 @@ void rows_entry(enum page page, const char *label, const char *text) {
         printf("- %s: %s\n", label, text);
         return;
     }
-    wrap(text, printf("  %-9s", label));
+    option_wrap(text, printf("  %-9s", label), WIDTH);
 }
 
 void rows_code(enum page page, const char *label, const char *text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle run: a deck through time, into a result file, and a summary.
 #include <assert.h>
+#include <limits.h>
 #include <math.h>
 
 #include "command/command.h"
@@ -8,7 +9,7 @@
 #include "command/interrupt.h"
 #include "command/output_name.h"
 #include "command/progress.h"
-#include "command/show_study.h"
+#include "command/show.h"
 #include "core/checksum.h"
 #include "core/heap.h"
 #include "core/safe.h"
@@ -27,6 +28,10 @@ struct run_options {
     const char *output;
     enum result_existing existing;
     enum study_journal journal;
+    struct words take;  // files
+    bool retry;
+    int steps_max;             // 0: no limit
+    double seconds_max;        // 0: no limit
     int n_thread;              // 0: all cores
     struct study_shard shard;  // of a study; n = 0: the whole
 };
@@ -35,7 +40,7 @@ struct run_options {
 const struct command command_run = {
     .name = "run",
     .usage = "DECK [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [-q] [--shard K/N] [--force]\n"
-             "                  [--restart|--accept]",
+             "                  [--take FILE.h5]... [--retry] [--restart]",
     .summary = "runs a deck, writes its result file and prints a summary",
     .run = run_command,
 };
@@ -210,6 +215,11 @@ static int run_study(const struct model *first, const struct run_options *o,
         .n_thread = o->n_thread ? o->n_thread : deck_command_threads(),
         .shard = o->shard,
         .journal = o->journal,
+        .take = o->take.word,
+        .n_take = o->take.n,
+        .retry = o->retry,
+        .steps_max = o->steps_max,
+        .seconds_max = o->seconds_max,
         .numerics = NUMERICS_VERSION,
         .program = program_sum(),
         .result = *result,
@@ -230,6 +240,9 @@ static int run_study(const struct model *first, const struct run_options *o,
     }
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);
+    }
+    if (!o->load.quiet && p.n_kept == p.n_run) {
+        safe_line(stderr, "jostle: all %ld runs were there; none was computed", p.n_run);
     }
     if (!o->load.quiet && show_study_summary(result->path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
@@ -274,11 +287,18 @@ static int run_command(int argc, char **argv) {
         {"force", .kind = OPTION_SET, .at = AT(existing), .set = RESULT_REPLACE,
          .doc = "overwrites an existing result file"},
         {"restart", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_RESTART,
-         .doc = "discards the finished runs of an interrupted study; without this option the same "
-                "command continues the study"},
-        {"accept", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_ACCEPT,
-         .doc = "continues an interrupted study although statements, records or the version of the "
-                "numerics have changed; the result file lists the changes"},
+         .doc = "discards the finished runs of an interrupted study; without this option the "
+                "study continues"},
+        {"take", 0, "FILE.h5", OPTION_WORDS, 0, AT(take),
+         .doc = "takes from the file of another study the runs that this one has too; may be "
+                "repeated"},
+        {"retry", .kind = OPTION_TRUE, .at = AT(retry),
+         .doc = "computes failed runs again that the result file, --take or an interrupted start "
+                "have"},
+        {"steps", 0, "N", OPTION_WHOLE, 0, AT(steps_max), 1, INT_MAX,
+         .doc = "limit of steps: a run of a study with N of them fails"},
+        {"seconds", 0, "S", OPTION_NUMBER, 0, AT(seconds_max), 1e-3, 1e9,
+         .doc = "limit of time: a run of a study fails after S seconds of processor time"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     static const struct deck_command c = {&command_run, parts, settle, run_model};

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle show: the results of a file as a summary, as long tables, or as JSON.
-#include "command/show.h"
 
+#include "command/show.h"
 #include "command/crash.h"
 #include "command/option.h"
-#include "command/show_study.h"
 #include "jostle/study_file.h"
 
 static int show_command(int argc, char **argv);

@@ -3,7 +3,7 @@
 // In long form they have a line each: a column for each swept parameter, edp, location, value,
 // unit, status, hit. In wide form a run has a line: its number, the swept parameters, its status,
 // and a column for each demand. The value of a failed run is empty.
-#include "command/show_study.h"
+#include "command/show.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 // The file of a study as its largest values, or as one long table: run, a column for each swept
 // parameter, status, table, name, quantity, location, value, unit, hit. A failed run has one line
 // there, whose value is its message.
-#include "command/show_study.h"
+#include "command/show.h"
 
 #include <stdlib.h>
 

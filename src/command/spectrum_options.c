@@ -87,17 +87,6 @@ static int read_pga(void *request, struct arena *a, const char *text) {
                      text);
 }
 
-static int read_channel(void *request, struct arena *a, const char *text) {
-    (void)a;
-    double n;
-    if (!quantity_whole(text, &dimension_none, BARE_ALLOWED, &n) || n != floor(n) ||
-        !(n >= 1.0 && n <= INT_MAX)) {
-        return command_usage(self, "--channel takes a number from 1, not '%s'", text);
-    }
-    ((struct spectrum_request *)request)->record.channel = (int)n;
-    return EXIT_DONE;
-}
-
 static int read_dt(void *request, struct arena *a, const char *text) {
     (void)a;
     double *dt = &((struct spectrum_request *)request)->record.dt;
@@ -207,7 +196,7 @@ static const struct option_row rows[] = {
      .doc = "prints only the records and their factors, as sweeps for a deck"},
     {"format", 0, "F", OPTION_TEXT, 0, AT(record.format),
      .doc = "format of the records; default: detected from their content"},
-    {"channel", 0, "N", OPTION_OWN, .own = read_channel,
+    {"channel", 0, "N", OPTION_WHOLE, 0, AT(record.channel), 1, INT_MAX, .what = "a number",
      .doc = "channel of the records, if a file has several"},
     {"unit", 0, "U", OPTION_TEXT, 0, AT(record.unit),
      .doc = "unit of the values, such as g, m/s2 or gal, if the file does not state it"},

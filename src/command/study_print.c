@@ -187,7 +187,7 @@ struct study_g study_print_g(const struct unit_system *u, const char *units, dou
     return g;
 }
 
-// Elastic storeys keep no drift: it is not printed.
+// Elastic storeys keep no drift, and do not yield: such zeros are not printed.
 static bool is_printed(const struct shown *s, const struct study_view *v, int k,
                        const struct study_peak *peak) {
     const struct study_item *item = &v->table.item[k];
@@ -195,7 +195,9 @@ static bool is_printed(const struct shown *s, const struct study_view *v, int k,
     for (int i = 0; i < s->n && hidden; i++) {
         hidden = strcmp(v->table.item[s->choice[i].index].owner, item->owner) != 0;
     }
-    const bool nothing = strcmp(item->name, layout_residual_drift_name) == 0 && peak->value == 0;
+    const bool yields = strcmp(item->name, layout_residual_drift_name) == 0 ||
+                        layout_is_later(&(struct column){.name = item->name});
+    const bool nothing = yields && item->owner && peak->value == 0;
     return peak->found && !nothing && !hidden;
 }
 
@@ -261,7 +263,7 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
         fprintf(to, ", the sum of %d part%s", v->n_part, v->n_part == 1 ? "" : "s");
     }
     if (v->n_kept > 0) {
-        fprintf(to, ", without %ld runs of an earlier start", v->n_kept);
+        fprintf(to, "; %ld runs computed, %ld taken", v->n_run - v->n_kept, v->n_kept);
     }
     fputc('\n', to);
     safe_line(to, "results     %s", v->path);

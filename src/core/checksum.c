@@ -31,10 +31,14 @@ void checksum_add_number(struct checksum_sum *s, uint64_t number) {
     checksum_add(s, byte, sizeof byte);
 }
 
+void checksum_end_bytes(struct checksum_sum *s, unsigned char out[SHA256_DIGEST_SIZE]) {
+    sha256_digest(&s->sha, SHA256_DIGEST_SIZE, out);
+}
+
 void checksum_end(struct checksum_sum *s, struct checksum *out) {
     unsigned char byte[SHA256_DIGEST_SIZE];
     _Static_assert(BASE16_ENCODE_LENGTH(SHA256_DIGEST_SIZE) == CHECKSUM_DIGITS, "two for a byte");
-    sha256_digest(&s->sha, sizeof byte, byte);
+    checksum_end_bytes(s, byte);
     base16_encode_update(out->digits, sizeof byte, byte);
     out->digits[CHECKSUM_DIGITS] = '\0';
 }

@@ -24,6 +24,9 @@ void checksum_add_number(struct checksum_sum *s, uint64_t number);
 // Writes the checksum and starts `s` again.
 void checksum_end(struct checksum_sum *s, struct checksum *out);
 
+// The same as bytes.
+void checksum_end_bytes(struct checksum_sum *s, unsigned char out[SHA256_DIGEST_SIZE]);
+
 // The first 8 bytes of the checksum of `n` bytes, for entries that are checked one by one. Other
 // bytes have an equal value with probability 2^-64.
 uint64_t checksum_short(const void *data, size_t n);

@@ -94,7 +94,7 @@ static const struct {
     {&dimension_acceleration, "an acceleration"},
     {&dimension_frequency, "a frequency"},
     {&dimension_impulse, "an impulse"},
-    {&dimension_energy, "an energy"},
+    {&dimension_energy, "a moment or energy"},
 };
 
 bool dimension_equal(struct dimension a, struct dimension b) {

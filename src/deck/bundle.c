@@ -25,12 +25,10 @@ bool sweep_append(struct deck *d, const struct word *w, struct sweep *s) {
         s->n = 1;
     }
     if (r->n_sweep == STUDY_SWEEPS_MAX) {
-        deck_error(d, w, "more than %d sweeps", STUDY_SWEEPS_MAX);
-        return false;
+        return deck_error(d, w, "more than %d sweeps", STUDY_SWEEPS_MAX);
     }
     if (d->n_run > STUDY_RUNS_MAX / s->n) {
-        deck_error(d, w, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
-        return false;
+        return deck_error(d, w, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
     }
     d->n_run *= s->n;
     if (r->last_sweep) {
@@ -47,11 +45,8 @@ bool bundle_name(struct deck *d, const struct argument *as, const struct word *a
                  const char *fallback, const struct sweep *own, struct bundle_request *q) {
     q->name = as->given ? as->word[0] : *at;
     q->name.text = as->given ? as->text[0] : fallback;
-    if (q->name.text && strcmp(q->name.text, own->name) == 0) {
-        deck_error(d, &q->name, "the dimension of -as needs another name than its sweeps");
-        return false;
-    }
-    return true;
+    return !q->name.text || strcmp(q->name.text, own->name) != 0 ||
+           deck_error(d, &q->name, "the dimension of -as needs another name than its sweeps");
 }
 
 // Defines the parameter that numbers the paired values, and sets its number in this run.
@@ -67,8 +62,7 @@ static bool number_bundle(struct deck *d, const struct bundle_request *q, struct
     }
     const double x = p.kind == PARAMETER_NUMBER ? p.number.value : 1.0;
     if (!(x >= 1.0 && x <= b->n && x == floor(x))) {
-        deck_error(d, &define->value, "'%s' is numbered from 1 to %d", q->name.text, b->n);
-        return false;
+        return deck_error(d, &define->value, "'%s' is numbered from 1 to %d", q->name.text, b->n);
     }
     b->choice = (int)x - 1;
     sweep_fix(d, &p, b->sweep);

@@ -160,8 +160,7 @@ static bool unexpected(struct parser *p) {
                        : before == ' ' && isalpha((unsigned char)*p->at)
                            ? "; write a unit directly after its number"
                            : "";
-    deck_error(p->deck, &part, "unexpected '%s'%s", text_short(&t, part.text), hint);
-    return false;
+    return deck_error(p->deck, &part, "unexpected '%s'%s", text_short(&t, part.text), hint);
 }
 
 static bool primary(struct parser *p, struct quantity *out) {

@@ -121,15 +121,14 @@ static bool read_option(struct deck *d, const struct statement *s, int at,
     struct argument *argument = &set[i].argument[row - set[i].row];
     double power = set_power[i];
     if (argument->given) {
-        deck_error(d, key, "%s is given twice", key->text);
-        return false;
+        return deck_error(d, key, "%s is given twice", key->text);
     }
     int n = count_behind(s, at);
     if (n == 0 && row->kind != ROW_FLAG) {
         argument->given = true;
         argument->key = *key;
-        deck_error(d, key, "%s needs a value: %s", key->text, row->doc ? row->doc : row->key);
-        return false;
+        return deck_error(d, key, "%s needs a value: %s", key->text,
+                          row->doc ? row->doc : row->key);
     }
     const unsigned depends = ROW_POWER | ROW_PER_LENGTH_POWER | ROW_PER_VELOCITY_POWER;
     if (isnan(power) && (row->flags & depends)) {
@@ -177,8 +176,7 @@ static bool check_one_of(struct deck *d, const struct statement *s, const struct
         first = argument->given && !first ? &argument->key : first;
     }
     if (any && !first) {
-        deck_error(d, &s->word[0], "%s needs %s", s->word[0].text, names);
-        return false;
+        return deck_error(d, &s->word[0], "%s needs %s", s->word[0].text, names);
     }
     return ok;
 }

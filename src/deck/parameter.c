@@ -110,14 +110,11 @@ bool parameter_check_name(struct deck *d, const struct word *w) {
     text_short(&t, w->text);
     const char *end = parameter_name_end(w->text);
     if (end == w->text || *end) {
-        deck_error(d, w, "'%s' cannot name a parameter; letters, digits and _ can", t.text);
-        return false;
+        return deck_error(d, w, "'%s' cannot name a parameter; letters, digits and _ can", t.text);
     }
-    if (quantity_is_reserved(w->text, strlen(w->text))) {
-        deck_error(d, w, "'%s' has a meaning in expressions and cannot name a parameter", t.text);
-        return false;
-    }
-    return true;
+    return !quantity_is_reserved(w->text, strlen(w->text)) ||
+           deck_error(d, w, "'%s' has a meaning in expressions and cannot name a parameter",
+                      t.text);
 }
 
 struct define *deck_define_find(const struct deck *d, const char *name) {

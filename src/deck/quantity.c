@@ -207,8 +207,8 @@ static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     const char *end;
     struct dimension dimension;
     if (unit_parse(at, d->units.gravity, &end, &dimension, &si)) {
-        deck_error(d, w, "rad and deg do not join with other units; f = omega / (2 pi) in Hz");
-        return false;
+        return deck_error(d, w,
+                          "rad and deg do not join with other units; f = omega / (2 pi) in Hz");
     }
     while (unit_names[n]) {
         n++;
@@ -259,8 +259,7 @@ bool quantity_read(struct deck *d, const struct word *w, const char **at, struct
     if (found == TEXT_NUMBER_NONE) {
         struct word part = deck_report_part(d, w, start, w->text + strlen(w->text));
         struct text_short t;
-        deck_error(d, &part, "'%s' is not a number", text_short(&t, part.text));
-        return false;
+        return deck_error(d, &part, "'%s' is not a number", text_short(&t, part.text));
     }
     return literal_unit(d, w, at, out);
 }

@@ -36,6 +36,8 @@ bool quantity_is_reserved(const char *name, size_t n);
 bool quantity_is_unit(const struct deck *d, const char *text, size_t n);
 // A literal with its unit at *at, which moves past it.
 bool quantity_read(struct deck *d, const struct word *w, const char **at, struct quantity *out);
+// The `*` after the count of a repeat, as in 3*250t; NULL: the word is not a repeat.
+const char *deck_repeat_mark(const struct word *w);
 // Reports what is at `at`, after the `number`, where the word should end; false.
 bool quantity_end(struct deck *d, const struct word *w, const char *at,
                   const struct quantity *number);

@@ -22,8 +22,8 @@ struct buffer {
 static bool append(struct deck *d, const struct word *w, struct buffer *b, const char *text,
                    size_t n) {
     if (n > TEXT_MAX - b->used) {
-        deck_error(d, w, "the text is longer than %d bytes with its parameters replaced", TEXT_MAX);
-        return false;
+        return deck_error(d, w, "the text is longer than %d bytes with its parameters replaced",
+                          TEXT_MAX);
     }
     memcpy(b->text + b->used, text, n);
     b->used += n;
@@ -69,8 +69,7 @@ static bool append_dollar(struct deck *d, const struct word *w, struct buffer *b
         const char *close = strchr(from, '}');
         if (!close) {
             struct word part = deck_report_part(d, w, *at, from + 1);
-            deck_error(d, &part, "the '}' to this '${' is missing");
-            return false;
+            return deck_error(d, &part, "the '}' to this '${' is missing");
         }
         *at = close + 1;
         return append_expression(d, w, b, from + 1, close);

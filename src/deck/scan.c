@@ -267,8 +267,7 @@ static bool build(struct deck *d, const struct frame *start, const struct frame 
         n_plain++;
     }
     if (n_plain == 0 || r->word[0].quoted) {
-        deck_error(d, &r->word[0], "a statement must start with its name");
-        return false;
+        return deck_error(d, &r->word[0], "a statement must start with its name");
     }
     struct word *word = deck_array(d, (size_t)r->n_word, sizeof *word);
     if (!word) {

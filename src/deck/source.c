@@ -173,11 +173,12 @@ static void report(struct deck *d, const struct word *w, enum severity severity,
     diagnostics_add(&d->diagnostics, &entry, "%s", message);
 }
 
-void deck_error(struct deck *d, const struct word *w, const char *format, ...) {
+bool deck_error(struct deck *d, const struct word *w, const char *format, ...) {
     va_list list;
     va_start(list, format);
     report(d, w, SEVERITY_ERROR, format, list);
     va_end(list);
+    return false;
 }
 
 void deck_error_of(struct deck *d, const struct word *w, const struct error *e) {

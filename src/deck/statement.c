@@ -28,28 +28,23 @@ static bool check_words(struct deck *d, const struct statement *s, int n, const 
     if (s->n_plain < s->n_word) {
         struct text_short t;
         const struct word *option = &s->word[s->n_plain];
-        deck_error(d, option, "'%s' is not expected here; the statement is %s",
-                   text_short(&t, option->text), usage);
-        return false;
+        return deck_error(d, option, "'%s' is not expected here; the statement is %s",
+                          text_short(&t, option->text), usage);
     }
     if (s->n_word > n) {
         struct text_short t;
-        deck_error(d, &s->word[n], "'%s' is one word too many; the statement is %s",
-                   text_short(&t, s->word[n].text), usage);
-        return false;
+        return deck_error(d, &s->word[n], "'%s' is one word too many; the statement is %s",
+                          text_short(&t, s->word[n].text), usage);
     }
-    if (s->n_word < n) {
-        deck_error(d, &s->word[0], "a word is missing; the statement is %s", usage);
-        return false;
-    }
-    return true;
+    return s->n_word == n ||
+           deck_error(d, &s->word[0], "a word is missing; the statement is %s", usage);
 }
 
 // Notes the place of a statement that may occur once; false after having reported a second one.
 static bool check_once(struct deck *d, const struct word *w, struct place *place) {
     if (place->source) {
-        deck_error(d, w, "%s is already given in %s", w->text, source_mention(d, place, &w->place));
-        return false;
+        return deck_error(d, w, "%s is already given in %s", w->text,
+                          source_mention(d, place, &w->place));
     }
     *place = w->place;
     return true;
@@ -90,9 +85,8 @@ static bool read_unit(struct deck *d, const struct word *w, struct dimension wan
     }
     unit_parse(w->text, d->units.gravity, &end, &dimension, &si);
     const char *noun = dimension_noun(dimension);
-    deck_error(d, w, "%s is a unit of %s; a %s is needed", w->text, noun ? noun : "another kind",
-               what);
-    return false;
+    return deck_error(d, w, "%s is a unit of %s; a %s is needed", w->text,
+                      noun ? noun : "another kind", what);
 }
 
 static void run_units(struct deck *d, const struct statement *s) {
@@ -186,20 +180,15 @@ static bool check_include(struct deck *d, const struct word *w, const struct sou
     for (int i = 0; i < r->n_frame; i++) {
         if (is_same_file(r->frame[i].source, s)) {
             struct text_short t;
-            deck_error(d, w, "%s includes itself%s", text_short(&t, s->name),
-                       i + 1 < r->n_frame ? " through other decks" : "");
-            return false;
+            return deck_error(d, w, "%s includes itself%s", text_short(&t, s->name),
+                              i + 1 < r->n_frame ? " through other decks" : "");
         }
     }
     if (r->n_frame == INCLUDE_DEPTH_MAX) {
-        deck_error(d, w, "more than %d decks include one another", INCLUDE_DEPTH_MAX);
-        return false;
+        return deck_error(d, w, "more than %d decks include one another", INCLUDE_DEPTH_MAX);
     }
-    if (r->bytes + s->size > DECK_BYTES_MAX) {
-        deck_error(d, w, "the deck and its includes have more than %d bytes", DECK_BYTES_MAX);
-        return false;
-    }
-    return true;
+    return r->bytes + s->size <= DECK_BYTES_MAX ||
+           deck_error(d, w, "the deck and its includes have more than %d bytes", DECK_BYTES_MAX);
 }
 
 static void run_include(struct deck *d, const struct statement *s) {

@@ -58,8 +58,7 @@ static bool read_files(struct deck *d, const struct statement *s, struct sweep *
     }
     q->noun = "file";
     if (s->n_plain != 4) {
-        deck_error(d, &s->word[2], "one pattern of file names is expected");
-        return false;
+        return deck_error(d, &s->word[2], "one pattern of file names is expected");
     }
     const char *pattern = deck_text_of_file(d, &s->word[3]);
     return pattern && sweep_files(d, &s->word[3], pattern, own);
@@ -143,8 +142,8 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *own,
         return false;
     }
     if (d->reader->swept) {
-        deck_error(d, &s->word[2], "the values of a sweep cannot depend on a swept parameter");
-        return false;
+        return deck_error(d, &s->word[2],
+                          "the values of a sweep cannot depend on a swept parameter");
     }
     if (!memchr(s->lines.text, '$', s->lines.size)) {
         own->lines = s->lines;

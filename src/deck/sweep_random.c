@@ -45,9 +45,8 @@ static bool read_pure(struct deck *d, const struct word *w, const char *name, st
     parameter_read(d, w, p);
     if (p->kind == PARAMETER_NUMBER && p->number.known &&
         !dimension_equal(p->number.dimension, dimension_none)) {
-        deck_error(d, w, "%s is a pure number; this is %s", name,
-                   quantity_describe(&d->units, p->number.dimension, &t));
-        return false;
+        return deck_error(d, w, "%s is a pure number; this is %s", name,
+                          quantity_describe(&d->units, p->number.dimension, &t));
     }
     if (p->kind == PARAMETER_TEXT) {
         deck_error(d, w, "%s is a number; this is a text", name);
@@ -64,11 +63,8 @@ static bool read_alike(struct deck *d, const struct word *w, struct parameter *f
         return false;
     }
     const double bare = p->number.known ? before.value : p->number.value;
-    if (p->number.known != before.known && bare != 0.0) {
-        deck_error(d, w, "give a unit with all values or with none");
-        return false;
-    }
-    return true;
+    return p->number.known == before.known || bare == 0.0 ||
+           deck_error(d, w, "give a unit with all values or with none");
 }
 
 static bool read_shape(struct deck *d, struct request *q) {
@@ -85,16 +81,14 @@ static bool read_shape(struct deck *d, struct request *q) {
         return false;
     }
     if (s->n_plain != 6) {
-        deck_error(d, &s->word[3], "%s is followed by %s", r->distribution->name,
-                   r->distribution->arguments);
-        return false;
+        return deck_error(d, &s->word[3], "%s is followed by %s", r->distribution->name,
+                          r->distribution->arguments);
     }
     if (!sweep_value(d, &s->word[4], NULL, &q->first)) {
         return false;
     }
     if (q->first.kind == PARAMETER_TEXT) {
-        deck_error(d, &s->word[4], "a random value is a number; this is a text");
-        return false;
+        return deck_error(d, &s->word[4], "a random value is a number; this is a text");
     }
     if (!(r->distribution->pure_b ? read_pure(d, &s->word[5], r->distribution->pure_b, &b)
                                   : read_alike(d, &s->word[5], &q->first, &b))) {
@@ -118,9 +112,8 @@ static bool read_limit(struct deck *d, struct request *q, int row, double *limit
         return true;
     }
     if (!q->values.distribution->score) {
-        deck_error(d, &a->key, "%s has its limits already: %s", q->values.distribution->name,
-                   q->values.distribution->arguments);
-        return false;
+        return deck_error(d, &a->key, "%s has its limits already: %s", q->values.distribution->name,
+                          q->values.distribution->arguments);
     }
     if (!read_alike(d, &a->word[0], &q->first, &p)) {
         return false;
@@ -135,8 +128,7 @@ static bool read_limits(struct deck *d, struct request *q) {
     r->max = INFINITY;
     const bool low = read_limit(d, q, MIN, &r->min), high = read_limit(d, q, MAX, &r->max);
     if (low && high && !(r->min < r->max)) {
-        deck_error(d, &q->argument[MAX].word[0], "-max must be above -min");
-        return false;
+        return deck_error(d, &q->argument[MAX].word[0], "-max must be above -min");
     }
     return low && high;
 }

@@ -29,10 +29,9 @@ bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
         return true;
     }
     if (p->kind != first->kind) {
-        deck_error(d, w, "this is a %s, the first value a %s",
-                   p->kind == PARAMETER_TEXT ? "text" : "number",
-                   p->kind == PARAMETER_TEXT ? "number" : "text");
-        return false;
+        return deck_error(d, w, "this is a %s, the first value a %s",
+                          p->kind == PARAMETER_TEXT ? "text" : "number",
+                          p->kind == PARAMETER_TEXT ? "number" : "text");
     }
     if (p->kind == PARAMETER_TEXT || !p->number.known) {
         return true;
@@ -42,10 +41,9 @@ bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
         first->number.dimension = p->number.dimension;
     }
     if (!dimension_equal(p->number.dimension, first->number.dimension)) {
-        deck_error(d, w, "this is %s; the value before is %s",
-                   quantity_describe(&d->units, p->number.dimension, &got),
-                   quantity_describe(&d->units, first->number.dimension, &needed));
-        return false;
+        return deck_error(d, w, "this is %s; the value before is %s",
+                          quantity_describe(&d->units, p->number.dimension, &got),
+                          quantity_describe(&d->units, first->number.dimension, &needed));
     }
     return true;
 }
@@ -112,9 +110,8 @@ static bool check_distinct(struct deck *d, const struct sweep *s, const struct w
         before.at = key[i].at;
         if (compare_values(&before, &key[i]) == 0) {
             struct text_short t;
-            deck_error(d, &word[key[i].at], "value %s is given twice",
-                       text_short(&t, word[key[i].at].text));
-            return false;
+            return deck_error(d, &word[key[i].at], "value %s is given twice",
+                              text_short(&t, word[key[i].at].text));
         }
     }
     return true;
@@ -124,8 +121,8 @@ bool sweep_list(struct deck *d, const struct statement *s, enum repeats repeats,
                 struct sweep *sweep) {
     const int n = s->n_plain - 3;
     if (n < 1 || n > SWEEP_VALUES_MAX) {
-        deck_error(d, &s->word[2], "%d values are given; 1 to %d are allowed", n, SWEEP_VALUES_MAX);
-        return false;
+        return deck_error(d, &s->word[2], "%d values are given; 1 to %d are allowed", n,
+                          SWEEP_VALUES_MAX);
     }
     const struct parameter *p = read_values(d, &s->word[3], n);
     return p && sweep_take(d, sweep, p, n) &&
@@ -162,8 +159,7 @@ bool sweep_range(struct deck *d, const struct statement *s, enum spacing spacing
     const struct row row = {.key = "N", .kind = ROW_INTEGER, .range = &count};
     struct argument n;
     if (s->n_plain != 6) {
-        deck_error(d, &s->word[2], "a range is FROM TO N [-log]");
-        return false;
+        return deck_error(d, &s->word[2], "a range is FROM TO N [-log]");
     }
     const struct parameter *p = read_ends(d, &s->word[3], spacing);
     if (!deck_values(d, &row, 0, &s->word[5], 1, &n) || !p) {
@@ -244,9 +240,8 @@ static void set_labels(struct deck *d, struct sweep *s) {
 static bool take_paths(struct deck *d, const struct word *w, const glob_t *found, size_t skip,
                        struct sweep *out) {
     if (found->gl_pathc > SWEEP_VALUES_MAX) {
-        deck_error(d, w, "the pattern matches %zu files; at most %d are allowed", found->gl_pathc,
-                   SWEEP_VALUES_MAX);
-        return false;
+        return deck_error(d, w, "the pattern matches %zu files; at most %d are allowed",
+                          found->gl_pathc, SWEEP_VALUES_MAX);
     }
     const char **path = arena_alloc(d->arena, found->gl_pathc, sizeof *path);
     out->n = (int)found->gl_pathc;
@@ -255,12 +250,11 @@ static bool take_paths(struct deck *d, const struct word *w, const glob_t *found
         const char *wrong = text_not_plain(name);
         if (wrong) {
             struct text_short t;
-            deck_error(d, w,
-                       text_character(wrong, strlen(wrong))
-                           ? "the file name '%s' has a control character; rename the file"
-                           : "the file name '%s' is not UTF-8",
-                       text_short(&t, name));
-            return false;
+            return deck_error(d, w,
+                              text_character(wrong, strlen(wrong))
+                                  ? "the file name '%s' has a control character; rename the file"
+                                  : "the file name '%s' is not UTF-8",
+                              text_short(&t, name));
         }
         path[i] = arena_text(d->arena, name, strlen(name));
         path = path[i] ? path : NULL;
@@ -301,16 +295,16 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
     int answer = glob(path, GLOB_NOSORT, NULL, &found);
     if (answer != 0) {
         struct deck_quote quote;
-        deck_error(d, w, answer == GLOB_NOMATCH ? "no file matches %s" : "cannot search for %s",
-                   deck_quote(&quote, w, pattern));
-        return false;
+        return deck_error(d, w,
+                          answer == GLOB_NOMATCH ? "no file matches %s" : "cannot search for %s",
+                          deck_quote(&quote, w, pattern));
     }
     bool good = take_paths(d, w, &found, folder, out);
     globfree(&found);
     return good;
 }
 
-// True if `text` may be a file relative to the deck or to the file of the sweep.
+// True if `text` may be a file, relative to the deck or to the file of the sweep.
 static bool may_be_file(struct deck *d, const struct sweep *s, const char *text) {
     const struct source top = {.name = d->path};
     const char *path[] = {source_path(d, &top, text), source_path(d, s->origin, text)};

@@ -9,8 +9,7 @@
 #include "deck/parameter.h"
 #include "deck/quantity.h"
 
-// The `*` after the count of a repeat, as in 3*250t; NULL: the word is not a repeat.
-static const char *repeat_mark(const struct word *w) {
+const char *deck_repeat_mark(const struct word *w) {
     const char *end;
     double count;
     bool number = w->text[0] >= '0' && w->text[0] <= '9' &&
@@ -22,7 +21,7 @@ static const char *repeat_mark(const struct word *w) {
 
 // The count of a repeat; 1 for other words; 0: the count is wrong.
 static int repeat_count(const struct word *w) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     if (!mark) {
         return 1;
     }
@@ -35,7 +34,7 @@ static int repeat_count(const struct word *w) {
 
 // False after having reported a repeat with a wrong count, or a repeat that the row does not allow.
 static bool check_repeat(struct deck *d, const struct row *row, const struct word *w) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     if (!mark || (row->kind == ROW_LIST && repeat_count(w) > 0)) {
         return true;
     }
@@ -76,7 +75,7 @@ enum { WEIGHT_SIZE = 64 };
 
 // The expression that turns the weight in the word into a mass, for a message.
 static const char *mass_of(const struct word *w, char text[WEIGHT_SIZE]) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     const char *from = mark ? mark + 1 : w->text;
     const bool expression = strncmp(from, "${", 2) == 0;
     from += expression ? 2 : *from == '$';
@@ -99,10 +98,9 @@ static bool check_dimension(struct deck *d, const struct row *row, struct dimens
     char mass[WEIGHT_SIZE];
     bool weight =
         dimension_equal(wanted, dimension_mass) && dimension_equal(q->dimension, dimension_force);
-    deck_error(d, w, "%s has the dimension of %s; %s is needed%s%s", row->key, got.text,
-               noun ? noun : quantity_describe(&d->units, wanted, &need),
-               weight ? "; the mass of a weight is " : "", weight ? mass_of(w, mass) : "");
-    return false;
+    return deck_error(d, w, "%s has the dimension of %s; %s is needed%s%s", row->key, got.text,
+                      noun ? noun : quantity_describe(&d->units, wanted, &need),
+                      weight ? "; the mass of a weight is " : "", weight ? mass_of(w, mass) : "");
 }
 
 // False after having reported a word that does not start like a number, such as a parameter's name.
@@ -130,7 +128,7 @@ static bool check_number_like(struct deck *d, const struct row *row, const struc
 
 static bool read_number(struct deck *d, const struct row *row, struct dimension dimension,
                         const struct word *w, double *value, bool *bare) {
-    const char *mark = repeat_mark(w);
+    const char *mark = deck_repeat_mark(w);
     const char *from = mark ? mark + 1 : w->text;
     struct quantity q;
     if (!check_number_like(d, row, w, from) || !expression_number(d, w, from, &q)) {
@@ -143,9 +141,8 @@ static bool read_number(struct deck *d, const struct row *row, struct dimension 
     }
     const double largest = 2147483647;  // whole numbers must fit an int
     if (row->kind == ROW_INTEGER && (q.value != floor(q.value) || fabs(q.value) > largest)) {
-        deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key, q.value,
-                   largest);
-        return false;
+        return deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key,
+                          q.value, largest);
     }
     double size = unit_size(&d->units, dimension);
     if (range_holds(row->range, unit_convert(q.value, size, 1))) {
@@ -154,9 +151,8 @@ static bool read_number(struct deck *d, const struct row *row, struct dimension 
     char unit[64];
     unit_text(&d->units, dimension, unit, sizeof unit);
     bool pure = dimension_equal(dimension, dimension_none);
-    deck_error(d, w, "%s is %.10g%s%s; it must be %s", row->key, q.value, pure ? "" : " ",
-               pure ? "" : unit, row->range->text);
-    return false;
+    return deck_error(d, w, "%s is %.10g%s%s; it must be %s", row->key, q.value, pure ? "" : " ",
+                      pure ? "" : unit, row->range->text);
 }
 
 static bool read_numbers(struct deck *d, const struct row *row, double power,
@@ -250,16 +246,15 @@ bool deck_values(struct deck *d, const struct row *row, double power, const stru
     bool many = row->kind == ROW_LIST || row->kind == ROW_TEXTS;
     int most = row->kind == ROW_FLAG ? 0 : 1;
     if (!many && n_word > most) {
-        deck_error(d, &word[most], "'%s' is not expected: %s takes %s",
-                   text_short(&t, word[most].text), row->key, most ? "one value" : "no value");
-        return false;
+        return deck_error(d, &word[most], "'%s' is not expected: %s takes %s",
+                          text_short(&t, word[most].text), row->key,
+                          most ? "one value" : "no value");
     }
     if (row->kind == ROW_FLAG) {
         return true;
     }
     if (n_word < 1) {
-        deck_error(d, NULL, "%s needs a value", row->key);
-        return false;
+        return deck_error(d, NULL, "%s needs a value", row->key);
     }
     if (row->kind == ROW_CHOICE) {
         return read_choice(d, row, word, out);

@@ -146,3 +146,10 @@ double peak_oriented_stored(const double *c, const double *h, double drift) {
     const double shear = peak_oriented_respond(c, h, drift, NULL).shear;
     return shear * shear / (2.0 * peak_oriented_side(c, h, shear > 0.0).unloading);
 }
+
+void peak_oriented_describe(const double *c, struct storey_figures *out) {
+    out->yield[0] = c[PEAK_ORIENTED_YIELD_DRIFT];
+    out->yield[1] = c[PEAK_ORIENTED_YIELD_DRIFT_LEFT];
+    out->strength[0] = c[PEAK_ORIENTED_YIELD];
+    out->strength[1] = c[PEAK_ORIENTED_YIELD_LEFT];
+}

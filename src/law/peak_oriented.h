@@ -33,9 +33,10 @@ enum { PEAK_ORIENTED_HISTORY = 6 };
 int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
                           struct error *e);
 
-// respond and stored of the descriptors.
+// respond, stored and describe of the descriptors.
 struct storey_response peak_oriented_respond(const double *constant, const double *history,
                                              double drift, double *after);
 double peak_oriented_stored(const double *constant, const double *history, double drift);
+void peak_oriented_describe(const double *constant, struct storey_figures *out);
 
 #endif

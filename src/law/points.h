@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Storeys with a backbone through points, equal in both directions, whose reloading aims at the
-// largest drift dm reached so far in that direction. Of one direction, drift and shear positive:
+// Storeys with a backbone through points, whose reloading aims at the largest drift dm reached so
+// far in that direction. The backbone of negative drifts is the other one in another size. Of one
+// direction, drift and shear positive:
 //
 //     unloading  K = k min(1, (dm / d1)^-b), towards the origin at most, or always to the origin;
 //     reloading  from z to the break (z + pX (dm - (1 - pY) Fm / K - z), pY Fm), then to (dm, Fm)
@@ -31,6 +32,7 @@ enum points_constant {
     POINTS_DAMAGE_PEAK,
     POINTS_DAMAGE_ENERGY,  // over E_A
     POINTS_EVERY,          // the damage of the peak counts at every zero shear
+    POINTS_LEFT,           // size of the backbone of negative drifts
     POINTS_CONSTANTS
 };
 
@@ -48,8 +50,20 @@ enum points_history {
 int points_prepare(double stiffness, const double *drift, const double *shear, int n, double last,
                    double *constant, struct error *e);
 
-// Area below the backbone up to `drift`.
+// Gives the backbone of negative drifts the size `left`, with the points of each drift and shear
+// multiplied by it; NAN: it is the same.
+void points_resize(double *constant, double left);
+
+// The size of the backbone of the direction `at`: 0 right, 1 left.
+static inline double points_size(const double *constant, int at) {
+    return at == 0 ? 1.0 : constant[POINTS_LEFT];
+}
+
+// Area below both backbones up to `drift`.
 double points_area(const double *constant, double drift);
+
+// The yield is at point `i`.
+void points_describe(const double *constant, int i, struct storey_figures *out);
 
 extern const struct loading_rule points_rule;
 

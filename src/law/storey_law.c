@@ -3,6 +3,7 @@
 #include "jostle/storey_law.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 #include "law/lists.h"
@@ -29,4 +30,28 @@ const struct storey_law *storey_law_find(const char *name) {
         }
     }
     return NULL;
+}
+
+struct storey_figures storey_law_figures(const struct storey_law *law, const double *constant) {
+    struct storey_figures f = {
+        {INFINITY, INFINITY}, {INFINITY, INFINITY}, {INFINITY, INFINITY}, INFINITY};
+    if (law->describe) {
+        law->describe(constant, &f);
+    }
+    return f;
+}
+
+double storey_law_ductility(const struct storey_figures *f, const double most[2]) {
+    return fmax(most[0] / f->yield[0], most[1] / f->yield[1]);
+}
+
+double storey_law_damage(const struct storey_figures *f, const double most[2], double energy) {
+    // Of reinforced concrete, in the mean.
+    static const double BETA = 0.05;
+    double damage = 0.0;
+    for (int i = 0; i < 2; i++) {
+        const double of_energy = BETA * fmax(energy, 0.0) / f->strength[i];
+        damage = fmax(damage, (most[i] + of_energy) / f->ultimate[i]);
+    }
+    return damage;
 }

@@ -4,6 +4,7 @@
 #define JOSTLE_YIELD_H
 
 #include "jostle/row.h"
+#include "jostle/storey_law.h"
 
 extern const struct range yield_hardening_range;  // >= 0 and < 1
 extern const struct range yield_falling_range;    // >= -1 and < 1
@@ -32,5 +33,11 @@ extern const struct range yield_falling_range;    // >= -1 and < 1
         "yield-negative", ROW_LIST, 0, OF_FORCE, &range_positive, NAN,                             \
             "storey shear at first yield of negative drifts (default: -yield)"                     \
     }
+
+// The drift and the shear at yield, the same in both directions.
+static inline void yield_describe(double drift, double shear, struct storey_figures *out) {
+    out->yield[0] = out->yield[1] = drift;
+    out->strength[0] = out->strength[1] = shear;
+}
 
 #endif

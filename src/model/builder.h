@@ -106,7 +106,13 @@ struct collapse_draft {
 
 struct struck_draft {
     struct struck_column column;
-    const struct contact_law *law;  // of its spring, with the values of its rows
+    double damping;  // ratio
+    // By unit drifts of the storeys of its building (n_floor): the displacement of the point
+    // against the floor below, and the moments at the lower and upper end of one column.
+    const double *rest, *below, *above;
+    double by_force[COLUMN_FORCE_COUNT];  // of one column, by a unit force on its point
+    const struct storey_choice *choice;   // the law of one column; NULL: it is elastic
+    const struct contact_law *law;        // of its spring, with the values of its rows
     const double *value, *constant;
     struct word word;  // for messages
 };
@@ -116,8 +122,9 @@ struct builder {
     struct arena *arena;  // of the deck
     struct record_cache *records;
     struct list buildings, grounds, links, loads, columns;
-    struct list collapses;  // of struct collapse_draft
-    struct list isolators;  // of struct isolator_draft (model/isolator.h)
+    struct list column_storeys;  // of struct struck_storeys (model/struck_column.h)
+    struct list collapses;       // of struct collapse_draft
+    struct list isolators;       // of struct isolator_draft (model/isolator.h)
     struct name_index building_index;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given

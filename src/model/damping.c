@@ -39,7 +39,7 @@ struct sums {
 
 // C, in bands or full, and its dashpots of each storey on the initial stiffness.
 struct matrix {
-    double *diagonal, *off, *full;  // full NULL: there are no parts and no modes
+    double *diagonal, *off, *full;  // full NULL: no modes, and no parts that couple storeys
     double *storey;                 // (n)
     double *mark, *marked;          // scratch: (n), (n, n)
 };
@@ -208,14 +208,15 @@ static void add_proportional(const struct building_draft *d, const struct buildi
                              double a1, const struct matrix *c) {
     const int n = g->n_dof;
     for (int i = 0; i < n; i++) {
-        c->marked[i] = c->mark[i] * g->spring[i];
+        c->marked[i] = c->mark[i] * (c->full ? g->spring[i] : g->stiffness[i]);
         c->storey[i] += a1 * (c->mark[i] * g->stiffness[i]);
     }
     add_tridiagonal(d, a0, a1, c->marked, c->diagonal, c->off);
-    for (int i = 0; g->n_part > 0 && i < n * n; i++) {
+    const bool couples = c->full && g->n_part > 0;
+    for (int i = 0; couples && i < n * n; i++) {
         c->marked[i] = c->mark[i / n] * c->mark[i % n] * g->part_stiffness[i];
     }
-    for (int i = 0; g->n_part > 0 && i < n; i++) {
+    for (int i = 0; couples && i < n; i++) {
         for (int j = 0; j < n; j++) {
             c->full[i * n + j] += a1 * parts_on_floors(c->marked, n, i, j);
         }
@@ -288,17 +289,14 @@ static bool alloc(struct arena *a, const struct building_draft *d, const struct 
         .apart = arena_alloc(a, most, sizeof *s->apart),
         .tangent = tangent_damping_matters(d, g),
     };
-    bool fills = modal || g->n_part > 0;
-    for (size_t i = 0; i < most; i++) {
-        fills |= s->tangent && ((const struct damping_draft *)d->damping.item)[i].tangent.text;
-    }
+    const bool fills = modal || !parts_are_diagonal(g);
     *c = (struct matrix){
         .diagonal = arena_alloc(a, n, sizeof *c->diagonal),
         .off = arena_alloc(a, n, sizeof *c->off),
         .full = fills ? arena_alloc(a, n * n, sizeof *c->full) : NULL,
         .storey = arena_alloc(a, n, sizeof *c->storey),
         .mark = arena_alloc(a, n, sizeof *c->mark),
-        .marked = arena_alloc(a, g->n_part > 0 ? n * n : n, sizeof *c->marked),
+        .marked = arena_alloc(a, fills ? n * n : n, sizeof *c->marked),
     };
     return !arena_failed(a);
 }

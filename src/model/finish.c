@@ -43,6 +43,9 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
     int status = has_errors(b, e);
     if (status == STATUS_OK) {
         struck_column_finish(b);
+        status = has_errors(b, e);
+    }
+    if (status == STATUS_OK) {
         status = finish_buildings(b, m, e);
     }
     if (status != STATUS_OK) {

@@ -89,6 +89,10 @@ static void sum_parts(struct builder *b, struct building *g, const struct part *
     g->part_dashpot = sums.by_rate;
 }
 
+static void count_scratch(struct model *m, const struct part *p) {
+    m->n_part_scratch = p->n_scratch > m->n_part_scratch ? p->n_scratch : m->n_part_scratch;
+}
+
 static void finish_parts(struct builder *b, struct model *m, struct building *g,
                          struct building_draft *d) {
     rate_storeys_put(b, d, g);
@@ -96,8 +100,7 @@ static void finish_parts(struct builder *b, struct model *m, struct building *g,
     for (int i = 0; i < d->parts.n; i++) {
         part[i].history = m->n_storey_history;
         m->n_storey_history += part[i].n_history;
-        m->n_part_scratch =
-            part[i].n_scratch > m->n_part_scratch ? part[i].n_scratch : m->n_part_scratch;
+        count_scratch(m, &part[i]);
     }
     g->part = part;
     g->n_part = d->parts.n;
@@ -128,7 +131,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         g->elastic &= s->law->n_history == 0;
         g->smooth |= s->law->n_history > 0 && !(s->law->traits & STOREY_STRAIGHT);
     }
-    forces_create(g, g->elastic, m, b->arena);
+    g->storeys_linear = g->elastic;
     const bool yields = !g->elastic;
     for (int i = 0; i < g->n_part; i++) {
         const unsigned traits = g->part[i].kind->traits;
@@ -155,6 +158,9 @@ static void finish_damping(struct builder *b, struct model *m, struct building *
     if (g->tangent && !d->foundation) {
         m->storeys_differ = true;
         tangent_damping_put(b, d, g, storey + g->first, &m->n_storey_history);
+        for (int i = 0; i < g->n_part; i++) {
+            count_scratch(m, &g->part[i]);
+        }
     }
 }
 
@@ -169,12 +175,15 @@ static int count_floors(struct builder *b) {
 static void finish_columns(struct builder *b, struct model *m, struct building *building) {
     struct struck_column *column = arena_alloc(b->arena, (size_t)m->n_column, sizeof *column);
     for (int i = 0; column && i < m->n_column; i++) {
-        column[i] = struck_column_draft(b, i)->column;
-        building[m->n_building + i].ground = building[column[i].building].ground;
-        struck_column_place(&column[i], building[m->n_building + i].first,
-                            building[column[i].building].first);
+        struct building *point = &building[m->n_building + i];
+        const struct building *host = &building[struck_column_draft(b, i)->column.building];
+        point->ground = host->ground;
+        column[i] = struck_column_place(b, i, point->first, host->first);
     }
     m->column = column;
+    for (int i = 0; column && i < m->n_building && !arena_failed(b->arena); i++) {
+        forces_create(&building[i], i, m, b->arena);
+    }
 }
 
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {

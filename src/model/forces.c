@@ -135,7 +135,7 @@ static void forces_fill_part(const struct building *g, double *by_action, int p,
     }
     for (int i = 0; f && i < f->n_member * FRAME_FORCES; i++) {
         const int at = forces_of_members(g, p, i % FRAME_FORCES) + i / FRAME_FORCES;
-        forces_set_frame(g, f, by_action, at, f->force + (ptrdiff_t)i * f->n_action, room);
+        forces_set_frame(g, f, by_action, at, f->force + (ptrdiff_t)i * frame_n_load(f), room);
     }
     for (int i = 0; f && i < f->n_hinge; i++) {
         forces_fill_hinge(g, by_action, p, i, room);
@@ -178,8 +178,44 @@ static void forces_found(const struct building *g, const double *by_own, double 
     }
 }
 
-bool forces_create(struct building *g, bool linear, struct model *m, struct arena *a) {
-    g->storeys_linear = linear;
+static bool forces_find_points(struct building *g, int building, const struct model *m,
+                               struct arena *a) {
+    int *struck = arena_alloc(a, (size_t)m->n_column, sizeof *struck);
+    for (int i = 0; struck && i < m->n_column; i++) {
+        if (m->column[i].building == building && m->column[i].line > 0) {
+            assert(m->column[i].point == g->n_struck);
+            struck[g->n_struck++] = m->column[i].dof[0];
+        }
+    }
+    g->struck = struck;
+    return struck != NULL;
+}
+
+// The force on a struck point of the frame is f = k (w - sum(rest u)), and adds to the forces of
+// members. A unit drift moves all degrees of freedom from there on.
+static void forces_fill_point(const struct building *g, double *by_action,
+                              const struct struck_column *c) {
+    const size_t stride = (size_t)lanes_whole(g->n_force);
+    double *own = by_action + (size_t)(g->n_dof + g->n_hinge + c->point) * stride;
+    const struct plane_frame *f = NULL;
+    int p = 0;
+    while (!f || f->n_point == 0) {
+        f = frame_of(&forces_own(g)->part[p++]);
+    }
+    for (int i = 0; i < f->n_member * FRAME_FORCES; i++) {
+        const int at = forces_of_members(g, p - 1, i % FRAME_FORCES) + i / FRAME_FORCES;
+        own[at] = c->stiffness * f->force[(ptrdiff_t)i * frame_n_load(f) + f->n_action + c->point];
+    }
+    double sum = 0.0;
+    for (int j = g->n_dof - 1; j >= 0; j--) {
+        sum += c->rest[j];
+        for (size_t q = 0; q < stride; q++) {
+            by_action[(size_t)j * stride + q] -= own[q] * sum;
+        }
+    }
+}
+
+bool forces_create(struct building *g, int building, struct model *m, struct arena *a) {
     g->force = m->n_force;
     g->first_hinge = m->n_hinge;
     for (int i = 0; i < g->n_part; i++) {
@@ -195,8 +231,11 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
     if (g->n_force == 0) {
         return true;
     }
+    if (!forces_find_points(g, building, m, a)) {
+        return false;
+    }
     const size_t stride = (size_t)lanes_whole(g->n_force);
-    const size_t n_action = (size_t)g->n_dof + (size_t)g->n_hinge;
+    const size_t n_action = (size_t)building_n_action(g);
     double *by_action = arena_alloc(a, n_action * stride, sizeof *by_action);
     double *room = arena_alloc(a, 2 * n_action, sizeof *room);
     double *by_own =
@@ -208,6 +247,11 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
     if (g->fixed) {
         forces_found(g, by_own, by_action);
     }
+    for (int i = 0; i < m->n_column; i++) {
+        if (m->column[i].building == building && m->column[i].line > 0) {
+            forces_fill_point(g, by_action, &m->column[i]);
+        }
+    }
     g->force_by_action = by_action;
     m->n_force += (int)stride;
     return true;
@@ -216,10 +260,13 @@ bool forces_create(struct building *g, bool linear, struct model *m, struct aren
 void forces_at(const struct building *g, const double *drift, const double *history,
                double *force) {
     const size_t n = (size_t)lanes_whole(g->n_force);
+    const int n_own = g->n_dof + g->n_hinge;
     memset(force, 0, n * sizeof *force);
-    for (int j = 0; j < g->n_dof + g->n_hinge; j++) {
+    for (int j = 0; j < building_n_action(g); j++) {
         const double *row = g->force_by_action + (size_t)j * n;
-        const double action = j < g->n_dof ? drift[j] : history[g->departure + j - g->n_dof];
+        const double action = j < g->n_dof ? drift[j]
+                              : j < n_own  ? history[g->departure + j - g->n_dof]
+                                           : drift[g->struck[j - n_own] - g->first];
         LANES_LOOP
         for (size_t i = 0; i < n; i++) {
             force[i] += row[i] * action;

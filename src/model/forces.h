@@ -2,8 +2,8 @@
 // Forces that follow from the drifts of a building: the storey shears of its parts, where more than
 // one resists, the forces of the members of its frames and walls, and what a foundation does. They
 // are the rows of a matrix times the drifts; with hinges, times the drifts and the departures of
-// their moments from their initial lines. Those of all buildings are one list, in which each
-// building begins at a whole lane.
+// their moments from their initial lines; and times the displacements of struck points of a frame.
+// Those of all buildings are one list, in which each building begins at a whole lane.
 #ifndef JOSTLE_FORCES_H
 #define JOSTLE_FORCES_H
 
@@ -36,13 +36,13 @@ static inline bool forces_in_rows(const struct model *m) {
 // What is known of each member: FRAME_FORCES, or FRAME_QUANTITIES where the building has hinges.
 int forces_quantities(const struct building *g);
 
-// Fills n_force, force, force_by_action and hinges of the building, whose parts are there; `linear`
-// storeys have a share. The model has the forces and hinges of the buildings before; those of this
-// one are added. False: no memory.
-bool forces_create(struct building *g, bool linear, struct model *m, struct arena *a);
+// Fills n_force, force, force_by_action, hinges and struck points of building number `building`,
+// whose parts and columns are there. The model has the forces and hinges of the buildings before;
+// those of this one are added. False: no memory.
+bool forces_create(struct building *g, int building, struct model *m, struct arena *a);
 
-// The forces of the building at these drifts (n_dof), n_force rounded up to whole lanes.
-// `history` is the storey history of the state.
+// The forces of the building at these drifts (n_dof; and those of struck points, which are behind
+// all buildings), n_force rounded up to whole lanes. `history` is the storey history of the state.
 void forces_at(const struct building *g, const double *drift, const double *history, double *force);
 
 // Makes the forces that members do not have NAN.

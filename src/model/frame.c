@@ -64,15 +64,12 @@ bool frame_has(const struct frame_member *m, int force) {
 }
 
 // One of the three deformations of a member.
-enum { FRAME_TERMS = 4, FRAME_ACTIONS = 3, FRAME_DEFORMATIONS = 3 };
+enum { FRAME_TERMS = 4, FRAME_DEFORMATIONS = 3 };
 struct deformation {
     double stiffness;
     int n;
     int unknown[FRAME_TERMS];
     double weight[FRAME_TERMS];
-    int n_action;
-    int action[FRAME_ACTIONS];  // as in struct plane_frame
-    double share[FRAME_ACTIONS];
 };
 
 static void frame_add_term(struct deformation *d, int unknown, double weight) {
@@ -82,12 +79,6 @@ static void frame_add_term(struct deformation *d, int unknown, double weight) {
     }
 }
 
-static void frame_add_action(struct deformation *d, int action, double share) {
-    d->action[d->n_action] = action;
-    d->share[d->n_action++] = share;
-}
-
-// A hinge turns its end of the member by its rotation more than the joint.
 static void frame_deform(const struct plane_frame *f, const struct frame_member *m,
                          struct deformation d[FRAME_DEFORMATIONS]) {
     const struct frame_joint *i = &f->joint[m->joint[0]], *j = &f->joint[m->joint[1]];
@@ -102,38 +93,51 @@ static void frame_deform(const struct plane_frame *f, const struct frame_member 
         // The chord turns by (rise_j - rise_i) / length.
         frame_add_term(&d[1], i->rise, 2.0 / m->length);
         frame_add_term(&d[1], j->rise, -2.0 / m->length);
-    } else {
-        // The chord turns by -drift / length.
-        frame_add_action(&d[1], m->level - 1, 2.0 / m->length);
-        if (m->axial > 0.0) {
-            frame_add_term(&d[2], i->rise, -1.0);
-            frame_add_term(&d[2], j->rise, 1.0);
-        }
-    }
-    for (int end = 0; end < 2; end++) {
-        if (m->hinge[end] >= 0) {
-            frame_add_action(&d[0], f->n_floor + m->hinge[end], end == 0 ? 1.0 : -1.0);
-            frame_add_action(&d[1], f->n_floor + m->hinge[end], 1.0);
-        }
+    } else if (m->axial > 0.0) {
+        frame_add_term(&d[2], i->rise, -1.0);
+        frame_add_term(&d[2], j->rise, 1.0);
     }
 }
 
-// The share of an action in a deformation.
-static double frame_share(const struct deformation *d, int action) {
-    double share = 0.0;
-    for (int i = 0; i < d->n_action; i++) {
-        share += d->action[i] == action ? d->share[i] : 0.0;
-    }
-    return share;
+// Moments at the ends of a clamped member with a unit force to the right at its point.
+static void frame_clamped(const struct frame_point *p, double length, double moment[2]) {
+    const double x = p->share;
+    moment[0] = x * (1.0 - x) * (1.0 - x) * length;
+    moment[1] = -x * x * (1.0 - x) * length;
 }
 
-// The force of a deformation where the unknowns are x, by a unit action.
-static double frame_force(const struct deformation *d, const double *x, int action) {
-    double sum = frame_share(d, action);
-    for (int i = 0; i < d->n; i++) {
-        sum += d->weight[i] * x[d->unknown[i]];
+// The share of an action in deformation k of a member. A drift turns the chord by -drift / length;
+// a hinge turns its end of the member by its rotation more than the joint; a force at a point acts
+// as the deformation with the same moments at clamped ends.
+static double frame_share(const struct plane_frame *f, const struct frame_member *m, int k,
+                          int action) {
+    if (k == 2 || action < f->n_floor) {
+        const bool sheared = m->kind != FRAME_BEAM && m->level - 1 == action;
+        return k == 1 && sheared ? 2.0 / m->length : 0.0;
     }
-    return d->stiffness * sum;
+    if (action < f->n_action) {
+        const int hinge = action - f->n_floor;
+        const double at_j = k == 0 ? -1.0 : 1.0;
+        return m->hinge[0] == hinge ? 1.0 : m->hinge[1] == hinge ? at_j : 0.0;
+    }
+    const struct frame_point *p = &f->point[action - f->n_action];
+    double moment[2];
+    frame_clamped(p, m->length, moment);
+    const double share = k == 0 ? (moment[0] - moment[1]) / (2.0 * m->bend)
+                                : (moment[0] + moment[1]) / (2.0 * m->sway);
+    return &f->member[p->member] == m ? share : 0.0;
+}
+
+// The force of deformation k of a member where the unknowns are x, by a unit action.
+static double frame_force(const struct plane_frame *f, const struct frame_member *m, int k,
+                          const double *x, int action) {
+    struct deformation d[FRAME_DEFORMATIONS];
+    frame_deform(f, m, d);
+    double sum = frame_share(f, m, k, action);
+    for (int i = 0; i < d[k].n; i++) {
+        sum += d[k].weight[i] * x[d[k].unknown[i]];
+    }
+    return d[k].stiffness * sum;
 }
 
 // Joins the members to their joints. `propped` are joints on a column that does not stretch.
@@ -227,7 +231,7 @@ static void frame_load(const struct plane_frame *f, int action, double *x) {
         struct deformation d[FRAME_DEFORMATIONS];
         frame_deform(f, &f->member[i], d);
         for (int k = 0; k < FRAME_DEFORMATIONS; k++) {
-            const double share = frame_share(&d[k], action);
+            const double share = frame_share(f, &f->member[i], k, action);
             for (int p = 0; share != 0.0 && p < d[k].n; p++) {
                 x[d[k].unknown[p]] -= d[k].stiffness * share * d[k].weight[p];
             }
@@ -237,7 +241,7 @@ static void frame_load(const struct plane_frame *f, int action, double *x) {
 
 static double *frame_entry(const struct plane_frame *f, int member, enum frame_force force) {
     const size_t row = (size_t)member * FRAME_FORCES + force;
-    return f->force + row * (size_t)f->n_action;
+    return f->force + row * (size_t)frame_n_load(f);
 }
 
 // Does the member stand on a pinned base? Its moment there is 0, without rounding.
@@ -249,23 +253,22 @@ static bool frame_is_pinned(const struct plane_frame *f, const struct frame_memb
 // The forces of all members where joints move by x under a unit action; and the storey shears,
 // which those of columns add up to, and moments at hinges.
 static void frame_recover(struct plane_frame *f, int action, const double *x) {
+    const bool load = action >= f->n_action;
     double *column = f->stiffness + action;
     const ptrdiff_t stride = f->n_action;
     for (int i = 0; i < f->n_member; i++) {
         const struct frame_member *m = &f->member[i];
-        struct deformation d[FRAME_DEFORMATIONS];
-        frame_deform(f, m, d);
-        const double bend = frame_force(&d[0], x, action), sway = frame_force(&d[1], x, action);
+        const double bend = frame_force(f, m, 0, x, action), sway = frame_force(f, m, 1, x, action);
         const double shear = 2.0 * sway / m->length;
         const double moment[] = {frame_is_pinned(f, m) ? 0.0 : sway + bend, sway - bend};
         frame_entry(f, i, FRAME_MOMENT_I)[action] = moment[0];
         frame_entry(f, i, FRAME_MOMENT_J)[action] = moment[1];
         frame_entry(f, i, FRAME_SHEAR)[action] = shear;
-        if (m->kind != FRAME_BEAM) {
+        if (m->kind != FRAME_BEAM && !load) {
             column[(m->level - 1) * stride] += shear;
         }
         for (int end = 0; end < 2; end++) {
-            if (m->hinge[end] >= 0) {
+            if (m->hinge[end] >= 0 && !load) {
                 column[(f->n_floor + m->hinge[end]) * stride] = moment[end];
             }
         }
@@ -307,10 +310,6 @@ static int frame_report(const struct plane_frame *f, int unknown, struct error *
                      i / f->n_line, i % f->n_line + 1);
 }
 
-static int frame_refuse(struct error *e) {
-    return error_set(e, STATUS_INPUT, "the stiffness of its members is not finite");
-}
-
 static bool frame_is_finite(const double *x, int n) {
     double sum = 0.0;
     for (int i = 0; i < n; i++) {
@@ -323,13 +322,40 @@ static bool frame_is_finite(const double *x, int n) {
 static void frame_reduce(struct plane_frame *f, const gsl_matrix *factors, double *x,
                          double *carried) {
     gsl_vector_view joints = gsl_vector_view_array(x, (size_t)f->n_unknown);
-    for (int action = 0; action < f->n_action; action++) {
+    for (int action = 0; action < frame_n_load(f); action++) {
         frame_load(f, action, x);
         gsl_linalg_cholesky_band_svx(factors, &joints.vector);
         frame_recover(f, action, x);
         frame_find_normal(f, action, carried);
     }
     frame_symmetrise(f->stiffness, f->n_action);
+}
+
+// How far the rotations a and b of the ends of a member of the length h from its chord move the
+// point from the chord: the cubic beam. `clamped` are moments that do not come from rotations.
+static double frame_bent(const struct plane_frame *f, const struct frame_point *p, int action,
+                         const double clamped[2]) {
+    const struct frame_member *m = &f->member[p->member];
+    const double x = p->share;
+    const double at_i = frame_entry(f, p->member, FRAME_MOMENT_I)[action] - clamped[0];
+    const double at_j = frame_entry(f, p->member, FRAME_MOMENT_J)[action] - clamped[1];
+    const double bent = (at_i - at_j) / (4.0 * m->bend), swayed = (at_i + at_j) / (4.0 * m->sway);
+    return -m->length * x * (1.0 - x) * ((1.0 - x) * (swayed + bent) - x * (swayed - bent));
+}
+
+double frame_point_by_drift(const struct plane_frame *f, int point, int storey) {
+    const struct frame_point *p = &f->point[point];
+    return (f->member[p->member].level - 1 == storey ? p->share : 0.0) +
+           frame_bent(f, p, storey, (const double[2]){0.0, 0.0});
+}
+
+double frame_point_by_force(const struct plane_frame *f, int point) {
+    const struct frame_point *p = &f->point[point];
+    const struct frame_member *m = &f->member[p->member];
+    double clamped[2], x = p->share, span = m->length;
+    frame_clamped(p, span, clamped);
+    return pow(x * (1.0 - x), 3.0) * span * span / (3.0 * m->bend) +
+           frame_bent(f, p, f->n_action + point, clamped);
 }
 
 // Factorises the stiffness of the unknowns and condenses the frame. `x` (n_unknown).
@@ -339,15 +365,17 @@ static int frame_solve(struct plane_frame *f, gsl_matrix *band, double *x, doubl
     for (size_t i = 0; i < band->size1; i++) {
         x[i] = gsl_matrix_get(band, i, 0);
     }
-    if (!frame_is_finite(x, f->n_unknown)) {
-        return frame_refuse(e);
+    bool finite = frame_is_finite(x, f->n_unknown);
+    if (finite) {
+        const int loose = frame_factorise(band, x);
+        if (loose >= 0) {
+            return frame_report(f, loose, e);
+        }
+        frame_reduce(f, band, x, carried);
+        finite = frame_is_finite(f->stiffness, f->n_action * f->n_action);
     }
-    const int loose = frame_factorise(band, x);
-    if (loose >= 0) {
-        return frame_report(f, loose, e);
-    }
-    frame_reduce(f, band, x, carried);
-    return frame_is_finite(f->stiffness, f->n_action * f->n_action) ? STATUS_OK : frame_refuse(e);
+    return finite ? STATUS_OK
+                  : error_set(e, STATUS_INPUT, "the stiffness of its members is not finite");
 }
 
 int frame_condense(struct plane_frame *f, struct arena *a, struct error *e) {
@@ -356,7 +384,8 @@ int frame_condense(struct plane_frame *f, struct arena *a, struct error *e) {
     bool *propped = arena_alloc(a, (size_t)f->n_joint, sizeof *propped);
     double *carried = arena_alloc(a, (size_t)f->n_line, sizeof *carried);
     f->stiffness = arena_alloc(a, n * n, sizeof *f->stiffness);
-    f->force = arena_alloc(a, (size_t)f->n_member * FRAME_FORCES * n, sizeof *f->force);
+    f->force = arena_alloc(a, (size_t)f->n_member * FRAME_FORCES * (size_t)frame_n_load(f),
+                           sizeof *f->force);
     if (!propped || !carried || !f->stiffness || !f->force) {
         return error_no_memory(e);
     }

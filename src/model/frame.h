@@ -41,6 +41,12 @@ struct frame_member {
     int hinge[2];       // the number of the hinge at end i and at end j; -1: none
 };
 
+// A point of a column that a force pushes to the right.
+struct frame_point {
+    int member;
+    double share;  // of the length, from the lower end
+};
+
 struct hinges;
 
 // The uncondensed frame, and what it is condensed to. Actions are the drifts of all storeys, then
@@ -56,7 +62,10 @@ struct plane_frame {
     int n_unknown;
     double *stiffness;  // [F/L] [F] [F L] (n_action, n_action) storey shears and moments on ends
                         // with hinges, by unit actions; symmetric to the bit
-    double *force;      // (n_member, FRAME_FORCES, n_action) forces of members by unit actions
+    int n_point;
+    struct frame_point *point;  // (n_point)
+    double *force;  // (n_member, FRAME_FORCES, n_action + n_point) forces of members by unit
+                    // actions, then by unit forces at the points while floors are at rest
 };
 
 // The forces of a member.
@@ -86,6 +95,18 @@ bool frame_has(const struct frame_member *m, int force);
 // joints at the ground `turns` and `spring`. STATUS_INPUT: some joint is held by nothing, or a
 // stiffness is not finite; STATUS_SYSTEM: no memory.
 int frame_condense(struct plane_frame *f, struct arena *a, struct error *e);
+
+// The columns of the forces of the frame.
+static inline int frame_n_load(const struct plane_frame *f) {
+    return f->n_action + f->n_point;
+}
+
+// How far a point moves to the right against the floor below it, by a unit drift of storey `storey`
+// (from 0), and by a unit force on it while floors are at rest. Joints and the point itself turn
+// freely. The shear of the member is that of its end moments: what is beside the point has the
+// reaction of a hinged member more.
+double frame_point_by_drift(const struct plane_frame *f, int point, int storey);
+double frame_point_by_force(const struct plane_frame *f, int point);
 
 // "column_2_3": storey 2, third line.
 const char *frame_member_name(const struct frame_member *m, struct arena *a);

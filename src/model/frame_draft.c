@@ -8,6 +8,7 @@
 #include "deck/reader.h"
 #include "model/frame.h"
 #include "model/hinges.h"
+#include "model/struck_column.h"
 
 bool frame_draft_has_frame(struct builder *b, const struct statement *s,
                            const struct building_draft *d) {
@@ -204,7 +205,39 @@ static void warn_open(struct builder *b, const struct building_draft *d) {
     }
 }
 
-static void add_frame(struct builder *b, struct building_draft *d) {
+// Takes the columns that are struck on lines of the frame of building `index`. False after a
+// report.
+static bool take_points(struct builder *b, int index, struct plane_frame *f) {
+    f->point = arena_alloc(b->arena, (size_t)struck_column_points(b, index), sizeof *f->point);
+    for (int i = 0; f->point && i < b->columns.n; i++) {
+        struct struck_draft *d = struck_column_draft(b, i);
+        struct struck_column *c = &d->column;
+        if (c->building != index || c->line == 0) {
+            continue;
+        }
+        int k = 0;
+        while (k < f->n_member &&
+               !(f->member[k].kind == FRAME_COLUMN && f->member[k].level == c->floor &&
+                 f->member[k].number == c->line)) {
+            k++;
+        }
+        if (k == f->n_member || f->n_hinge > 0) {
+            const char *name = builder_draft(b, index)->name;
+            deck_error(b->deck, &d->word,
+                       f->n_hinge > 0
+                           ? "the frame of building %s has hinges: -line needs an elastic frame"
+                           : "the frame of building %s has no column in storey %d on line %d",
+                       name, c->floor, c->line);
+            return false;
+        }
+        c->point = f->n_point;
+        f->point[f->n_point++] = (struct frame_point){k, c->below / c->height};
+    }
+    return f->point != NULL;
+}
+
+static void add_frame(struct builder *b, int index) {
+    struct building_draft *d = builder_draft(b, index);
     const struct frame_draft *f = d->frame;
     const int n = f->n_line, n_bay = n - 1;
     struct plane_frame *to = begin(b, d, n, d->n_floor * (n + n_bay));
@@ -248,6 +281,9 @@ static void add_frame(struct builder *b, struct building_draft *d) {
         }
     }
     warn_open(b, d);
+    if (!take_points(b, index, to)) {
+        return;
+    }
     char hinges[32] = "";
     if (to->n_hinge > 0) {
         snprintf(hinges, sizeof hinges, ", %d hinge%s", to->n_hinge, to->n_hinge > 1 ? "s" : "");
@@ -298,7 +334,7 @@ void frame_draft_finish(struct builder *b) {
         }
         check_top(b, d);
         if (d->frame && !d->frame->torn) {
-            add_frame(b, d);
+            add_frame(b, i);
         }
         for (int k = 0; k < d->walls.n; k++) {
             add_wall(b, d, (const struct wall_draft *)d->walls.item + k);

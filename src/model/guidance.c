@@ -41,10 +41,8 @@ static int find_velocities(const struct model *m, int n_contact, double *velocit
         }
     }
     for (int i = 0; i < m->n_column; i++) {
-        const struct struck_column *c = &m->column[i];
-        const double *floor = velocity + m->building[c->building].first + c->floor - 1;
-        velocity[m->building[m->n_building + i].first] =
-            c->weight * floor[0] + (c->floor > 1 ? (1.0 - c->weight) * floor[-1] : 0.0);
+        const struct link *spring = &m->link[m->n_link - m->n_column + i];
+        velocity[m->column[i].dof[0]] = link_at(spring, 0, velocity);
     }
     return STATUS_OK;
 }

@@ -183,6 +183,15 @@ bool level_rows(struct builder *b, struct link *l, const struct word *w) {
     return true;
 }
 
+// The mass of a degree of freedom of a building, which may stand on a foundation.
+static double mass_of(const struct building_draft *d, int dof) {
+    if (dof < d->n_floor) {
+        return d->mass[dof];
+    }
+    const double height = level_of_floor(d->height, d->n_floor);
+    return dof == d->n_floor ? d->foundation->mass : d->foundation->inertia / (height * height);
+}
+
 double level_effective_mass(struct builder *b, const struct link *l) {
     assert(l->building[0] != WALL || l->building[1] != WALL);
     double inverse = 0.0;
@@ -195,7 +204,7 @@ double level_effective_mass(struct builder *b, const struct link *l) {
         }
         for (int k = 0; d && d->mass && k < l->row[i].n; k++) {
             const struct link_entry *e = &l->row[i].entry[k];
-            inverse += e->weight * e->weight / d->mass[e->dof];
+            inverse += e->weight * e->weight / mass_of(d, e->dof);
         }
         if (d && d->mass && l->row[i].n == 0) {
             inverse += 1.0 / d->mass[l->floor[i] - 1];

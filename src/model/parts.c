@@ -48,6 +48,24 @@ void parts_respond(const struct building *g, const double *history, const double
     }
 }
 
+bool parts_are_diagonal(const struct building *g) {
+    bool all = true;
+    for (int i = 0; i < g->n_part; i++) {
+        all = all && (g->part[i].kind->traits & PART_DIAGONAL);
+    }
+    return all;
+}
+
+void parts_initial(const struct building *g, double *to) {
+    const size_t n = g->n_part > 0 ? (size_t)g->n_dof : 0, step = g->damping_full ? 1 : n + 1;
+    for (size_t i = 0; i < n * n; i += step) {
+        *to++ = g->part_stiffness[i];
+    }
+    for (size_t i = 0; i < n * n; i += step) {
+        *to++ = g->part_dashpot[i];
+    }
+}
+
 double parts_stored(const struct building *g, const double *history, const double *drift) {
     assert(drift);
     double sum = 0.0;

@@ -11,6 +11,18 @@
 void parts_respond(const struct building *g, const double *history, const double *drift,
                    const double *rate, const struct part_sums *to, double *after);
 
+// Are the tangents of all parts of building `g` diagonal?
+bool parts_are_diagonal(const struct building *g);
+
+// Where the diagonal entry i of matrices (n, n) is.
+static inline size_t parts_diagonal(const struct part_sums *to, int n, int i) {
+    return to->diagonal ? (size_t)i : (size_t)i * (size_t)n + (size_t)i;
+}
+
+// The initial tangents of the parts of building `g` by drifts and then by rates, into `to`: the
+// diagonals (n_dof) if the building has no full matrices, else (n_dof, n_dof) each.
+void parts_initial(const struct building *g, double *to);
+
 // Recoverable energy of the parts of building `g` [F L].
 double parts_stored(const struct building *g, const double *history, const double *drift);
 

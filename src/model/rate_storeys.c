@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "model/parts.h"
 #include "model/storey_force.h"
 
 // The storeys of the part; law NULL: in the chain.
@@ -25,10 +26,10 @@ static void rate_storeys_respond(const struct part *p, const double *history, co
             to->shear[i] += r.shear;
         }
         if (to->by_drift) {
-            to->by_drift[i * p->n + i] += r.tangent;
+            to->by_drift[parts_diagonal(to, p->n, i)] += r.tangent;
         }
         if (to->by_rate) {
-            to->by_rate[i * p->n + i] += r.dashpot;
+            to->by_rate[parts_diagonal(to, p->n, i)] += r.dashpot;
         }
     }
 }
@@ -47,7 +48,7 @@ static double rate_storeys_stored(const struct part *p, const double *history,
 
 static const struct part_kind rate_storeys = {
     .name = "rate-storeys",
-    .traits = PART_SHARELESS,
+    .traits = PART_SHARELESS | PART_DIAGONAL,
     .respond = rate_storeys_respond,
     .stored = rate_storeys_stored,
 };

@@ -27,6 +27,7 @@
 #include <assert.h>
 #include <complex.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "core/root.h"
 #include "model/parts.h"
@@ -56,10 +57,13 @@ double stability_limit(double ratio) {
     return end.low;
 }
 
-// Entry (i, j) of a full damping matrix, including the dashpots of parts.
-static double full_entry(const struct building *g, int i, int j) {
-    const int n = g->n_dof;
-    return g->damping_full[i * n + j] +
+// Entry (i, j) of the damping matrix, including the dashpots of parts.
+static double damping_entry(const struct building *g, int i, int j) {
+    const int n = g->n_dof, lower = i < j ? i : j;
+    const double banded = i == j            ? g->damping_diagonal[i]
+                          : abs(i - j) == 1 ? g->damping_off[lower]
+                                            : 0.0;
+    return (g->damping_full ? g->damping_full[i * n + j] : banded) +
            (g->n_part > 0 ? parts_on_floors(g->part_dashpot, n, i, j) : 0.0);
 }
 
@@ -76,13 +80,10 @@ struct stability stability_of(const struct building *g) {
     double least = INFINITY;
     int n = g->n_dof;
     for (int i = 0; i < n; i++) {
-        double own = g->damping_full ? full_entry(g, i, i) : g->damping_diagonal[i];
+        const double own = damping_entry(g, i, i);
         double sum = own;
-        for (int j = 0; g->damping_full && j < n; j++) {
-            sum += j == i ? 0.0 : fabs(full_entry(g, i, j));
-        }
-        if (!g->damping_full) {
-            sum += fabs(g->damping_off[i]) + (i > 0 ? fabs(g->damping_off[i - 1]) : 0.0);
+        for (int j = n - 1; j >= 0; j--) {
+            sum += j == i ? 0.0 : fabs(damping_entry(g, i, j));
         }
         s.decay = fmax(s.decay, sum / g->mass[i]);
         least = fmin(least, own / g->mass[i]);

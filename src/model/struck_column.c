@@ -17,6 +17,7 @@
 #include "core/arena.h"
 #include "law/bilateral.h"
 #include "law/link_law.h"
+#include "model/frame.h"
 #include "model/pairs.h"
 #include "model/storey_choice.h"
 
@@ -55,15 +56,21 @@ static const struct link *link_at_level(const struct builder *b, const struct st
 }
 
 static bool set_elastic(struct builder *b, struct struck_draft *d) {
-    double *constant = arena_alloc(b->arena, BILATERAL_ROWS, sizeof *constant);
-    if (constant) {
-        constant[BILATERAL_STIFFNESS] = d->column.stiffness;
-        constant[BILATERAL_DASHPOT] = d->column.dashpot;
-        constant[BILATERAL_EXPONENT] = 1.0;
-        d->law = &bilateral_law;
-        d->value = d->constant = constant;
+    double *value = arena_alloc(b->arena, BILATERAL_ROWS, sizeof *value);
+    double *constant = arena_alloc(b->arena, (size_t)bilateral_law.n_constant, sizeof *constant);
+    if (!value || !constant) {
+        return false;
     }
-    return constant != NULL;
+    for (int r = 0; r < BILATERAL_ROWS; r++) {
+        value[r] = bilateral_rows[r].fallback;
+    }
+    value[BILATERAL_STIFFNESS] = d->column.stiffness;
+    value[BILATERAL_DASHPOT] = d->column.dashpot;
+    bilateral_law.prepare(value, 0.0, constant, NULL);
+    d->law = &bilateral_law;
+    d->value = value;
+    d->constant = constant;
+    return true;
 }
 
 // All columns together have n times the force of one at its deformation. False after a report.
@@ -109,140 +116,154 @@ static bool set_law(struct builder *b, struct struck_draft *d, const struct stor
     return true;
 }
 
-void struck_column_add(struct builder *b, const struct struck_column *column, double damping,
-                       const struct storey_choice *choice, const struct word *w) {
-    struct struck_column c = *column;
-    const double *height = builder_draft(b, c.building)->height;
-    c.height = height[c.floor - 1];
-    c.below = c.level - level_of_floor(height, c.floor - 1);
-    const double x = c.below / c.height, above = c.height - c.below;
-    c.weight = x * x * (3.0 - 2.0 * x);
-    c.stiffness = 3.0 * c.bending * pow(c.height / (c.below * above), 3.0);
-    c.dashpot = 2.0 * damping * sqrt(c.stiffness * c.mass);
-    const int same = struck_column_at(b, c.building, c.level);
-    const struct link *link = link_at_level(b, &c);
+// The moment at both ends by a unit drift is 6 EI / h^2. A force on the point adds the end forces
+// of a clamped beam with a load: shears 1 - N and -N, moments a b^2 / h^2 and -a^2 b / h^2.
+static bool set_clamped(struct builder *b, struct struck_draft *d) {
+    struct struck_column *c = &d->column;
+    const size_t n_floor = (size_t)builder_draft(b, c->building)->n_floor;
+    double *rest = arena_alloc(b->arena, n_floor, sizeof *rest);
+    double *moment = arena_alloc(b->arena, n_floor, sizeof *moment);
+    const double h = c->height, low = c->below, high = h - low;
+    if (!rest || !moment) {
+        return false;
+    }
+    rest[c->floor - 1] = c->weight;
+    moment[c->floor - 1] = 6.0 * (c->bending / c->n / (h * h));
+    d->rest = rest;
+    d->below = d->above = moment;
+    d->by_force[COLUMN_SHEAR_BELOW] = 1.0 - c->weight;
+    d->by_force[COLUMN_SHEAR_ABOVE] = -c->weight;
+    d->by_force[COLUMN_MOMENT_BELOW] = low * high * high / (h * h);
+    d->by_force[COLUMN_MOMENT_ABOVE] = -low * low * high / (h * h);
+    c->stiffness = 3.0 * c->bending * pow(h / (low * high), 3.0);
+    return true;
+}
+
+// The same of a column of the frame, whose joints turn.
+static bool set_framed(struct builder *b, struct struck_draft *d, const struct plane_frame *f) {
+    struct struck_column *c = &d->column;
+    enum { REST, BELOW, ABOVE, N_ROW };
+    double *row[N_ROW];
+    const int member = f->point[c->point].member, n_load = frame_n_load(f);
+    const double *at_i = f->force + (ptrdiff_t)(member * FRAME_FORCES + FRAME_MOMENT_I) * n_load;
+    const double *at_j = f->force + (ptrdiff_t)(member * FRAME_FORCES + FRAME_MOMENT_J) * n_load;
+    for (int r = 0; r < N_ROW; r++) {
+        row[r] = arena_alloc(b->arena, (size_t)f->n_floor, sizeof *row[r]);
+    }
+    if (arena_failed(b->arena)) {
+        return false;
+    }
+    for (int i = 0; i < f->n_floor; i++) {
+        row[REST][i] = frame_point_by_drift(f, c->point, i);
+        row[BELOW][i] = at_i[i] / c->n;
+        row[ABOVE][i] = at_j[i] / c->n;
+    }
+    d->rest = row[REST];
+    d->below = row[BELOW];
+    d->above = row[ABOVE];
+    const double moment[] = {at_i[f->n_action + c->point], at_j[f->n_action + c->point]};
+    const double hinged = (c->height - c->below) / c->height;
+    d->by_force[COLUMN_SHEAR_BELOW] = (moment[0] + moment[1]) / c->height + hinged;
+    d->by_force[COLUMN_SHEAR_ABOVE] = d->by_force[COLUMN_SHEAR_BELOW] - 1.0;
+    d->by_force[COLUMN_MOMENT_BELOW] = moment[0];
+    d->by_force[COLUMN_MOMENT_ABOVE] = moment[1];
+    c->bending = f->member[member].bend * f->member[member].length;
+    c->stiffness = 1.0 / frame_point_by_force(f, c->point);
+    return true;
+}
+
+bool struck_column_settle(struct builder *b, struct struck_draft *d, const struct plane_frame *f) {
+    struct struck_column *c = &d->column;
+    if (!(f ? set_framed(b, d, f) : set_clamped(b, d))) {
+        return false;
+    }
+    c->dashpot = 2.0 * d->damping * sqrt(c->stiffness * c->mass);
+    if (!isfinite(c->stiffness) || !isfinite(c->dashpot)) {
+        deck_error(b->deck, &d->word, "the stiffness of the column at this level is too large");
+        return false;
+    }
+    return d->choice ? set_law(b, d, d->choice) : set_elastic(b, d);
+}
+
+void struck_column_add(struct builder *b, const struct struck_draft *given, int floor,
+                       double level) {
+    struct struck_draft draft = *given;
+    struct struck_column *c = &draft.column;
+    const double *height = builder_draft(b, c->building)->height;
+    c->floor = floor;
+    c->level = level;
+    c->height = height[floor - 1];
+    c->below = level - level_of_floor(height, floor - 1);
+    const double x = c->below / c->height;
+    c->weight = x * x * (3.0 - 2.0 * x);
+    const int same = struck_column_at(b, c->building, level);
+    const struct link *link = link_at_level(b, c);
     if (same >= 0) {
-        deck_error(b->deck, w, "column %s is at this level already; -n is their number",
+        deck_error(b->deck, &draft.word, "column %s is at this level already; -n is their number",
                    struck_column_draft(b, same)->column.name);
     } else if (link) {
-        deck_error(b->deck, w, "%s %s has named this level before; write the column first",
+        deck_error(b->deck, &draft.word,
+                   "%s %s has named this level before; write the column first",
                    link->bilateral ? "link" : "contact", link->name);
-    } else if (!isfinite(c.stiffness) || !isfinite(c.dashpot)) {
-        deck_error(b->deck, w, "the stiffness of the column at this level is too large");
-    } else {
-        struct struck_draft draft = {.column = c, .word = *w};
-        struct struck_draft *d = NULL;
-        if (choice ? set_law(b, &draft, choice) : set_elastic(b, &draft)) {
-            d = builder_append(b, &b->columns, sizeof *d);
-        }
+    } else if (c->line > 0 || struck_column_settle(b, &draft, NULL)) {
+        struct struck_draft *d = builder_append(b, &b->columns, sizeof *d);
         if (d) {
             *d = draft;
         }
     }
 }
 
-// The struck point as a body: a free body of one floor, which starts at w0.
-static void add_body(struct builder *b, const struct struck_draft *column) {
-    const struct struck_column *c = &column->column;
-    const struct building_draft host = *builder_draft(b, c->building);
-    enum { MASS, STIFFNESS, DISPLACEMENT, VELOCITY, N_ARRAY };
-    double *x = arena_alloc(b->arena, N_ARRAY, sizeof *x);
-    struct storey *storey = arena_alloc(b->arena, 1, sizeof *storey);
-    struct word *word = arena_alloc(b->arena, 2, sizeof *word);
-    struct building_draft *d = builder_append(b, &b->buildings, sizeof *d);
-    if (!x || !storey || !word || !d) {
-        return;
-    }
-    const int i = c->floor - 1;
-    const double *of[] = {host.displacement, host.velocity};
-    for (int k = 0; k < 2; k++) {
-        x[DISPLACEMENT + k] =
-            c->weight * of[k][i] + (i > 0 ? (1.0 - c->weight) * of[k][i - 1] : 0.0);
-    }
-    x[MASS] = c->mass;
-    *d = (struct building_draft){
-        .name = c->name,
-        .word = column->word,
-        .n_floor = 1,
-        .mass = x + MASS,
-        .stiffness = x + STIFFNESS,
-        .displacement = x + DISPLACEMENT,
-        .velocity = x + VELOCITY,
-        .storey = storey,
-        .storey_word = word,
-        .initial = word + 1,
-    };
-}
-
-// The spring between the floors of the building, on the left, and the struck point.
-static void add_spring(struct builder *b, int i, int body) {
-    const struct struck_draft *column = struck_column_draft(b, i);
-    const struct struck_column *c = &column->column;
-    struct link_draft *d = builder_append(b, &b->links, sizeof *d);
-    if (!d) {
-        return;
-    }
-    *d = (struct link_draft){
-        .link =
-            {
-                .name = c->name,
-                .building = {c->building, body},
-                .floor = {c->floor, 1},
-                .level = {c->level, NAN},
-                .weight = {c->weight, NAN},
-                .column = {-1, i},
-                .bilateral = true,
-                .law = column->law,
-                .value = column->value,
-                .constant = column->constant,
-                .restitution = NAN,
-            },
-        .word = column->word,
-        .named = true,
-    };
-    level_rows(b, &d->link, &d->word);
-    d->link.mass = level_effective_mass(b, &d->link);
-}
-
-void struck_column_finish(struct builder *b) {
-    const int n_building = b->buildings.n;
-    for (int i = 0; i < b->columns.n; i++) {
-        add_body(b, struck_column_draft(b, i));
-    }
-    for (int i = 0; i < b->columns.n && !arena_failed(b->arena); i++) {
-        add_spring(b, i, n_building + i);
-    }
-}
-
-// One column has the bending stiffness EI and takes the force f of the struck point. With the drift
-// d of the storey, and without f, its shear is 12 EI d / h^3 and the moment at both ends
-// 6 EI d / h^2. The force f adds the end forces of a clamped beam with a load: shears (1 - N) f and
-// -N f, moments f a b^2 / h^2 and -f a^2 b / h^2. The moment at the point follows from the shear
-// below it.
-void struck_column_place(struct struck_column *c, int point, int first) {
-    const double h = c->height, a = c->below, b = h - a;
-    const double drift = c->bending / c->n / (h * h);
-    const double by_force[] = {1.0 - c->weight, -c->weight, a * b * b / (h * h), 0.0,
-                               -a * a * b / (h * h)};
-    const double by_drift[] = {12.0 * drift / h, 12.0 * drift / h, 6.0 * drift, 0.0, 6.0 * drift};
-    // With a law f is the opposite of the force of the spring, which is positive in compression.
-    const double k = c->yields ? 0.0 : c->stiffness / c->n;
-    const double spring = c->yields ? -1.0 / c->n : 0.0;
-    const double force[] = {k, -k * c->weight, -k * (1.0 - c->weight)};
-    static const double of_drift[] = {0.0, 1.0, -1.0};
-    c->dof[0] = point;
-    c->dof[1] = first + c->floor - 1;
-    c->dof[2] = c->floor > 1 ? first + c->floor - 2 : WALL;
-    for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
-        c->by_spring[q] = by_force[q] * spring;
-    }
-    c->by_spring[COLUMN_MOMENT_POINT] =
-        c->by_spring[COLUMN_SHEAR_BELOW] * a - c->by_spring[COLUMN_MOMENT_BELOW];
-    for (int i = 0; i < 3; i++) {
-        for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
-            c->force[q][i] = by_force[q] * force[i] + by_drift[q] * of_drift[i];
+// The columns of the storey below a floor; NULL: it has none.
+static struct struck_storeys *find_storeys(struct builder *b, int building, int floor) {
+    struct struck_storeys *s = b->column_storeys.item;
+    for (int i = 0; i < b->column_storeys.n; i++) {
+        for (int k = 0; s[i].storeys.building == building && k < s[i].storeys.n_floor; k++) {
+            if (s[i].storeys.floor[k] == floor) {
+                return &s[i];
+            }
         }
-        c->force[COLUMN_MOMENT_POINT][i] =
-            c->force[COLUMN_SHEAR_BELOW][i] * a - c->force[COLUMN_MOMENT_BELOW][i];
     }
+    return NULL;
+}
+
+void struck_column_add_storeys(struct builder *b, const struct struck_storeys *storeys) {
+    const struct selection *q = &storeys->storeys;
+    for (int k = 0; k < q->n_floor; k++) {
+        const struct struck_storeys *same = find_storeys(b, q->building, q->floor[k]);
+        if (same) {
+            deck_error(b->deck, &storeys->draft.word,
+                       "columns %s are in storey %d of building %s already",
+                       same->draft.column.name, q->floor[k], builder_draft(b, q->building)->name);
+            return;
+        }
+    }
+    struct struck_storeys *own = builder_append(b, &b->column_storeys, sizeof *own);
+    if (own) {
+        *own = *storeys;
+    }
+}
+
+void struck_column_strike(struct builder *b, int building, int floor, double level) {
+    struct struck_storeys *s = find_storeys(b, building, floor);
+    if (!s || isnan(level)) {
+        return;
+    }
+    s->struck = true;
+    if (struck_column_at(b, building, level) < 0) {
+        struct struck_draft draft = s->draft;
+        const int n = b->columns.n;
+        draft.column.name = arena_format(b->arena, "%s@%.6g%s", draft.column.name, level,
+                                         b->deck->units.length_name);
+        struck_column_add(b, &draft, floor, level);
+        s->storeys.n_floor = b->columns.n > n ? s->storeys.n_floor : 0;  // one report is enough
+    }
+}
+
+int struck_column_points(const struct builder *b, int building) {
+    int n = 0;
+    for (int i = 0; i < b->columns.n; i++) {
+        const struct struck_column *c = &struck_column_draft(b, i)->column;
+        n += c->building == building && c->line > 0;
+    }
+    return n;
 }

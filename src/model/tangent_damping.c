@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S_i = sum over j of beta_ij K_ij r_j, with the drift rates r and the tangent stiffness K on
-// drifts at the end of the last step. Where the tangent of a shear storey is negative, 0 takes its
-// place. The history has K less the initial stiffness, which is 0 at first, and what the account
-// needs: the work of the S over a step is the mean of their values at both ends times the drifts.
+// drifts at the end of the last step. Where the tangent of a shear storey, or an eigenvalue of the
+// tangent with parts, is negative, 0 takes its place. The history has K less the initial stiffness,
+// which is 0 at first, and what the account needs: the work of the S over a step is the mean of
+// their values at both ends times the drifts.
 #include "model/tangent_damping.h"
 
 #include <assert.h>
@@ -10,13 +11,15 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/definite.h"
+#include "model/parts.h"
 
 // History: BEGUN is 1 once a state is committed; then the shears (n), the drifts (n), and the
-// change of K: (n) of a chain, (n, n) with parts.
+// change of K: (n) where it is diagonal, else (n, n).
 enum { BEGUN, WORK, N_VALUE };
 
 static int tangent_damping_width(const struct tangent_damping *t) {
-    return t->n_part > 0 ? t->n : 1;
+    return t->diagonal ? 1 : t->n;
 }
 
 static int tangent_damping_change(const struct tangent_damping *t) {
@@ -27,7 +30,7 @@ static int tangent_damping_change(const struct tangent_damping *t) {
 static double tangent_damping_entry(const struct tangent_damping *t, const double *change, int i,
                                     int j) {
     const int at = i * t->n + j;
-    return t->beta[at] * (t->initial[at] + change[t->n_part > 0 ? at : i]);
+    return t->beta[at] * (t->initial[at] + change[t->diagonal ? i : at]);
 }
 
 // Commits shears, drifts and work.
@@ -51,22 +54,23 @@ static double tangent_damping_storey(const struct tangent_damping *t, int i, con
 static void tangent_damping_stiffness(const struct tangent_damping *t, const double *all,
                                       const double *drift, const double *rate, double *change,
                                       double *scratch) {
-    const size_t n = (size_t)t->n;
-    memset(change, 0, n * (size_t)tangent_damping_width(t) * sizeof *change);
+    const int n = t->n, width = tangent_damping_width(t);
+    const struct part_sums sums = {.diagonal = t->diagonal, .by_drift = change, .scratch = scratch};
+    memset(change, 0, (size_t)n * (size_t)width * sizeof *change);
     for (int k = 0; k < t->n_part; k++) {
         const struct part *p = &t->part[k];
-        p->kind->respond(p, all + p->history, drift, rate,
-                         &(struct part_sums){.by_drift = change, .scratch = scratch}, NULL);
+        p->kind->respond(p, all + p->history, drift, rate, &sums, NULL);
     }
-    for (size_t i = 0; i < n; i++) {
-        const double own = tangent_damping_storey(t, (int)i, all, drift[i]);
-        if (t->n_part == 0) {
-            change[i] = own - t->spring[i];
-            continue;
-        }
-        change[i * n + i] += own;
-        for (size_t j = 0; j < n; j++) {
-            change[i * n + j] -= t->initial[i * n + j];
+    for (int i = 0; i < n; i++) {
+        change[parts_diagonal(&sums, n, i)] += tangent_damping_storey(t, i, all, drift[i]);
+    }
+    if (!t->diagonal) {
+        definite_clip(change, n, scratch);
+    }
+    for (int i = 0; i < n; i++) {
+        const int first = t->diagonal ? i : 0;
+        for (int j = first; j < first + width; j++) {
+            change[t->diagonal ? i : i * n + j] -= t->initial[i * n + j];
         }
     }
 }
@@ -80,13 +84,13 @@ static void tangent_damping_respond(const struct part *p, const double *history,
         after[WORK] = history[WORK];
     }
     for (int i = 0; i < t->n; i++) {
-        const int first = t->n_part > 0 ? 0 : i;
+        const int first = t->diagonal ? i : 0;
         double shear = 0.0;
         for (int j = first; j < first + tangent_damping_width(t); j++) {
             const double entry = tangent_damping_entry(t, change, i, j);
             shear += entry * rate[j];
             if (to->by_rate) {
-                to->by_rate[i * t->n + j] += entry;
+                to->by_rate[to->diagonal ? i : i * t->n + j] += entry;
             }
         }
         if (to->shear) {
@@ -116,7 +120,7 @@ static double tangent_damping_damped(const struct part *p, const double *history
 
 static const struct part_kind tangent_damping = {
     .name = "tangent-damping",
-    .traits = PART_SHARELESS,
+    .traits = PART_SHARELESS | PART_DIAGONAL,
     .respond = tangent_damping_respond,
     .stored = tangent_damping_stored,
     .damped = tangent_damping_damped,
@@ -171,12 +175,14 @@ void tangent_damping_put(struct builder *b, struct building_draft *d, struct bui
     struct tangent_damping *t = g->tangent;
     t->storey = storey;
     t->n_part = g->n_part;
+    t->diagonal = parts_are_diagonal(g);
     const size_t width = (size_t)tangent_damping_width(t);
     builder_add_part(b, d,
                      &(struct part){.kind = &tangent_damping,
                                     .n = t->n,
                                     .data = t,
-                                    .n_history = tangent_damping_change(t) + t->n * (int)width});
+                                    .n_history = tangent_damping_change(t) + t->n * (int)width,
+                                    .n_scratch = t->n_part > 0 ? 2 * t->n * t->n : 0});
     struct part *part = d->parts.item;
     if (!tangent_damping_sum(b->arena, g) || d->parts.n == g->n_part) {
         return;

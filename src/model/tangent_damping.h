@@ -15,6 +15,7 @@ struct tangent_damping {
     const double *spring;         // [F/L] (n) of the storeys of the chain alone
     const struct storey *storey;  // (n) of the chain
     int n_part;                   // of the building, beside this one
+    bool diagonal;                // all of these are PART_DIAGONAL, and so is K
     const struct part *part;      // (n_part)
 };
 

@@ -18,19 +18,9 @@
 
 enum { HEADER_LINES_MAX = 32 };
 
-static bool afad_matches(const struct record_text *t) {
-    struct lines l;
-    lines_init(&l, t);
-    while (l.number < 3 && lines_next(&l)) {
-        if (lines_contain(l.line, "STRONG GROUND MOTION RECORDS OF TURKIYE")) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // Goes to the line with the names of the channels, the last line of the header.
-static bool find_names(struct lines *l, struct channels *c) {
+static bool find_names(const struct record_reader *r, struct lines *l, struct channels *c) {
+    lines_init(l, r->text);
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
         struct piece rest = l->line;
         for (c->n = 0; c->n < CHANNELS_MAX && lines_field(&rest, "", &c->name[c->n]);) {
@@ -41,66 +31,50 @@ static bool find_names(struct lines *l, struct channels *c) {
             return true;
         }
     }
-    return false;
+    return record_fail(r, 0,
+                       "the file has no line 'N-S E-W U-D' in the first %d lines; it ends the "
+                       "header of an AFAD file",
+                       HEADER_LINES_MAX);
 }
 
 // The unit, in brackets in the key of the largest values; and the largest value of the channel,
 // behind its name in brackets.
-static int read_peak(const struct record_request *request, const struct header *h,
-                     struct piece name, struct record_content *out, struct error *e) {
+static bool read_peak(const struct header *h, struct piece name) {
     struct header_entry peaks;
     struct piece inside, value;
-    const int status = header_text(h, "RAW PGA VALUES (gal)", &peaks, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (!header_text(h, "RAW PGA VALUES (gal)", &peaks)) {
+        return false;
     }
-    header_read_unit(request, &peaks, (struct piece){"gal", 3}, out);
+    header_read_unit(h->reading, peaks.line, (struct piece){"gal", 3});
     struct piece rest = peaks.value;
     while (lines_bracket(&rest, &inside)) {
         if (inside.n == name.n && memcmp(inside.text, name.text, name.n) == 0 &&
             lines_field(&rest, "", &value)) {
-            return header_read_peak(h, &peaks, value, out, e);
+            return header_read_peak(h->reading, &peaks, value, 0);
         }
     }
-    return STATUS_OK;
+    return true;
 }
 
-static int read_sizes(const struct header *h, struct channel_rows *rows, struct record_content *out,
-                      struct error *e) {
+static bool read_sizes(const struct header *h, struct channel_rows *rows) {
     struct header_entry count, step;
-    int status = header_count(h, "NUMBER OF DATA", &count, &rows->stated, e);
-    if (status == STATUS_OK) {
-        status = header_positive(h, "SAMPLING INTERVAL (sec)", &step, &out->dt, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
+    if (!header_count(h, "NUMBER OF DATA", &count, &rows->stated) ||
+        !header_positive(h, "SAMPLING INTERVAL (sec)", &step, &h->reading->out->dt)) {
+        return false;
     }
     rows->stated_line = count.line;
-    out->dt_line = step.line;
-    return STATUS_OK;
+    h->reading->out->dt_line = step.line;
+    return true;
 }
 
-static int afad_read(struct arena *a, const struct record_request *request,
-                     const struct record_text *t, struct record_content *out, struct error *e) {
+static bool afad_read(const struct record_reader *r) {
     struct channels c;
     struct channel_rows rows = {.n_column = 3};
-    lines_init(&rows.from, t);
-    if (!find_names(&rows.from, &c)) {
-        return lines_error(
-            e, t->path, 0,
-            "the file has no line 'N-S E-W U-D' in the first %d lines; it ends the header of an "
-            "AFAD file",
-            HEADER_LINES_MAX);
+    if (!find_names(r, &rows.from, &c) || !channels_choose(r, &c, &rows.column)) {
+        return false;
     }
-    const struct header h = {t, rows.from.number};
-    int status = channels_choose(request, t, &c, &rows.column, out, e);
-    if (status == STATUS_OK) {
-        status = read_sizes(&h, &rows, out, e);
-    }
-    if (status == STATUS_OK) {
-        status = read_peak(request, &h, c.name[rows.column], out, e);
-    }
-    return status == STATUS_OK ? channels_read(a, t, &rows, out, e) : status;
+    const struct header h = {r, rows.from.number};
+    return read_sizes(&h, &rows) && read_peak(&h, c.name[rows.column]) && channels_read(r, &rows);
 }
 
 const struct record_format record_afad = {
@@ -108,6 +82,7 @@ const struct record_format record_afad = {
     .doc = "AFAD (NSMN), Turkey, three channels side by side",
     .channels = true,
     .certain = true,
-    .matches = afad_matches,
+    .mark = "STRONG GROUND MOTION RECORDS OF TURKIYE",
+    .mark_lines = 3,
     .read = afad_read,
 };

@@ -6,8 +6,6 @@
 #include "motion/lines.h"
 #include "motion/record_format.h"
 
-struct arena;
-
 enum { CHANNELS_MAX = 64 };
 
 struct channels {
@@ -15,19 +13,18 @@ struct channels {
     struct piece name[CHANNELS_MAX];
 };
 
-// The channel that -channel requests, from 0. A file of one channel needs no -channel. Errors:
-// STATUS_INPUT with a list of the channels, if -channel is missing or requests a channel that does
-// not exist; out->wrong says which.
-int channels_choose(const struct record_request *request, const struct record_text *t,
-                    const struct channels *c, int *chosen, struct record_content *out,
-                    struct error *e);
+// The functions below return false after an error of STATUS_INPUT or STATUS_SYSTEM.
+
+// The channel that -channel requests, from 0. A file of one channel needs no -channel. The error
+// lists the channels if -channel is missing or requests a channel that does not exist;
+// r->out->wrong says which.
+bool channels_choose(const struct record_reader *r, const struct channels *c, int *chosen);
 
 // Finds the requested channel in a file of channels one after the other. `next` goes to the next
 // channel and sets its name; false: there is none. A `next` from *before goes to the requested
-// channel. Errors: those of channels_choose; STATUS_INPUT with `none` if the file has no channel.
-int channels_seek(const struct record_request *request, const struct record_text *t,
-                  bool (*next)(struct lines *l, struct piece *name), const char *none,
-                  struct lines *before, struct record_content *out, struct error *e);
+// channel. Errors: those of channels_choose; `none` if the file has no channel.
+bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, struct piece *name),
+                   const char *none, struct lines *before);
 
 // Rows of n_column numbers up to the end of the file.
 struct channel_rows {
@@ -39,9 +36,8 @@ struct channel_rows {
     int stated_line;  // line of the header with this number
 };
 
-// Reads a column: sets value, n, peak and peak_line of `out`. If the file has more rows than
+// Reads a column: sets value, n, peak and peak_line of r->out. If the file has more rows than
 // stated, all equal to the last one, sets n_filling, too.
-int channels_read(struct arena *a, const struct record_text *t, const struct channel_rows *rows,
-                  struct record_content *out, struct error *e);
+bool channels_read(const struct record_reader *r, const struct channel_rows *rows);
 
 #endif

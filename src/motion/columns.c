@@ -27,7 +27,7 @@ static bool columns_matches(const struct record_text *t) {
 
 // The part of a table that is read.
 struct columns {
-    const struct record_text *text;
+    const struct record_reader *reading;
     const struct table *table;
     bool has_time;  // column 0 has times
     size_t column;  // of the values, from 0
@@ -35,46 +35,35 @@ struct columns {
     double *value;  // (n_row)
 };
 
-static int check_time_unit(const struct record_text *t, const struct table *table,
-                           struct piece unit, struct dimension dimension, double si,
-                           struct error *e) {
-    if (dimension_equal(dimension, dimension_time) && si != 1) {
-        struct excerpt shown = lines_excerpt(unit);
-        return lines_error(e, t->path, table->caption_line, "times are in '%s'; they must be in s",
-                           shown.text);
-    }
-    return STATUS_OK;
-}
-
 // Reads the unit of the values from the caption. One unit is that of all columns of values. As many
 // units as columns belong to one column each. Brackets without a unit are text.
-static int read_caption(const struct record_request *request, const struct columns *c,
-                        struct record_content *out, struct error *e) {
+static bool read_caption(const struct columns *c) {
+    const struct record_reader *r = c->reading;
     const struct table *table = c->table;
-    const size_t n_channel = table->n_column - c->has_time;
+    struct record_content *out = r->out;
     struct piece rest = table->caption;
     struct piece unit;
     size_t n = 0;
-    int status = STATUS_OK;
-    while (!status && lines_bracket(&rest, &unit)) {
+    while (lines_bracket(&rest, &unit)) {
         struct dimension dimension;
         double si;
-        if (!record_unit(unit, request->gravity, &dimension, &si)) {
+        if (!record_unit(unit, r->request->gravity, &dimension, &si)) {
             continue;
         }
-        status = check_time_unit(c->text, table, unit, dimension, si, e);
-        if (dimension_equal(dimension, dimension_time)) {
-            continue;
+        const bool is_time = dimension_equal(dimension, dimension_time);
+        if (is_time && si != 1) {
+            return record_fail(r, table->caption_line, "times are in '%s'; they must be in s",
+                               lines_excerpt(unit).text);
         }
-        if (n == 0 || n + c->has_time == c->column) {
+        if (!is_time && (n == 0 || n + c->has_time == c->column)) {
             out->unit = dimension_equal(dimension, dimension_acceleration) ? si : 0;
             out->unit_text = lines_excerpt(unit);
             out->unit_line = table->caption_line;
         }
-        n++;
+        n += !is_time;
     }
-    out->unit_line = n == 1 || n == n_channel ? out->unit_line : 0;
-    return status;
+    out->unit_line = n == 1 || n == table->n_column - c->has_time ? out->unit_line : 0;
+    return true;
 }
 
 // The decimal number with the fewest digits that equals `x` within a relative error of 1e-12.
@@ -90,66 +79,54 @@ static double shortest(double x) {
     return x;
 }
 
-static int check_step(const struct columns *c, size_t i, const struct lines *l, struct error *e) {
+static bool check_step(const struct columns *c, size_t i, const struct lines *l) {
     const double *time = c->time;
     if (time[i] <= time[i - 1]) {
         bool comma = memchr(l->line.text, ',', l->line.n);
-        return lines_error(e, c->text->path, l->number, "time %g after %g; times must increase%s",
+        return record_fail(c->reading, l->number, "time %g after %g; times must increase%s",
                            time[i], time[i - 1], comma ? " (a comma ends a number)" : "");
     }
     double first = time[1] - time[0];
     double step = time[i] - time[i - 1];
-    if (fabs(step - first) > 2 * TIME_ERROR_MAX * first) {
-        return lines_error(e, c->text->path, l->number,
-                           "step of %.6g s to time %g; the first step is %.6g s and steps must be "
-                           "even",
-                           step, time[i], first);
-    }
-    return STATUS_OK;
+    return fabs(step - first) <= 2 * TIME_ERROR_MAX * first ||
+           record_fail(c->reading, l->number,
+                       "step of %.6g s to time %g; the first step is %.6g s and steps must be even",
+                       step, time[i], first);
 }
 
 // Reads row `i`, the current line of `l`.
-static int read_row(const struct columns *c, const struct lines *l, size_t i,
-                    struct record_content *out, struct error *e) {
-    size_t n = lines_count(l->line, c->table->separators);
+static bool read_row(const struct columns *c, const struct lines *l, size_t i) {
+    const size_t n = lines_count(l->line, c->table->separators);
     if (n != c->table->n_column) {
-        return lines_error(e, c->text->path, l->number,
-                           "row of %zu values; the first (line %d) "
-                           "has %zu",
+        return record_fail(c->reading, l->number, "row of %zu values; the first (line %d) has %zu",
                            n, c->table->first_line, c->table->n_column);
     }
     struct piece rest = l->line;
-    struct number_field f = {c->text, l->number, "time", i + 1, {0}};
-    int status = STATUS_OK;
+    struct number_field f = {c->reading->text, l->number, "time", i + 1, {0}};
     lines_field(&rest, c->table->separators, &f.field);
-    if (c->has_time) {
-        status = table_number(c->table, &f, &c->time[i], e);
-        if (!status && i > 0) {
-            status = check_step(c, i, l, e);
-        }
+    if (c->has_time && (table_number(c->table, &f, &c->time[i], c->reading->e) != STATUS_OK ||
+                        (i > 0 && !check_step(c, i, l)))) {
+        return false;
     }
     for (size_t k = 0; k < c->column; k++) {
         lines_field(&rest, c->table->separators, &f.field);
     }
-    if (!status) {
-        f.what = "value";
-        status = table_number(c->table, &f, &c->value[i], e);
+    f.what = "value";
+    if (table_number(c->table, &f, &c->value[i], c->reading->e) != STATUS_OK) {
+        return false;
     }
-    if (!status) {
-        values_note_peak(out, c->value, i, l->number);
-    }
-    return status;
+    values_note_peak(c->reading->out, c->value, i, l->number);
+    return true;
 }
 
-static int read_rows(const struct columns *c, struct record_content *out, struct error *e) {
+static bool read_rows(const struct columns *c) {
     struct lines l = c->table->rows;
     for (size_t i = 0; table_next(&l); i++) {
-        int status = read_row(c, &l, i, out, e);
-        if (status) {
-            return status;
+        if (!read_row(c, &l, i)) {
+            return false;
         }
     }
-    return STATUS_OK;
+    return true;
 }
 
 // The number of the line with row `i`.
@@ -161,12 +138,12 @@ static int row_line(const struct table *table, size_t i) {
 }
 
 // Finds the time step and the largest distance of a time from the even grid.
-static int find_step(const struct columns *c, size_t n, struct record_content *out,
-                     struct error *e) {
+static bool find_step(const struct columns *c, size_t n) {
+    struct record_content *out = c->reading->out;
     double start = c->time[0];
     out->time_offset = start;
     if (n < 2) {
-        return STATUS_OK;
+        return true;
     }
     out->dt = shortest((c->time[n - 1] - start) / (double)(n - 1));
     out->dt_line = c->table->first_line;
@@ -177,22 +154,20 @@ static int find_step(const struct columns *c, size_t n, struct record_content *o
         worst = off > out->time_error ? i : worst;
         out->time_error = fmax(out->time_error, off);
     }
-    if (!isfinite(out->dt) || !(out->time_error <= TIME_ERROR_MAX)) {
-        return lines_error(e, c->text->path, row_line(c->table, worst),
-                           "time %g is %.3g steps of %.6g s off the even grid from first to last "
-                           "time; steps must be even",
-                           c->time[worst], out->time_error, out->dt);
-    }
-    return STATUS_OK;
+    return (isfinite(out->dt) && out->time_error <= TIME_ERROR_MAX) ||
+           record_fail(c->reading, row_line(c->table, worst),
+                       "time %g is %.3g steps of %.6g s off the even grid from first to last time; "
+                       "steps must be even",
+                       c->time[worst], out->time_error, out->dt);
 }
 
 // Finds the column that -channel requests.
-static int choose_column(const struct record_request *request, struct columns *c,
-                         struct record_content *out, struct error *e) {
+static bool choose_column(struct columns *c) {
+    const struct record_request *request = c->reading->request;
     const size_t n = c->table->n_column - c->has_time;
     const size_t wanted = request->channel == 0 && n == 1 ? 1 : (size_t)request->channel;
     if (wanted == 0) {
-        return lines_error(e, c->text->path, c->table->first_line,
+        return record_fail(c->reading, c->table->first_line,
                            "%zu columns; %s; -format series reads values that run on from line "
                            "to line",
                            c->table->n_column,
@@ -200,53 +175,36 @@ static int choose_column(const struct record_request *request, struct columns *c
                                           : "-channel chooses a column after the times");
     }
     if (wanted > n) {
-        out->wrong = RECORD_CHANNEL;
-        return lines_error(e, c->text->path, c->table->first_line,
+        c->reading->out->wrong = RECORD_CHANNEL;
+        return record_fail(c->reading, c->table->first_line,
                            "the file has no channel %zu; it has %zu, one per column%s", wanted, n,
                            c->has_time ? " after the times" : "");
     }
     c->column = wanted - !c->has_time;
-    return STATUS_OK;
+    return true;
 }
 
-static int read_table(struct arena *a, struct columns *c, struct record_content *out,
-                      struct error *e) {
-    const size_t n = c->table->n_row;
-    c->time = c->has_time ? calloc(n, sizeof *c->time) : NULL;
-    c->value = arena_alloc(a, n, sizeof *c->value);
-    int status = STATUS_OK;
-    if (!c->value || (c->has_time && !c->time)) {
-        status = error_no_memory(e);
-    }
-    if (!status) {
-        status = read_rows(c, out, e);
-    }
-    if (!status && c->has_time) {
-        status = find_step(c, n, out, e);
-    }
-    free(c->time);
-    out->n = n;
-    out->value = c->value;
-    return status;
-}
-
-static int columns_read(struct arena *a, const struct record_request *request,
-                        const struct record_text *t, struct record_content *out, struct error *e) {
+static bool columns_read(const struct record_reader *r) {
     struct table table;
-    if (!table_find(t, &table)) {
-        return lines_error(e, t->path, 0, "the file has no line of numbers");
+    if (table_read(r->text, &table, r->e) != STATUS_OK) {
+        return false;
     }
-    struct columns c = {.text = t, .table = &table, .has_time = table.n_column > 1};
-    int status = table_check(t, &table, e);
-    if (!status) {
-        status = choose_column(request, &c, out, e);
+    struct columns c = {.reading = r, .table = &table, .has_time = table.n_column > 1};
+    if (!choose_column(&c) || !read_caption(&c)) {
+        return false;
     }
-    if (!status) {
-        status = read_caption(request, &c, out, e);
-    }
-    out->noted_dt = table_noted_step(t, &table, &out->noted_line);
-    out->noted_line = out->noted_dt > 0 ? out->noted_line : 0;
-    return status ? status : read_table(a, &c, out, e);
+    r->out->noted_dt = table_noted_step(r->text, &table, &r->out->noted_line);
+    r->out->noted_line = r->out->noted_dt > 0 ? r->out->noted_line : 0;
+    const size_t n = table.n_row;
+    c.time = c.has_time ? calloc(n, sizeof *c.time) : NULL;
+    c.value = arena_alloc(r->arena, n, sizeof *c.value);
+    const bool done = !c.value || (c.has_time && !c.time)
+                          ? record_fail_memory(r)
+                          : read_rows(&c) && (!c.has_time || find_step(&c, n));
+    free(c.time);
+    r->out->n = n;
+    r->out->value = c.value;
+    return done;
 }
 
 const struct record_format record_columns = {

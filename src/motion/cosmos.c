@@ -97,119 +97,99 @@ static bool next_name(struct lines *l, struct piece *name) {
 }
 
 // If the header gives no time step, the user must give it.
-static int read_step(const struct record_text *t, const struct channel *c, double unknown,
-                     struct record_content *out, struct error *e) {
+static bool read_step(const struct record_reader *r, const struct channel *c, double unknown) {
     struct fixed_format format;
     struct lines l = c->reals;
     if (l.number == 0 || !fixed_format_find(l.line, &format)) {
-        return lines_error(
-            e, t->path, c->values.number,
+        return record_fail(
+            r, c->values.number,
             "the header has no line 'Real-header values follow' with a format above it");
     }
     for (size_t row = 0; row <= (REAL_STEP - 1) / format.n; row++) {
         if (!lines_next(&l)) {
-            return lines_error(e, t->path, l.number, "the file ends within its reals");
+            return record_fail(r, l.number, "the file ends within its reals");
         }
     }
-    const struct number_field f = {t, l.number, "real", REAL_STEP,
+    const struct number_field f = {r->text, l.number, "real", REAL_STEP,
                                    fixed_field(l.whole, &format, (REAL_STEP - 1) % format.n)};
     double step;
-    const int status = lines_read_number(&f, &step, e);
-    if (status == STATUS_OK && step <= 0 && step != unknown) {
-        return lines_error(e, t->path, l.number, "a time step of %g ms; it must be > 0", step);
+    if (!record_number(r, &f, &step)) {
+        return false;
     }
-    out->dt = step == unknown ? 0 : step / 1000;
-    out->dt_line = l.number;
-    return status;
+    if (step <= 0 && step != unknown) {
+        return record_fail(r, l.number, "a time step of %g ms; it must be > 0", step);
+    }
+    r->out->dt = step == unknown ? 0 : step / 1000;
+    r->out->dt_line = l.number;
+    return true;
 }
 
-static int read_count(const struct record_text *t, const struct channel *c, double *n,
-                      const struct record_content *out, struct error *e) {
-    const struct header h = {.text = t};
+static bool read_count(const struct record_reader *r, const struct channel *c, double *n) {
+    const struct record_content *out = r->out;
     struct header_entry entry = {.key = "number of values", .line = c->values.number};
     struct piece rest = c->values.line;
     struct piece approx = lines_behind(c->values.line, "APPROX");
     struct piece told;
     double duration;
     lines_field(&rest, "", &entry.value);
-    const int status = header_read_count(&h, &entry, n, e);
-    if (status != STATUS_OK || !lines_field(&approx, "", &told) ||
-        lines_number(told, &duration) != NUMBER_OK || out->dt == 0 ||
-        fabs(*n * out->dt - duration) <= DURATION_ROUNDING + out->dt) {
-        return status;
+    if (!header_read_count(r, &entry, n)) {
+        return false;
     }
-    return lines_error(e, t->path, entry.line,
+    return !lines_field(&approx, "", &told) || lines_number(told, &duration) != NUMBER_OK ||
+           out->dt == 0 || fabs(*n * out->dt - duration) <= DURATION_ROUNDING + out->dt ||
+           record_fail(r, entry.line,
                        "%.0f values in approx %g s; the time step of %g s (line %d) makes it %g",
                        *n, duration, out->dt, out->dt_line, *n * out->dt);
 }
 
-static int read_unit(const struct record_request *request, const struct record_text *t,
-                     const struct channel *c, struct record_content *out, struct error *e) {
+static bool read_unit(const struct record_reader *r, const struct channel *c) {
     struct piece rest = lines_behind(c->values.line, "UNITS");
     struct piece unit;
     lines_field(&rest, "=", &unit);
     lines_field(&rest, "(,", &unit);
     if (lines_contain(unit, "COUNT")) {
-        return lines_error(e, t->path, c->values.number,
+        return record_fail(r, c->values.number,
                            "the values are counts of a recorder (volume 0), which are not "
                            "converted; volumes 1 and 2 hold accelerations");
     }
-    header_read_unit(request, &(struct header_entry){.line = c->values.number}, unit, out);
-    return STATUS_OK;
+    header_read_unit(r, c->values.number, unit);
+    return true;
 }
 
-static int check_unknown(const struct record_text *t, const struct channel *c, double unknown,
-                         const struct record_content *out, struct error *e) {
-    for (size_t i = 0; i < out->n; i++) {
-        if (out->value[i] == unknown) {
-            return lines_error(e, t->path, c->values.number,
+static bool check_unknown(const struct record_reader *r, const struct channel *c, double unknown) {
+    for (size_t i = 0; i < r->out->n; i++) {
+        if (r->out->value[i] == unknown) {
+            return record_fail(r, c->values.number,
                                "value %zu of those below is %g, which marks a value that is not "
                                "known (line %d)",
                                i + 1, unknown, c->unknown.line);
         }
     }
-    return STATUS_OK;
+    return true;
 }
 
-static int cosmos_read(struct arena *a, const struct record_request *request,
-                       const struct record_text *t, struct record_content *out, struct error *e) {
+static bool cosmos_read(const struct record_reader *r) {
     struct channel c;
     struct fixed_format format;
     struct lines l;
-    double n = 0;
+    double n;
     double unknown;
-    int status = channels_seek(request, t, next_name, none, &l, out, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (!channels_seek(r, next_name, none, &l)) {
+        return false;
     }
     next_channel(&l, &c);
     if (lines_number(c.unknown.value, &unknown) != NUMBER_OK) {
         unknown = -999;
     }
-    status = read_unit(request, t, &c, out, e);
-    if (status == STATUS_OK) {
-        status = read_step(t, &c, unknown, out, e);
+    if (!read_unit(r, &c) || !read_step(r, &c, unknown) || !read_count(r, &c, &n) ||
+        !header_read_peak(r, &c.peak, c.peak.value, header_unit(r, c.peak_unit))) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = read_count(t, &c, &n, out, e);
+    if (!fixed_format_find(c.values.line, &format)) {
+        return record_fail(r, c.values.number, "the line has no format such as (8F10.5)");
     }
-    if (status == STATUS_OK) {
-        struct record_content peak = {0};
-        header_read_unit(request, &c.peak, c.peak_unit, &peak);
-        status = header_read_peak_of_unit(&(struct header){.text = t}, &c.peak, c.peak.value,
-                                          peak.unit, out, e);
-    }
-    if (status == STATUS_OK && !fixed_format_find(c.values.line, &format)) {
-        status =
-            lines_error(e, t->path, c.values.number, "the line has no format such as (8F10.5)");
-    }
-    if (status == STATUS_OK) {
-        status = fixed_read(a, t, &l, &format, (size_t)n, out, e);
-    }
-    if (status == STATUS_OK) {
-        status = fixed_check_end(t, l, &format, out->n, e);
-    }
-    return status == STATUS_OK ? check_unknown(t, &c, unknown, out, e) : status;
+    return fixed_read(r, &l, &format, (size_t)n) && fixed_check_end(r, l, &format) &&
+           check_unknown(r, &c, unknown);
 }
 
 const struct record_format record_cosmos = {

@@ -92,85 +92,73 @@ static bool next_name(struct lines *l, struct piece *name) {
 }
 
 // Reads the number of values and the time step from the line before the values.
-static int read_sizes(const struct record_text *t, const struct lines *l, double *npts, double *dt,
-                      struct error *e) {
+static bool read_sizes(const struct record_reader *r, const struct lines *l, double *npts) {
+    double *dt = &r->out->dt;
     struct piece rest = l->line;
-    struct piece count, step;
+    struct piece count, step, unit;
     struct piece spacing = lines_behind(l->line, "AT");
     if (!lines_field(&rest, "", &count) || lines_number(count, npts) != NUMBER_OK ||
         *npts != floor(*npts) || *npts < 2 || *npts > 1e9) {
-        struct excerpt shown = lines_excerpt(count);
-        return lines_error(e, t->path, l->number,
+        return record_fail(r, l->number,
                            "'%s' is not a number of values: it must be whole and at least 2",
-                           shown.text);
+                           lines_excerpt(count).text);
     }
     if (!lines_field(&spacing, "", &step) || lines_number(step, dt) != NUMBER_OK || *dt <= 0) {
-        struct excerpt shown = lines_excerpt(step);
-        return lines_error(e, t->path, l->number, "'%s' after AT is not a number > 0", shown.text);
+        return record_fail(r, l->number, "'%s' after AT is not a number > 0",
+                           lines_excerpt(step).text);
     }
-    struct piece unit;
     lines_field(&spacing, ".,", &unit);
     if (unit.n == 7 && lines_contain(unit, "PTS/SEC")) {
         *dt = 1 / *dt;
     } else if (unit.n != 3 || !lines_contain(unit, "SEC")) {
-        struct excerpt shown = lines_excerpt(unit);
-        return lines_error(e, t->path, l->number, "'%s' is neither SEC nor PTS/SEC", shown.text);
+        return record_fail(r, l->number, "'%s' is neither SEC nor PTS/SEC",
+                           lines_excerpt(unit).text);
     }
-    return STATUS_OK;
+    r->out->dt_line = l->number;
+    return true;
 }
 
-static void read_unit(const struct record_request *request, const struct lines *l,
-                      struct record_content *out) {
+static void read_unit(const struct record_reader *r, const struct lines *l) {
     struct piece rest = lines_behind(l->line, "UNITS OF");
     rest = rest.n ? rest : lines_behind(l->line, "UNITS:");
     rest = rest.n ? rest : lines_behind(l->line, "IN UNITS");
     rest = rest.n ? rest : lines_behind(l->line, "IN");
     struct piece unit;
     if (lines_field(&rest, ".,)", &unit)) {
-        header_read_unit(request, &(struct header_entry){.line = l->number}, unit, out);
+        header_read_unit(r, l->number, unit);
     }
 }
 
 // The last format in brackets. For volume 2 it is (8F10.3) if the line has no format.
-static int read_format(const struct record_text *t, const struct lines *l,
-                       struct fixed_format *format, struct error *e) {
+static bool read_format(const struct record_reader *r, const struct lines *l,
+                        struct fixed_format *format) {
     if (fixed_format_find(l->line, format)) {
-        return STATUS_OK;
+        return true;
     }
     *format = (struct fixed_format){.n = 8, .width = 10, .decimals = 3};
-    return is_volume_2(l->line)
-               ? STATUS_OK
-               : lines_error(e, t->path, l->number, "the line has no format such as (8F9.6)");
+    return is_volume_2(l->line) ||
+           record_fail(r, l->number, "the line has no format such as (8F9.6)");
 }
 
-static int csmip_read(struct arena *a, const struct record_request *request,
-                      const struct record_text *t, struct record_content *out, struct error *e) {
-    struct channel c = {0};
-    struct fixed_format format = {0};
-    double npts = 0.0;
+static bool csmip_read(const struct record_reader *r) {
+    struct channel c;
+    struct fixed_format format;
+    double npts;
     struct lines l;
-    int status = channels_seek(request, t, next_name, none, &l, out, e);
-    if (status == STATUS_OK) {
-        next_channel(&l, &c);
-        status = read_sizes(t, &c.title, &npts, &out->dt, e);
+    if (!channels_seek(r, next_name, none, &l)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = read_format(t, &c.title, &format, e);
+    next_channel(&l, &c);
+    if (!read_sizes(r, &c.title, &npts) || !read_format(r, &c.title, &format) ||
+        !header_read_peak(r, &c.peak, c.peak.value, 0)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = header_read_peak(&(struct header){.text = t}, &c.peak, c.peak.value, out, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    out->dt_line = c.title.number;
     if (format.decimals > 0) {
-        out->stated_rounding = fmax(out->stated_rounding, pow(10, -(double)format.decimals));
+        r->out->stated_rounding = fmax(r->out->stated_rounding, pow(10, -(double)format.decimals));
     }
-    read_unit(request, &c.title, out);
+    read_unit(r, &c.title);
     l = c.title;
-    status = fixed_read(a, t, &l, &format, (size_t)npts, out, e);
-    return status == STATUS_OK ? fixed_check_end(t, l, &format, out->n, e) : status;
+    return fixed_read(r, &l, &format, (size_t)npts) && fixed_check_end(r, l, &format);
 }
 
 const struct record_format record_csmip = {

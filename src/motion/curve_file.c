@@ -129,53 +129,57 @@ static int read_rows(const struct record_text *t, const struct table *table, dou
     return STATUS_OK;
 }
 
-static int check_table(const struct record_text *t, const struct table *table, struct error *e) {
-    int status = table_check(t, table, e);
-    if (!status && (table->n_column < 2 || table->n_column > CURVE_COLUMNS)) {
+static int check_size(const struct record_text *t, const struct table *table, struct error *e) {
+    if (table->n_column < 2 || table->n_column > CURVE_COLUMNS) {
         return lines_error(e, t->path, table->first_line,
                            "row of %zu values; a curve has 2 or 3 columns: penetration, loading "
                            "force and unloading force",
                            table->n_column);
     }
-    if (!status && (table->n_row < 2 || table->n_row > POINTS_MAX)) {
-        return lines_error(e, t->path, table->first_line, "%zu points; a curve has 2 to %d",
-                           table->n_row, POINTS_MAX);
-    }
-    return status;
+    return table->n_row >= 2 && table->n_row <= POINTS_MAX
+               ? STATUS_OK
+               : lines_error(e, t->path, table->first_line, "%zu points; a curve has 2 to %d",
+                             table->n_row, POINTS_MAX);
 }
 
-// Sets *size to the unit in the caption. An error if *size is already another unit.
-static int take_unit(const struct record_text *t, const struct table *table, struct piece unit,
-                     double si, double *size, struct error *e) {
-    if (*size > 0.0 && *size != si) {
-        return lines_error(
-            e, t->path, table->caption_line,
-            "the caption gives the unit '%s', but an option or an earlier column gives another",
-            lines_excerpt(unit).text);
-    }
-    *size = si;
-    return STATUS_OK;
-}
-
-// Units of length and force in brackets; other brackets are text.
+// Units of length and force in brackets; other brackets are text. An error if *length or *force is
+// already another unit.
 static int read_caption(const struct record_text *t, const struct table *table, double gravity,
                         double *length, double *force, struct error *e) {
     struct piece rest = table->caption;
     struct piece unit;
-    int status = STATUS_OK;
-    while (!status && lines_bracket(&rest, &unit)) {
+    while (lines_bracket(&rest, &unit)) {
         struct dimension dimension;
         double si;
         if (!record_unit(unit, gravity, &dimension, &si)) {
             continue;
         }
-        if (dimension_equal(dimension, dimension_length)) {
-            status = take_unit(t, table, unit, si, length, e);
-        } else if (dimension_equal(dimension, dimension_force)) {
-            status = take_unit(t, table, unit, si, force, e);
+        double *size = dimension_equal(dimension, dimension_length)  ? length
+                       : dimension_equal(dimension, dimension_force) ? force
+                                                                     : NULL;
+        if (size && *size > 0.0 && *size != si) {
+            return lines_error(
+                e, t->path, table->caption_line,
+                "the caption gives the unit '%s', but an option or an earlier column gives another",
+                lines_excerpt(unit).text);
+        }
+        if (size) {
+            *size = si;
         }
     }
-    return status;
+    return STATUS_OK;
+}
+
+// Converts the curve from the units of the file (0: not given) to those of the deck.
+static void convert(double *point, size_t n, double length, double force,
+                    const struct unit_system *units) {
+    for (size_t i = 0; i < n * CURVE_COLUMNS; i++) {
+        const bool is_length = i % CURVE_COLUMNS == CURVE_PENETRATION;
+        const double from = is_length ? length : force;
+        if (from > 0.0) {
+            point[i] = unit_convert(point[i], from, is_length ? units->length : units->force);
+        }
+    }
 }
 
 // Checks that the slopes of the converted curve are finite.
@@ -199,39 +203,22 @@ int curve_read_text(struct arena *a, const struct curve_request *request,
                     const struct record_text *t, struct curve *out, struct error *e) {
     struct record_text text;
     struct table table;
-    int status = record_clean(t, &text, e);
-    if (!status && !table_find(&text, &table)) {
-        return lines_error(e, t->path, 0, "the file has no line of numbers");
-    }
-    double length = request->length;
-    double force = request->force;
-    if (!status) {
-        status = check_table(&text, &table, e);
-    }
-    if (!status) {
-        status = read_caption(&text, &table, request->units->gravity, &length, &force, e);
-    }
-    if (status) {
-        return status;
+    double length = request->length, force = request->force;
+    if (record_clean(t, &text, e) != STATUS_OK || table_read(&text, &table, e) != STATUS_OK ||
+        check_size(&text, &table, e) != STATUS_OK ||
+        read_caption(&text, &table, request->units->gravity, &length, &force, e) != STATUS_OK) {
+        return e->status;
     }
     double *point = arena_alloc(a, table.n_row, CURVE_COLUMNS * sizeof *point);
     if (!point) {
         return error_no_memory(e);
     }
-    status = read_rows(&text, &table, point, e);
-    if (!status) {
-        // Converts the curve from the units of the file (0: not given) to those of the deck.
-        for (size_t i = 0; i < table.n_row * CURVE_COLUMNS; i++) {
-            bool is_length = i % CURVE_COLUMNS == CURVE_PENETRATION;
-            double from = is_length ? length : force;
-            if (from > 0.0) {
-                point[i] = unit_convert(point[i], from,
-                                        is_length ? request->units->length : request->units->force);
-            }
-        }
-        status = check_slopes(&text, point, table.n_row, e);
+    if (read_rows(&text, &table, point, e) != STATUS_OK) {
+        return e->status;
     }
-    if (!status) {
+    convert(point, table.n_row, length, force, request->units);
+    const int status = check_slopes(&text, point, table.n_row, e);
+    if (status == STATUS_OK) {
         *out = (struct curve){.n = (int)table.n_row, .point = point};
     }
     return status;

@@ -14,36 +14,18 @@
 //
 // Source: files of https://gdms.cwa.gov.tw; the reader of gmprocess (USGS) for CWA.
 #include <stdio.h>
-#include <string.h>
 
 #include "motion/channels.h"
 #include "motion/header.h"
 
 enum { HEADER_LINES_MAX = 64 };
 
-static bool cwa_matches(const struct record_text *t) {
-    struct lines l;
-    lines_init(&l, t);
-    return lines_next(&l) && lines_contain(l.line, "#EARTHQUAKE INFORMATION");
-}
-
-// Goes to the last line of the header.
-static bool find_data(struct lines *l) {
-    while (l->number < HEADER_LINES_MAX && lines_next(l)) {
-        if (l->line.n >= 6 && memcmp(l->line.text, "#Data:", 6) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // The names of the channels, `Time U(+); N(+); E(+)` without time and polarities.
-static int read_names(const struct header *h, struct channels *c, struct error *e) {
+static bool read_names(const struct header *h, struct channels *c) {
     struct header_entry entry;
     struct piece time, name;
-    const int status = header_text(h, "#DataSequence", &entry, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (!header_text(h, "#DataSequence", &entry)) {
+        return false;
     }
     struct piece rest = entry.value;
     bool good = lines_field(&rest, "", &time) && lines_word(time, "TIME");
@@ -51,90 +33,62 @@ static int read_names(const struct header *h, struct channels *c, struct error *
         lines_field(&name, "(", &c->name[c->n]);
         good = c->name[c->n].n > 0;
     }
-    return good && c->n > 0
-               ? STATUS_OK
-               : lines_error(e, h->text->path, entry.line,
-                             "#DataSequence '%s' is not of the form Time U(+); N(+); E(+)",
-                             lines_excerpt(entry.value).text);
+    return (good && c->n > 0) ||
+           record_fail(h->reading, entry.line,
+                       "#DataSequence '%s' is not of the form Time U(+); N(+); E(+)",
+                       lines_excerpt(entry.value).text);
 }
 
 // The larger of the two stated peaks of the channel, `0.658~   -0.837`.
-static int read_peak(const struct header *h, struct piece name, struct record_content *out,
-                     struct error *e) {
-    enum { SIDES = 2 };
+static bool read_peak(const struct header *h, struct piece name) {
     char key[64];
     struct header_entry entry;
+    struct piece positive, negative;
     snprintf(key, sizeof key, "#AmplitudeMAX. %.*s", (int)(name.n < 8 ? name.n : 8), name.text);
     if (!header_find(h, key, &entry)) {
-        return STATUS_OK;
+        return true;
     }
-    struct record_content side[SIDES] = {0};
     struct piece rest = entry.value;
-    for (int i = 0; i < SIDES; i++) {
-        struct piece value;
-        lines_field(&rest, "~", &value);
-        const int status = header_read_peak(h, &entry, value, &side[i], e);
-        if (status != STATUS_OK) {
-            return status;
-        }
-    }
-    const struct record_content *larger = &side[side[1].stated_peak > side[0].stated_peak];
-    out->stated_peak = larger->stated_peak;
-    out->stated_rounding = larger->stated_rounding;
-    out->stated_line = larger->stated_line;
-    return STATUS_OK;
+    lines_field(&rest, "~", &positive);
+    lines_field(&rest, "~", &negative);
+    return header_read_peak(h->reading, &entry, positive, 0) &&
+           header_read_peak(h->reading, &entry, negative, 0);
 }
 
-static int read_sizes(const struct record_request *request, const struct header *h,
-                      struct channel_rows *rows, struct record_content *out, struct error *e) {
-    struct header_entry entry;
+static bool read_sizes(const struct header *h, struct channel_rows *rows) {
+    struct record_content *out = h->reading->out;
+    struct header_entry sampling, length, unit;
     double rate;
-    int status = header_positive(h, "#SampleRate(Hz)", &entry, &rate, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (!header_positive(h, "#SampleRate(Hz)", &sampling, &rate)) {
+        return false;
     }
     out->dt = 1 / rate;
-    out->dt_line = entry.line;
-    status = header_duration(h, "#RecordLength(sec)", rate, &entry, &rows->stated, e);
-    if (status != STATUS_OK) {
-        return status;
+    out->dt_line = sampling.line;
+    if (!header_duration(h, "#RecordLength(sec)", rate, &length, &rows->stated) ||
+        !header_text(h, "#AmplitudeUnit", &unit)) {
+        return false;
     }
-    rows->stated_line = entry.line;
-    status = header_text(h, "#AmplitudeUnit", &entry, e);
-    if (status == STATUS_OK) {
-        struct piece unit;
-        lines_field(&entry.value, ".", &unit);
-        header_read_unit(request, &entry, unit, out);
-    }
-    return status;
+    rows->stated_line = length.line;
+    struct piece name;
+    lines_field(&unit.value, ".", &name);
+    header_read_unit(h->reading, unit.line, name);
+    return true;
 }
 
-static int cwa_read(struct arena *a, const struct record_request *request,
-                    const struct record_text *t, struct record_content *out, struct error *e) {
+static bool cwa_read(const struct record_reader *r) {
     struct channels c;
     struct channel_rows rows = {.timed = true};
-    lines_init(&rows.from, t);
-    if (!find_data(&rows.from)) {
-        return lines_error(
-            e, t->path, 0,
-            "the file has no '#Data:' in the first %d lines; it ends the header of a CWA file",
-            HEADER_LINES_MAX);
-    }
-    const struct header h = {t, rows.from.number};
     int channel;
-    int status = read_names(&h, &c, e);
-    if (status == STATUS_OK) {
-        status = channels_choose(request, t, &c, &channel, out, e);
+    if (!header_end(r, "#Data:", HEADER_LINES_MAX, "CWA", &rows.from)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        rows.n_column = c.n + 1;
-        rows.column = channel + 1;
-        status = read_sizes(request, &h, &rows, out, e);
+    const struct header h = {r, rows.from.number};
+    if (!read_names(&h, &c) || !channels_choose(r, &c, &channel)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = read_peak(&h, c.name[channel], out, e);
-    }
-    return status == STATUS_OK ? channels_read(a, t, &rows, out, e) : status;
+    rows.n_column = c.n + 1;
+    rows.column = channel + 1;
+    return read_sizes(&h, &rows) && read_peak(&h, c.name[channel]) && channels_read(r, &rows);
 }
 
 const struct record_format record_cwa = {
@@ -142,6 +96,7 @@ const struct record_format record_cwa = {
     .doc = "CWA, Taiwan, time and three channels side by side",
     .channels = true,
     .certain = true,
-    .matches = cwa_matches,
+    .mark = "#EARTHQUAKE INFORMATION",
+    .mark_lines = 1,
     .read = cwa_read,
 };

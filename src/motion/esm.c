@@ -19,77 +19,55 @@
 
 enum { HEADER_LINES_MAX = 128 };
 
-static bool esm_matches(const struct record_text *t) {
+// The lines before the first line without a colon. The current line of *values is the last of them.
+static struct header find_header(const struct record_reader *r, struct lines *values) {
     struct lines l;
-    lines_init(&l, t);
-    return lines_next(&l) && lines_contain(l.line, "EVENT_NAME:");
-}
-
-// Finds the header, the lines before the first line without a colon. The current line of *values is
-// the last of them.
-static struct header find_header(const struct record_text *t, struct lines *values) {
-    struct lines l;
-    lines_init(&l, t);
+    lines_init(&l, r->text);
     *values = l;
     while (l.number < HEADER_LINES_MAX && lines_next(&l) && lines_contain(l.line, ":")) {
         *values = l;
     }
-    return (struct header){t, values->number};
+    return (struct header){r, values->number};
 }
 
-static int check_type(const struct header *h, struct error *e) {
+static bool check_type(const struct header *h) {
     struct header_entry type;
-    const int status = header_text(h, "DATA_TYPE", &type, e);
-    if (status != STATUS_OK ||
-        (lines_word(type.value, "ACCELERATION") && !lines_word(type.value, "SPECTRUM"))) {
-        return status;
+    if (!header_text(h, "DATA_TYPE", &type)) {
+        return false;
     }
-    return lines_error(e, h->text->path, type.line,
-                       "this is not an acceleration: DATA_TYPE is '%s'",
+    return (lines_word(type.value, "ACCELERATION") && !lines_word(type.value, "SPECTRUM")) ||
+           record_fail(h->reading, type.line, "this is not an acceleration: DATA_TYPE is '%s'",
                        lines_excerpt(type.value).text);
 }
 
 // The stated peak is in cm/s^2, whatever the unit of the values.
-static int read_peak(const struct header *h, struct record_content *out, struct error *e) {
+static bool read_peak(const struct header *h) {
     static const double cm = 0.01;
     struct header_entry entry;
-    if (out->unit == 0 || !header_find(h, "PGA_CM/S^2", &entry)) {
-        return STATUS_OK;
-    }
-    const int status = header_read_peak(h, &entry, entry.value, out, e);
-    out->stated_peak *= cm / out->unit;
-    out->stated_rounding *= cm / out->unit;
-    return status;
+    return h->reading->out->unit == 0 || !header_find(h, "PGA_CM/S^2", &entry) ||
+           header_read_peak(h->reading, &entry, entry.value, cm);
 }
 
-static int esm_read(struct arena *a, const struct record_request *request,
-                    const struct record_text *t, struct record_content *out, struct error *e) {
+static bool esm_read(const struct record_reader *r) {
     struct lines values;
-    const struct header h = find_header(t, &values);
+    const struct header h = find_header(r, &values);
     struct header_entry count, step, unit;
     double n;
-    int status = check_type(&h, e);
-    if (status == STATUS_OK) {
-        status = header_count(&h, "NDATA", &count, &n, e);
+    if (!check_type(&h) || !header_count(&h, "NDATA", &count, &n) ||
+        !header_positive(&h, "SAMPLING_INTERVAL_S", &step, &r->out->dt) ||
+        !header_text(&h, "UNITS", &unit)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = header_positive(&h, "SAMPLING_INTERVAL_S", &step, &out->dt, e);
-    }
-    if (status == STATUS_OK) {
-        out->dt_line = step.line;
-        status = header_text(&h, "UNITS", &unit, e);
-    }
-    if (status == STATUS_OK) {
-        header_read_unit(request, &unit, unit.value, out);
-        status = read_peak(&h, out, e);
-    }
-    return status == STATUS_OK ? values_read_stated(a, t, values, n, count.line, out, e) : status;
+    r->out->dt_line = step.line;
+    header_read_unit(r, unit.line, unit.value);
+    return read_peak(&h) && values_read_stated(r, values, n, count.line);
 }
 
 const struct record_format record_esm = {
     .name = "esm",
     .doc = "DYNA ASCII of ESM and ITACA",
     .certain = true,
-    .matches = esm_matches,
+    .mark = "EVENT_NAME:",
+    .mark_lines = 1,
     .read = esm_read,
 };

@@ -73,68 +73,58 @@ struct piece fixed_field(struct piece line, const struct fixed_format *format, s
     return rest.n == 0 ? field : whole;
 }
 
-static int check_rest(const struct record_text *t, const struct lines *l, size_t used,
-                      struct error *e) {
+static bool check_rest(const struct record_reader *r, const struct lines *l, size_t used) {
     struct piece rest = {l->whole.text + used, used < l->whole.n ? l->whole.n - used : 0};
     struct piece field;
-    if (!lines_field(&rest, "", &field)) {
-        return STATUS_OK;
-    }
-    struct excerpt shown = lines_excerpt(field);
-    return lines_error(e, t->path, l->number, "'%s' follows the last value of the line",
-                       shown.text);
+    return !lines_field(&rest, "", &field) ||
+           record_fail(r, l->number, "'%s' follows the last value of the line",
+                       lines_excerpt(field).text);
 }
 
-static size_t fields_each(const struct fixed_format *format) {
-    return format->timed ? 2 : 1;
+// Reads field `field` of the line, the time of value `i` or the value itself.
+static bool read_field(const struct record_reader *r, const struct lines *l,
+                       const struct fixed_format *format, const char *what, size_t i, size_t field,
+                       double *value) {
+    const struct number_field f = {r->text, l->number, what, i + 1,
+                                   fixed_field(l->whole, format, field)};
+    return record_number(r, &f, value);
 }
 
-static int read_time(const struct record_text *t, const struct lines *l,
-                     const struct fixed_format *format, size_t i, struct record_content *out,
-                     struct error *e) {
-    const struct number_field f = {t, l->number, "time", i + 1,
-                                   fixed_field(l->whole, format, 2 * (i % format->n))};
-    double time;
-    const int status = lines_read_number(&f, &time, e);
-    return status == STATUS_OK ? values_check_time(t, l->number, i, time, out, e) : status;
-}
-
-int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
-               const struct fixed_format *format, size_t n, struct record_content *out,
-               struct error *e) {
+bool fixed_read(const struct record_reader *r, struct lines *l, const struct fixed_format *format,
+                size_t n) {
     assert(format->n > 0 && format->width > 0);
     const int title = format->stated ? format->stated : l->number;
+    const size_t each = format->timed ? 2 : 1;  // fields for each value
     if (n > (size_t)(l->end - l->at)) {
-        return lines_error(e, t->path, title, "the line says %zu values; the file ends before", n);
+        return record_fail(r, title, "the line says %zu values; the file ends before", n);
     }
-    double *value = arena_alloc(a, n, sizeof *value);
+    double *value = arena_alloc(r->arena, n, sizeof *value);
     if (!value) {
-        return error_no_memory(e);
+        return record_fail_memory(r);
     }
     for (size_t i = 0; i < n; i++) {
         const size_t column = i % format->n;
+        double time;
         if (column == 0 && !lines_next(l)) {
-            return lines_error(e, t->path, l->number,
-                               "the file ends after %zu values; line %d says %zu", i, title, n);
+            return record_fail(r, l->number, "the file ends after %zu values; line %d says %zu", i,
+                               title, n);
         }
-        int status = format->timed ? read_time(t, l, format, i, out, e) : STATUS_OK;
-        if (status == STATUS_OK) {
-            const size_t used = (i % format->n + 1) * fields_each(format);
-            const struct number_field f = {t, l->number, "value", i + 1,
-                                           fixed_field(l->whole, format, used - 1)};
-            status = lines_read_number(&f, &value[i], e);
+        if (format->timed && (!read_field(r, l, format, "time", i, 2 * column, &time) ||
+                              !values_check_time(r, l->number, i, time))) {
+            return false;
         }
-        if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
-            status = check_rest(t, l, (column + 1) * fields_each(format) * format->width, e);
+        if (!read_field(r, l, format, "value", i, (column + 1) * each - 1, &value[i])) {
+            return false;
         }
-        if (status != STATUS_OK) {
-            return status;
+        if ((column + 1 == format->n || i + 1 == n) &&
+            !check_rest(r, l, (column + 1) * each * format->width)) {
+            return false;
         }
-        values_note_peak(out, value, i, l->number);
+        values_note_peak(r->out, value, i, l->number);
     }
-    out->value = value;
-    out->n = n;
-    return STATUS_OK;
+    r->out->value = value;
+    r->out->n = n;
+    return true;
 }
 
 // True if the line has only numbers, separated by spaces or by the width of the fields.
@@ -152,13 +142,11 @@ static bool is_row(const struct lines *l, const struct fixed_format *format) {
     return by_blanks || by_width;
 }
 
-int fixed_check_end(const struct record_text *t, struct lines l, const struct fixed_format *format,
-                    size_t n, struct error *e) {
+bool fixed_check_end(const struct record_reader *r, struct lines l,
+                     const struct fixed_format *format) {
     bool found;
     while ((found = lines_next(&l)) && l.line.n == 0) {
     }
-    return found && is_row(&l, format)
-               ? lines_error(e, t->path, l.number,
-                             "more than the %zu values that the header states", n)
-               : STATUS_OK;
+    return !found || !is_row(&l, format) ||
+           record_fail(r, l.number, "more than the %zu values that the header states", r->out->n);
 }

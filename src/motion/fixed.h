@@ -7,8 +7,6 @@
 #include "motion/lines.h"
 #include "motion/record_format.h"
 
-struct arena;
-
 struct fixed_format {
     size_t n;         // values per line
     size_t width;     // characters per field
@@ -25,15 +23,14 @@ bool fixed_format_find(struct piece line, struct fixed_format *out);
 struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i);
 
 // Reads n values from the lines after the current one, up to the end of the line with the last
-// value. Sets value, n, peak and peak_line of `out`. Errors: STATUS_INPUT (too few lines, a field
-// that is empty or not a number, characters after the last field, uneven times).
-int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
-               const struct fixed_format *format, size_t n, struct record_content *out,
-               struct error *e);
+// value. Sets value, n, peak and peak_line of r->out. False after an error: too few lines, a field
+// that is empty or not a number, characters after the last field, uneven times.
+bool fixed_read(const struct record_reader *r, struct lines *l, const struct fixed_format *format,
+                size_t n);
 
-// STATUS_INPUT if a row of numbers follows the n values, the last of which is in the current line
-// of `l`.
-int fixed_check_end(const struct record_text *t, struct lines l, const struct fixed_format *format,
-                    size_t n, struct error *e);
+// False, with an error, if a row of numbers follows the values that have been read, the last of
+// which is in the current line of `l`.
+bool fixed_check_end(const struct record_reader *r, struct lines l,
+                     const struct fixed_format *format);
 
 #endif

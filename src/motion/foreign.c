@@ -51,12 +51,8 @@ const char *foreign_file(const struct record_text *t) {
 
 const char *foreign_format(const struct record_text *t) {
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        struct lines l;
-        lines_init(&l, t);
-        while (l.number < formats[i].n_line && lines_next(&l)) {
-            if (lines_contain(l.line, formats[i].text)) {
-                return formats[i].name;
-            }
+        if (record_has_mark(t, formats[i].text, formats[i].n_line)) {
+            return formats[i].name;
         }
     }
     return NULL;

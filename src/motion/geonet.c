@@ -35,7 +35,7 @@ static const double DURATION_ROUNDING = 0.01;  // [s]
 
 // A component: numbers of its lines, and their content.
 struct component {
-    const struct record_text *text;
+    const struct record_reader *reading;
     struct lines line[HEADER_LINES + 1];
     double count[N_KIND];
 };
@@ -66,16 +66,16 @@ static bool next_component(struct lines *l, struct piece *name) {
 }
 
 // Reads the lines of the component that begins at the current line of `l`.
-static int read_lines(struct component *c, struct lines l, struct error *e) {
+static bool read_lines(struct component *c, struct lines l) {
     for (int i = 1; i <= HEADER_LINES; i++) {
         c->line[i] = l;
         if (i < HEADER_LINES && !lines_next(&l)) {
-            return lines_error(e, c->text->path, l.number,
+            return record_fail(c->reading, l.number,
                                "the file ends after %d of the %d lines of a header", i,
                                HEADER_LINES);
         }
     }
-    return STATUS_OK;
+    return true;
 }
 
 // The first word after `word` in line `i`.
@@ -87,25 +87,23 @@ static struct piece word_behind(const struct component *c, int i, const char *wo
 }
 
 // Number `i`, from 1, of a line of integers or reals.
-static int read_number(const struct component *c, int line, size_t i, double *value,
-                       struct error *e) {
+static bool read_number(const struct component *c, int line, size_t i, double *value) {
     const struct lines *l = &c->line[line];
-    const struct number_field f = {c->text, l->number, "number", i,
+    const struct number_field f = {c->reading->text, l->number, "number", i,
                                    fixed_field(l->whole, &columns, i - 1)};
-    return lines_read_number(&f, value, e);
+    return record_number(c->reading, &f, value);
 }
 
-static int read_counts(struct component *c, struct error *e) {
+static bool read_counts(struct component *c) {
     const int line = c->line[LINE_COUNTS].number;
     for (int i = 0; i < N_KIND; i++) {
         const double least = i == ACCELERATIONS ? 2 : 0;
         double *n = &c->count[i];
-        const int status = read_number(c, LINE_COUNTS, 4 + (size_t)i, n, e);
-        if (status != STATUS_OK) {
-            return status;
+        if (!read_number(c, LINE_COUNTS, 4 + (size_t)i, n)) {
+            return false;
         }
         if (*n != floor(*n) || *n < least || *n > 1e9) {
-            return lines_error(e, c->text->path, line,
+            return record_fail(c->reading, line,
                                "number %d is %g; it must be a number of values, whole and at "
                                "least %g",
                                4 + i, *n, least);
@@ -113,106 +111,85 @@ static int read_counts(struct component *c, struct error *e) {
     }
     double points;
     const struct piece told = word_behind(c, LINE_POINTS, "NUMBER OF POINTS");
-    return lines_number(told, &points) == NUMBER_OK && points == c->count[ACCELERATIONS]
-               ? STATUS_OK
-               : lines_error(e, c->text->path, c->line[LINE_POINTS].number,
-                             "Number of points '%s'; line %d says %.0f", lines_excerpt(told).text,
-                             line, c->count[ACCELERATIONS]);
+    return (lines_number(told, &points) == NUMBER_OK && points == c->count[ACCELERATIONS]) ||
+           record_fail(c->reading, c->line[LINE_POINTS].number,
+                       "Number of points '%s'; line %d says %.0f", lines_excerpt(told).text, line,
+                       c->count[ACCELERATIONS]);
 }
 
 // Reads the time step and checks the duration. The duration is n - 1 steps; n steps are accepted
 // too.
-static int read_step(const struct component *c, struct record_content *out, struct error *e) {
-    const struct header h = {.text = c->text};
+static bool read_step(const struct component *c) {
     const int line = c->line[LINE_STEP].number;
-    int status = read_number(c, LINE_STEP, 6, &out->dt, e);
-    if (status == STATUS_OK && out->dt <= 0) {
-        status =
-            lines_error(e, c->text->path, line, "a time step of %g s; it must be > 0", out->dt);
+    double *dt = &c->reading->out->dt;
+    if (!read_number(c, LINE_STEP, 6, dt)) {
+        return false;
     }
-    if (status != STATUS_OK) {
-        return status;
+    if (*dt <= 0) {
+        return record_fail(c->reading, line, "a time step of %g s; it must be > 0", *dt);
     }
-    out->dt_line = line;
+    c->reading->out->dt_line = line;
     double told;
-    const double duration = (c->count[ACCELERATIONS] - 1) * out->dt;
+    const double duration = (c->count[ACCELERATIONS] - 1) * *dt;
     const struct header_entry entry = {"Duration", word_behind(c, LINE_POINTS, "DURATION"),
                                        c->line[LINE_POINTS].number};
-    status = header_read_positive(&h, &entry, entry.value, &told, e);
-    return status != STATUS_OK || fabs(told - duration) <= out->dt + DURATION_ROUNDING
-               ? status
-               : lines_error(e, c->text->path, entry.line,
-                             "Duration %g s; the time step of %g s (line %d) makes it %g", told,
-                             out->dt, line, duration);
+    return header_read_positive(c->reading, &entry, entry.value, &told) &&
+           (fabs(told - duration) <= *dt + DURATION_ROUNDING ||
+            record_fail(c->reading, entry.line,
+                        "Duration %g s; the time step of %g s (line %d) makes it %g", told, *dt,
+                        line, duration));
 }
 
 // Reads the unit, and the peak against which the values are checked.
-static int read_acceleration(const struct record_request *request, const struct component *c,
-                             struct record_content *out, struct error *e) {
-    const struct header h = {.text = c->text};
+static bool read_acceleration(const struct component *c) {
+    const int line = c->line[LINE_PEAK].number;
     struct piece rest = lines_behind(c->line[LINE_PEAK].line, "ACCELERATION:  PEAK");
     struct piece peak = {0}, unit = {0};
     double factor;
-    int status = read_number(c, LINE_FACTOR, 8, &factor, e);
-    if (status == STATUS_OK && factor != 1) {
-        status = lines_error(e, c->text->path, c->line[LINE_FACTOR].number,
-                             "a factor of %g makes mm/s/s of the values; only files in mm/s/s are "
-                             "read",
-                             factor);
+    if (!read_number(c, LINE_FACTOR, 8, &factor)) {
+        return false;
     }
-    if (status == STATUS_OK && (!lines_field(&rest, "", &peak) || !lines_field(&rest, "", &unit))) {
-        status = lines_error(e, c->text->path, c->line[LINE_PEAK].number,
-                             "the line has no 'Acceleration:  Peak' with its unit");
+    if (factor != 1) {
+        return record_fail(c->reading, c->line[LINE_FACTOR].number,
+                           "a factor of %g makes mm/s/s of the values; only files in mm/s/s are "
+                           "read",
+                           factor);
     }
-    if (status != STATUS_OK) {
-        return status;
+    if (!lines_field(&rest, "", &peak) || !lines_field(&rest, "", &unit)) {
+        return record_fail(c->reading, line, "the line has no 'Acceleration:  Peak' with its unit");
     }
-    const struct header_entry entry = {"peak", peak, c->line[LINE_PEAK].number};
-    header_read_unit(request, &entry, unit, out);
-    return header_read_peak(&h, &entry, peak, out, e);
+    header_read_unit(c->reading, line, unit);
+    return header_read_peak(c->reading, &(struct header_entry){"peak", peak, line}, peak, 0);
 }
 
 // Checks that the lines of velocities and displacements follow, and no further accelerations.
-static int check_end(const struct component *c, struct lines l, struct error *e) {
+static bool check_end(const struct component *c, struct lines l) {
     const double rows = ceil(c->count[VELOCITIES] / ROW) + ceil(c->count[DISPLACEMENTS] / ROW);
     double n = 0;
     while (lines_next(&l) && !is_title(l.line)) {
         n += l.line.n > 0;
     }
-    return n == rows ? STATUS_OK
-                     : lines_error(e, c->text->path, c->line[LINE_COUNTS].number,
-                                   "%.0f lines follow the accelerations; %.0f velocities and %.0f "
-                                   "displacements fill %.0f",
-                                   n, c->count[VELOCITIES], c->count[DISPLACEMENTS], rows);
+    return n == rows || record_fail(c->reading, c->line[LINE_COUNTS].number,
+                                    "%.0f lines follow the accelerations; %.0f velocities and "
+                                    "%.0f displacements fill %.0f",
+                                    n, c->count[VELOCITIES], c->count[DISPLACEMENTS], rows);
 }
 
-static int geonet_read(struct arena *a, const struct record_request *request,
-                       const struct record_text *t, struct record_content *out, struct error *e) {
-    struct component c = {.text = t};
+static bool geonet_read(const struct record_reader *r) {
+    struct component c = {.reading = r};
     struct fixed_format format = columns;
     struct lines l;
     struct piece name;
-    int status = channels_seek(request, t, next_component, none, &l, out, e);
-    if (status == STATUS_OK) {
-        next_component(&l, &name);
-        status = read_lines(&c, l, e);
+    if (!channels_seek(r, next_component, none, &l)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = read_counts(&c, e);
-    }
-    if (status == STATUS_OK) {
-        status = read_step(&c, out, e);
-    }
-    if (status == STATUS_OK) {
-        status = read_acceleration(request, &c, out, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
+    next_component(&l, &name);
+    if (!read_lines(&c, l) || !read_counts(&c) || !read_step(&c) || !read_acceleration(&c)) {
+        return false;
     }
     format.stated = c.line[LINE_COUNTS].number;
     l = c.line[HEADER_LINES];
-    status = fixed_read(a, t, &l, &format, (size_t)c.count[ACCELERATIONS], out, e);
-    return status == STATUS_OK ? check_end(&c, l, e) : status;
+    return fixed_read(r, &l, &format, (size_t)c.count[ACCELERATIONS]) && check_end(&c, l);
 }
 
 const struct record_format record_geonet = {

@@ -30,9 +30,23 @@ static bool is_entry(struct piece line, const char *key, struct piece *value) {
     return rest.n == 0 || value->n < rest.n;
 }
 
+bool header_end(const struct record_reader *r, const char *mark, int n_line, const char *name,
+                struct lines *l) {
+    const size_t n = strlen(mark);
+    lines_init(l, r->text);
+    while (l->number < n_line && lines_next(l)) {
+        if (l->line.n >= n && memcmp(l->line.text, mark, n) == 0) {
+            return true;
+        }
+    }
+    return record_fail(
+        r, 0, "the file has no '%s' in the first %d lines; it ends the header of a %s file", mark,
+        n_line, name);
+}
+
 bool header_find(const struct header *h, const char *key, struct header_entry *out) {
     struct lines l;
-    lines_init(&l, h->text);
+    lines_init(&l, h->reading->text);
     while (l.number < h->n_line && lines_next(&l)) {
         if (is_entry(l.line, key, &out->value)) {
             out->key = key;
@@ -43,70 +57,56 @@ bool header_find(const struct header *h, const char *key, struct header_entry *o
     return false;
 }
 
-int header_text(const struct header *h, const char *key, struct header_entry *out,
-                struct error *e) {
+bool header_text(const struct header *h, const char *key, struct header_entry *out) {
     if (!header_find(h, key, out)) {
-        return lines_error(e, h->text->path, 0, "the header has no '%s'", key);
+        return record_fail(h->reading, 0, "the header has no '%s'", key);
     }
-    return out->value.n > 0 ? STATUS_OK
-                            : lines_error(e, h->text->path, out->line, "%s is empty", key);
+    return out->value.n > 0 || record_fail(h->reading, out->line, "%s is empty", key);
 }
 
-int header_read_number(const struct header *h, const struct header_entry *from, struct piece value,
-                       double *number, struct error *e) {
-    if (lines_number(value, number) == NUMBER_OK) {
-        return STATUS_OK;
-    }
-    return lines_error(e, h->text->path, from->line, "%s '%s' is not a number", from->key,
+bool header_read_number(const struct record_reader *r, const struct header_entry *from,
+                        struct piece value, double *number) {
+    return lines_number(value, number) == NUMBER_OK ||
+           record_fail(r, from->line, "%s '%s' is not a number", from->key,
                        lines_excerpt(value).text);
 }
 
-int header_read_positive(const struct header *h, const struct header_entry *from,
-                         struct piece value, double *number, struct error *e) {
-    const int status = header_read_number(h, from, value, number, e);
-    return status != STATUS_OK || *number > 0
-               ? status
-               : lines_error(e, h->text->path, from->line, "%s is %s; it must be > 0", from->key,
-                             lines_excerpt(value).text);
+bool header_read_positive(const struct record_reader *r, const struct header_entry *from,
+                          struct piece value, double *number) {
+    return header_read_number(r, from, value, number) &&
+           (*number > 0 || record_fail(r, from->line, "%s is %s; it must be > 0", from->key,
+                                       lines_excerpt(value).text));
 }
 
-int header_positive(const struct header *h, const char *key, struct header_entry *out,
-                    double *number, struct error *e) {
-    const int status = header_text(h, key, out, e);
-    return status == STATUS_OK ? header_read_positive(h, out, out->value, number, e) : status;
+bool header_positive(const struct header *h, const char *key, struct header_entry *out,
+                     double *number) {
+    return header_text(h, key, out) && header_read_positive(h->reading, out, out->value, number);
 }
 
-int header_read_count(const struct header *h, const struct header_entry *from, double *n,
-                      struct error *e) {
-    const int status = header_read_number(h, from, from->value, n, e);
-    if (status == STATUS_OK && (*n != floor(*n) || *n < 2 || *n > 1e9)) {
-        return lines_error(e, h->text->path, from->line,
-                           "%s is %s; it must be a whole number from 2 to 1e9", from->key,
-                           lines_excerpt(from->value).text);
+bool header_read_count(const struct record_reader *r, const struct header_entry *from, double *n) {
+    if (!header_read_number(r, from, from->value, n)) {
+        return false;
     }
-    return status;
+    return (*n == floor(*n) && *n >= 2 && *n <= 1e9) ||
+           record_fail(r, from->line, "%s is %s; it must be a whole number from 2 to 1e9",
+                       from->key, lines_excerpt(from->value).text);
 }
 
-int header_count(const struct header *h, const char *key, struct header_entry *out, double *n,
-                 struct error *e) {
-    const int status = header_text(h, key, out, e);
-    return status == STATUS_OK ? header_read_count(h, out, n, e) : status;
+bool header_count(const struct header *h, const char *key, struct header_entry *out, double *n) {
+    return header_text(h, key, out) && header_read_count(h->reading, out, n);
 }
 
-int header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,
-                    double *n, struct error *e) {
+bool header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,
+                     double *n) {
     double duration;
-    const int status = header_positive(h, key, out, &duration, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (!header_positive(h, key, out, &duration)) {
+        return false;
     }
     *n = rate * duration;
-    return *n == floor(*n) && *n >= 2
-               ? STATUS_OK
-               : lines_error(e, h->text->path, out->line,
-                             "%g s at %g Hz are %g values; they must be a whole number of at "
-                             "least 2",
-                             duration, rate, *n);
+    return (*n == floor(*n) && *n >= 2) ||
+           record_fail(h->reading, out->line,
+                       "%g s at %g Hz are %g values; they must be a whole number of at least 2",
+                       duration, rate, *n);
 }
 
 // One unit in the last digit of a decimal number.
@@ -115,40 +115,36 @@ static double last_digit(struct piece number) {
     return point ? pow(10, -(double)(number.text + number.n - point - 1)) : 1;
 }
 
-int header_read_peak(const struct header *h, const struct header_entry *from, struct piece value,
-                     struct record_content *out, struct error *e) {
+bool header_read_peak(const struct record_reader *r, const struct header_entry *from,
+                      struct piece value, double unit) {
+    struct record_content *out = r->out;
+    const double size = unit > 0 && out->unit > 0 ? unit / out->unit : 1;
     double peak;
     if (value.n == 0) {
-        return STATUS_OK;
+        return true;
     }
-    const int status = header_read_number(h, from, value, &peak, e);
-    if (status == STATUS_OK) {
-        out->stated_peak = fabs(peak);
-        out->stated_rounding = last_digit(value);
+    if (!header_read_number(r, from, value, &peak)) {
+        return false;
+    }
+    if (out->stated_line == 0 || size * fabs(peak) > out->stated_peak) {
+        out->stated_peak = size * fabs(peak);
+        out->stated_rounding = size * last_digit(value);
         out->stated_line = from->line;
     }
-    return status;
+    return true;
 }
 
-int header_read_peak_of_unit(const struct header *h, const struct header_entry *from,
-                             struct piece value, double unit, struct record_content *out,
-                             struct error *e) {
-    const int status = header_read_peak(h, from, value, out, e);
-    if (unit > 0 && out->unit > 0) {
-        out->stated_peak *= unit / out->unit;
-        out->stated_rounding *= unit / out->unit;
-    }
-    return status;
-}
-
-void header_read_unit(const struct record_request *request, const struct header_entry *from,
-                      struct piece value, struct record_content *out) {
+double header_unit(const struct record_reader *r, struct piece text) {
     struct dimension dimension;
     double si;
-    out->unit_text = lines_excerpt(value);
-    out->unit_line = from->line;
-    if (record_unit(value, request->gravity, &dimension, &si) &&
-        dimension_equal(dimension, dimension_acceleration)) {
-        out->unit = si;
-    }
+    const bool is = record_unit(text, r->request->gravity, &dimension, &si) &&
+                    dimension_equal(dimension, dimension_acceleration);
+    return is ? si : 0;
+}
+
+void header_read_unit(const struct record_reader *r, int line, struct piece value) {
+    const double unit = header_unit(r, value);
+    r->out->unit_text = lines_excerpt(value);
+    r->out->unit_line = line;
+    r->out->unit = unit > 0 ? unit : r->out->unit;
 }

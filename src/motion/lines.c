@@ -264,40 +264,12 @@ bool lines_number_like(struct piece field) {
     return field.n > 0 && is_digit(field.text[0]);
 }
 
-// Number of bytes of the character at `s`, if it can be printed without change; otherwise 0.
-static size_t shown_as_is(struct piece s) {
-    unsigned char c = (unsigned char)s.text[0];
-    if (c < 0x80) {
-        return c >= 0x20 && c != 0x7f;
-    }
-    size_t n = c >= 0xf0 ? 4 : c >= 0xe0 ? 3 : 2;
-    bool is_control = c == 0xc2 && s.n > 1 && (unsigned char)s.text[1] < 0xa0;
-    size_t at;
-    return !is_control && n <= s.n && text_is_utf8(s.text, n, &at) ? n : 0;
-}
-
 struct excerpt lines_excerpt(struct piece field) {
     enum { SHOWN = 40 };
-    struct excerpt e = {.text = ""};
-    size_t out = 0;
-    size_t i = 0;
-    while (i < field.n && i < SHOWN) {
-        struct piece rest = {field.text + i, field.n - i};
-        size_t n = shown_as_is(rest);
-        if (n == 0) {
-            unsigned byte = (unsigned char)rest.text[0];
-            out += (size_t)snprintf(e.text + out, sizeof e.text - out, "\\x%02x", byte);
-            i++;
-            continue;
-        }
-        if (i + n > SHOWN) {
-            break;
-        }
-        memcpy(e.text + out, rest.text, n);
-        out += n;
-        i += n;
-    }
-    snprintf(e.text + out, sizeof e.text - out, "%s", i < field.n ? "..." : "");
+    struct excerpt e;
+    const bool cut = field.n > SHOWN;
+    text_clean(e.text, sizeof e.text - 3, field.text, cut ? text_cut(field.text, SHOWN) : field.n);
+    strcat(e.text, cut ? "..." : "");
     return e;
 }
 

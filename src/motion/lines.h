@@ -78,9 +78,9 @@ enum number lines_number(struct piece field, double *value);
 // not count as a word.
 bool lines_number_like(struct piece field);
 
-// `field` for a message: at most 40 bytes, control characters and stray bytes as \xNN.
+// `field` for a message: at most 40 bytes. Control characters and stray bytes become `?`.
 struct excerpt {
-    char text[4 * 40 + 4];
+    char text[48];
 };
 struct excerpt lines_excerpt(struct piece field);
 

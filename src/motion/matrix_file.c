@@ -155,33 +155,36 @@ static int convert(const struct record_text *t, const struct matrix_request *q, 
     return STATUS_OK;
 }
 
+static int read_rows(const struct record_text *t, const struct table *table, double *k,
+                     struct error *e) {
+    struct lines l = table->rows;
+    for (size_t i = 0; i < table->n_row && table_next(&l); i++) {
+        const int status = read_row(t, table, &l, k + i * table->n_row, e);
+        if (status != STATUS_OK) {
+            return status;
+        }
+    }
+    return STATUS_OK;
+}
+
 static int read_text(struct arena *a, const struct matrix_request *q, const struct record_text *t,
                      double **value, struct error *e) {
+    const size_t n = (size_t)q->n;
     struct record_text text;
     struct table table;
-    int status = record_clean(t, &text, e);
-    if (!status && !table_find(&text, &table)) {
-        return lines_error(e, t->path, 0, "the file has no line of numbers");
+    if (record_clean(t, &text, e) != STATUS_OK || table_read(&text, &table, e) != STATUS_OK ||
+        check_size(&text, &table, q, e) != STATUS_OK) {
+        return e->status;
     }
-    status = status ? status : table_check(&text, &table, e);
-    status = status ? status : check_size(&text, &table, q, e);
-    if (status) {
-        return status;
-    }
-    const size_t n = (size_t)q->n;
-    double *k = arena_alloc(a, n * n, sizeof *k);
+    double *k = *value = arena_alloc(a, n * n, sizeof *k);
     if (!k) {
         return error_no_memory(e);
     }
-    struct lines l = table.rows;
-    for (size_t i = 0; !status && i < n && table_next(&l); i++) {
-        status = read_row(&text, &table, &l, k + i * n, e);
-    }
-    status = status ? status : check_symmetry(&text, n, k, e);
-    status = status ? status : check_definite(&text, q, k, e);
-    status = status ? status : convert(&text, q, k, e);
-    *value = k;
-    return status;
+    return read_rows(&text, &table, k, e) != STATUS_OK ||
+                   check_symmetry(&text, n, k, e) != STATUS_OK ||
+                   check_definite(&text, q, k, e) != STATUS_OK
+               ? e->status
+               : convert(&text, q, k, e);
 }
 
 int matrix_read(struct arena *a, const struct matrix_request *request, double **value,

@@ -12,8 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "motion/lines.h"
-#include "motion/record_format.h"
+#include "motion/header.h"
 #include "motion/values.h"
 
 enum { HEADER_LINES_MAX = 64 };
@@ -102,19 +101,15 @@ static double choose_npts(const struct lines *l, double npts, struct record_cont
     return is_other ? out->other_npts : npts;
 }
 
-static int check_npts(const struct record_text *t, int line, struct piece text, double *npts,
-                      struct error *e) {
-    struct excerpt shown = lines_excerpt(text);
+static bool check_npts(const struct record_reader *r, int line, struct piece text, double *npts) {
+    const struct excerpt shown = lines_excerpt(text);
     if (lines_number(text, npts) != NUMBER_OK) {
-        return lines_error(e, t->path, line, "NPTS '%s' is not a number", shown.text);
+        return record_fail(r, line, "NPTS '%s' is not a number", shown.text);
     }
     if (*npts != floor(*npts)) {
-        return lines_error(e, t->path, line, "NPTS is %s; it must be a whole number", shown.text);
+        return record_fail(r, line, "NPTS is %s; it must be a whole number", shown.text);
     }
-    if (*npts < 2) {
-        return lines_error(e, t->path, line, "NPTS is %s; it must be at least 2", shown.text);
-    }
-    return STATUS_OK;
+    return *npts >= 2 || record_fail(r, line, "NPTS is %s; it must be at least 2", shown.text);
 }
 
 // True if a time step in milliseconds is meant: a word like MSEC follows it.
@@ -125,19 +120,16 @@ static bool is_milliseconds(struct piece line, struct piece dt) {
     return lines_field(&rest, ",", &word) && (word.text[0] == 'M' || word.text[0] == 'm');
 }
 
-static int check_dt(const struct record_text *t, const struct lines *l, struct piece text,
-                    double *dt, struct error *e) {
-    struct excerpt shown = lines_excerpt(text);
+static bool check_dt(const struct record_reader *r, const struct lines *l, struct piece text) {
+    const struct excerpt shown = lines_excerpt(text);
+    double *dt = &r->out->dt;
     if (lines_number(text, dt) != NUMBER_OK) {
-        return lines_error(e, t->path, l->number, "DT '%s' is not a number", shown.text);
+        return record_fail(r, l->number, "DT '%s' is not a number", shown.text);
     }
     if (*dt <= 0) {
-        return lines_error(e, t->path, l->number, "DT is %s s; it must be > 0", shown.text);
+        return record_fail(r, l->number, "DT is %s s; it must be > 0", shown.text);
     }
-    if (is_milliseconds(l->line, text)) {
-        return lines_error(e, t->path, l->number, "DT is not in seconds");
-    }
-    return STATUS_OK;
+    return !is_milliseconds(l->line, text) || record_fail(r, l->number, "DT is not in seconds");
 }
 
 // True for the words between UNITS and the unit.
@@ -172,71 +164,53 @@ static bool find_unit(struct piece line, struct piece *unit) {
 }
 
 // Reads the unit from a line of the header, unless an earlier line had it.
-static int read_unit(const struct record_request *request, const struct record_text *t,
-                     const struct lines *l, struct record_content *out, struct error *e) {
+static bool read_unit(const struct record_reader *r, const struct lines *l) {
     bool other = lines_word(l->line, "VELOCITY") || lines_word(l->line, "DISPLACEMENT");
     bool is_title = is_series_title(l->line) || lines_word(l->line, "UNITS");
     if (is_title && other && !lines_word(l->line, "ACCELERATION")) {
-        struct excerpt shown = lines_excerpt(l->line);
-        return lines_error(e, t->path, l->number, "this is not an acceleration: '%s'", shown.text);
+        return record_fail(r, l->number, "this is not an acceleration: '%s'",
+                           lines_excerpt(l->line).text);
     }
     struct piece unit;
-    struct dimension dimension;
-    double si;
-    if (out->unit == 0 && find_unit(l->line, &unit)) {
-        out->unit_text = lines_excerpt(unit);
-        out->unit_line = l->number;
-        if (record_unit(unit, request->gravity, &dimension, &si) &&
-            dimension_equal(dimension, dimension_acceleration)) {
-            out->unit = si;
-        }
+    if (r->out->unit == 0 && find_unit(l->line, &unit)) {
+        header_read_unit(r, l->number, unit);
     }
-    return STATUS_OK;
+    return true;
 }
 
 // Reads the lines above line `end`.
-static int read_titles(const struct record_request *request, const struct record_text *t, int end,
-                       struct record_content *out, struct error *e) {
+static bool read_titles(const struct record_reader *r, int end) {
     struct lines l;
-    lines_init(&l, t);
+    lines_init(&l, r->text);
     while (lines_next(&l) && l.number < end) {
-        int status = read_unit(request, t, &l, out, e);
-        if (status) {
-            return status;
+        if (!read_unit(r, &l)) {
+            return false;
         }
     }
-    return STATUS_OK;
+    return true;
 }
 
-static int peer_read(struct arena *a, const struct record_request *request,
-                     const struct record_text *t, struct record_content *out, struct error *e) {
+static bool peer_read(const struct record_reader *r) {
     struct lines l;
-    lines_init(&l, t);
+    lines_init(&l, r->text);
     struct piece npts_text, dt_text;
+    double npts;
     if (!find_npts(&l)) {
-        return lines_error(e, t->path, 0,
+        return record_fail(r, 0,
                            "the file has no NPTS in the first %d lines; a PEER header says "
                            "'NPTS= n, DT= dt SEC' or 'n dt NPTS, DT'",
                            HEADER_LINES_MAX);
     }
-    find_last_sizes(&l, out);
+    find_last_sizes(&l, r->out);
     if (!find_sizes(l.line, &npts_text, &dt_text)) {
-        return lines_error(e, t->path, l.number,
-                           "neither 'NPTS= n, DT= dt SEC' nor 'n dt NPTS, DT'");
+        return record_fail(r, l.number, "neither 'NPTS= n, DT= dt SEC' nor 'n dt NPTS, DT'");
     }
-    double npts;
-    int status = check_npts(t, l.number, npts_text, &npts, e);
-    if (!status && dt_text.text) {
-        status = check_dt(t, &l, dt_text, &out->dt, e);
+    if (!check_npts(r, l.number, npts_text, &npts) || (dt_text.text && !check_dt(r, &l, dt_text))) {
+        return false;
     }
-    out->dt_line = l.number;
-    if (!status) {
-        status = read_titles(request, t, l.number, out, e);
-    }
-    if (!status) {
-        status = values_read_stated(a, t, l, choose_npts(&l, npts, out), l.number, out, e);
-    }
-    return status;
+    r->out->dt_line = l.number;
+    return read_titles(r, l.number) &&
+           values_read_stated(r, l, choose_npts(&l, npts, r->out), l.number);
 }
 
 const struct record_format record_peer = {

@@ -3,6 +3,7 @@
 #include "jostle/record.h"
 
 #include <assert.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -61,12 +62,43 @@ int record_text_open(const char *path, size_t limit, struct record_text *out,
     return STATUS_OK;
 }
 
-// The first format whose `matches` accepts the text.
+bool record_fail(const struct record_reader *r, int line, const char *format, ...) {
+    char cause[sizeof r->e->message];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(cause, sizeof cause, format, arguments);
+    va_end(arguments);
+    lines_error(r->e, r->text->path, line, "%s", cause);
+    return false;
+}
+
+bool record_fail_memory(const struct record_reader *r) {
+    error_no_memory(r->e);
+    return false;
+}
+
+bool record_number(const struct record_reader *r, const struct number_field *f, double *value) {
+    return lines_read_number(f, value, r->e) == STATUS_OK;
+}
+
+bool record_has_mark(const struct record_text *t, const char *mark, int n_line) {
+    struct lines l;
+    lines_init(&l, t);
+    while (l.number < n_line && lines_next(&l)) {
+        if (lines_contain(l.line, mark)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The first format that accepts the text.
 static const struct record_format *first_match(const struct record_request *request,
                                                const struct record_text *t, bool certain) {
     for (int i = 0; i < N_FORMAT; i++) {
         const struct record_format *f = record_formats[i];
-        if (f->certain == certain && (f->plain || !request->plain) && f->matches(t)) {
+        const bool allowed = f->certain == certain && (f->plain || !request->plain);
+        if (allowed && (f->mark ? record_has_mark(t, f->mark, f->mark_lines) : f->matches(t))) {
             return f;
         }
     }
@@ -164,13 +196,13 @@ int record_read_text(struct arena *a, const struct record_request *request,
                            f->name);
     }
     struct record_content content = {0};
-    status = f->read(a, request, &stripped, &content, e);
-    if (status) {
+    const struct record_reader reader = {a, request, &stripped, &content, e};
+    if (!f->read(&reader)) {
         out->wrong = content.wrong;
-        return status;
+        return e->status;
     }
     out->format = f->name;
-    return record_check(request, &stripped, &content, out, e);
+    return record_check(&reader, out) ? STATUS_OK : e->status;
 }
 
 int record_read(struct arena *a, const struct record_request *request, struct record *out,

@@ -23,7 +23,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "motion/record_format.h"
+#include "motion/header.h"
 #include "motion/values.h"
 
 static const double G = 9.80665;
@@ -39,10 +39,10 @@ static const double TIME_ERROR = 0.01;   // in steps; a larger error gives a war
 // Share of a step. The step of 256 samples a second with three printed decimals is 2.4 % off.
 static const double NOTED_STEP_ERROR = 0.03;
 
-// The input of a check, and the place for its warnings and errors.
+// What is checked, and the place for warnings.
 struct check {
+    const struct record_reader *reader;
     const struct record_request *request;
-    const char *path;
     const struct record_content *content;
     struct record *out;
 };
@@ -54,89 +54,82 @@ __attribute__((format(printf, 3, 4))) static void warn(const struct check *c, in
     }
     char *to = c->out->warning[c->out->n_warning++];
     size_t size = sizeof c->out->warning[0];
-    size_t used = (size_t)snprintf(to, size, "%s: ", lines_place(c->path, line).text);
+    size_t used = (size_t)snprintf(to, size, "%s: ", lines_place(c->reader->text->path, line).text);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(to + used, size - used, format, arguments);
     va_end(arguments);
 }
 
-static int check_dt(const struct check *c, struct error *e) {
+static bool check_dt(const struct check *c) {
+    const struct record_reader *r = c->reader;
     double given = c->request->dt;
     double read = c->content->dt;
     int line = c->content->dt_line;
     if (given == 0 && read == 0) {
-        return lines_error(e, c->path, line, "the file gives no time step; give -dt DT");
+        return record_fail(r, line, "the file gives no time step; give -dt DT");
     }
     if (given == 0) {
-        if (!c->request->plain && !(read >= DT_MIN && read <= DT_MAX)) {
-            return lines_error(e, c->path, line,
-                               "a time step of %g s is not believable for an "
-                               "accelerogram (%g to %g s); confirm it with -dt %g",
-                               read, DT_MIN, DT_MAX, read);
-        }
         c->out->dt = read;
-        return STATUS_OK;
+        return c->request->plain || (read >= DT_MIN && read <= DT_MAX) ||
+               record_fail(r, line,
+                           "a time step of %g s is not believable for an accelerogram (%g to %g "
+                           "s); confirm it with -dt %g",
+                           read, DT_MIN, DT_MAX, read);
     }
     c->out->wrong = RECORD_DT;
     if (!(given > 0 && isfinite(given))) {
-        return lines_error(e, c->path, 0, "-dt is %g s; it must be > 0", given);
+        return record_fail(r, 0, "-dt is %g s; it must be > 0", given);
     }
     if (read > 0 && !(fabs(given - read) <= fmax(1e-6 * read, c->content->dt_tolerance))) {
-        return lines_error(e, c->path, line,
-                           "-dt %.9g contradicts the time step of %.9g s in the file", given, read);
+        return record_fail(r, line, "-dt %.9g contradicts the time step of %.9g s in the file",
+                           given, read);
     }
     if (read == 0 && !c->request->plain && given > DT_MAX) {
         warn(c, 0, "-dt is %g s; accelerograms have %g s at most", given, DT_MAX);
     }
     c->out->wrong = RECORD_PATH;
     c->out->dt = given;
-    return STATUS_OK;
+    return true;
 }
 
-static int read_given_unit(const struct check *c, double *unit, struct error *e) {
-    const char *text = c->request->unit;
-    struct piece piece = {text, strlen(text)};
-    struct dimension dimension;
-    if (!record_unit(piece, c->request->gravity, &dimension, unit) ||
-        !dimension_equal(dimension, dimension_acceleration)) {
-        struct excerpt shown = lines_excerpt(piece);
+static bool check_given_unit(const struct check *c) {
+    const struct record_content *content = c->content;
+    const struct piece text = {c->request->unit, strlen(c->request->unit)};
+    const double unit = header_unit(c->reader, text);
+    if (unit == 0) {
         c->out->wrong = RECORD_UNIT;
-        return lines_error(e, c->path, 0,
-                           "-unit '%s' is not a unit of acceleration (g, m/s2, cm/s2, "
-                           "gal, ...)",
-                           shown.text);
+        return record_fail(c->reader, 0,
+                           "-unit '%s' is not a unit of acceleration (g, m/s2, cm/s2, gal, ...)",
+                           lines_excerpt(text).text);
     }
-    return STATUS_OK;
+    if (content->unit_line > 0 && fabs(unit - content->unit) > 1e-9 * unit) {
+        warn(c, content->unit_line, "-unit %s overrides the '%s' of the file", c->request->unit,
+             content->unit_text.text);
+    }
+    c->out->unit = unit;
+    return true;
 }
 
-static int check_unit(const struct check *c, struct error *e) {
+static bool check_unit(const struct check *c) {
     const struct record_content *content = c->content;
     c->out->unit = 1;
     if (c->request->plain) {
-        return STATUS_OK;
+        return true;
     }
     if (c->request->unit) {
-        int status = read_given_unit(c, &c->out->unit, e);
-        bool differs = fabs(c->out->unit - content->unit) > 1e-9 * c->out->unit;
-        if (!status && content->unit_line > 0 && differs) {
-            warn(c, content->unit_line, "-unit %s overrides the '%s' of the file", c->request->unit,
-                 content->unit_text.text);
-        }
-        return status;
+        return check_given_unit(c);
     }
     if (content->unit_line == 0) {
-        return lines_error(e, c->path, 0,
+        return record_fail(c->reader, 0,
                            "the file gives no unit; give -unit U (g, m/s2, cm/s2, gal, ...)");
     }
-    if (content->unit == 0) {
-        return lines_error(e, c->path, content->unit_line,
-                           "'%s' is not a unit of acceleration; give "
-                           "-unit U (g, m/s2, cm/s2, gal, ...)",
-                           content->unit_text.text);
-    }
     c->out->unit = content->unit;
-    return STATUS_OK;
+    return content->unit != 0 ||
+           record_fail(c->reader, content->unit_line,
+                       "'%s' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, "
+                       "...)",
+                       content->unit_text.text);
 }
 
 // True if the peak is much larger than any other value.
@@ -148,12 +141,12 @@ static bool is_spike(const struct record_content *content) {
     return fabs(content->value[content->peak]) > SPIKE * second;
 }
 
-static int check_peak(const struct check *c, struct error *e) {
+static bool check_peak(const struct check *c) {
     const struct record_content *content = c->content;
     double value = content->value[content->peak];
     double peak = fabs(value) * c->out->unit / G;
     if (peak > REFUSE_G || (peak > SPIKE_G && is_spike(content))) {
-        return lines_error(e, c->path, content->peak_line,
+        return record_fail(c->reader, content->peak_line,
                            "value %zu is %g, that is %.3g g; no ground acceleration is so large",
                            content->peak + 1, value, peak);
     }
@@ -164,7 +157,7 @@ static int check_peak(const struct check *c, struct error *e) {
              "another unit, say so with -unit (cm/s2, m/s2, ...)",
              peak);
     }
-    return STATUS_OK;
+    return true;
 }
 
 // The stated peak may be that of another version of the record. So a different peak is only a
@@ -252,35 +245,27 @@ static void check_times(const struct check *c) {
     }
 }
 
-int record_check(const struct record_request *request, const struct record_text *t,
-                 const struct record_content *content, struct record *out, struct error *e) {
-    struct check c = {.request = request, .path = t->path, .content = content, .out = out};
+bool record_check(const struct record_reader *r, struct record *out) {
+    struct record_content *content = r->out;
+    const struct check c = {r, r->request, content, out};
     if (content->n < 2) {
-        return lines_error(e, t->path, 0, "the file holds %zu values; at least 2 are needed",
-                           content->n);
+        return record_fail(r, 0, "the file holds %zu values; at least 2 are needed", content->n);
     }
     out->n = content->n;
     out->value = content->value;
     out->peak = fabs(content->value[content->peak]);
-    int status = check_dt(&c, e);
-    if (!status) {
-        status = check_unit(&c, e);
-    }
-    if (!status && !request->plain) {
-        status = check_peak(&c, e);
-    }
-    if (status) {
-        return status;
+    if (!check_dt(&c) || !check_unit(&c) || (!r->request->plain && !check_peak(&c))) {
+        return false;
     }
     check_filling(&c);
     check_npts(&c);
     check_noted_step(&c);
     check_stated_peak(&c);
-    if (request->demean) {
+    if (r->request->demean) {
         demean(content, out);
-    } else if (!request->plain) {
+    } else if (!r->request->plain) {
         check_offset(&c);
     }
     check_times(&c);
-    return STATUS_OK;
+    return true;
 }

@@ -54,6 +54,31 @@ struct record_content {
     double time_error;   // largest distance of a time from the even grid, in steps
 };
 
+// What a reader of a format works with. Its functions return true, or false after an error. All of
+// them are borrowed.
+struct record_reader {
+    struct arena *arena;  // of the values
+    const struct record_request *request;
+    const struct record_text *text;
+    struct record_content *out;
+    struct error *e;
+};
+
+// Sets an error of STATUS_INPUT whose message begins with "path:line: ", or "path: " if line is 0.
+// Returns false.
+bool record_fail(const struct record_reader *r, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+// Sets the error "out of memory"; returns false.
+bool record_fail_memory(const struct record_reader *r);
+
+// Reads a field that should be a number.
+struct number_field;
+bool record_number(const struct record_reader *r, const struct number_field *f, double *value);
+
+// True if one of the first `n_line` lines contains the text, in any case; `mark` in capitals.
+bool record_has_mark(const struct record_text *t, const char *mark, int n_line);
+
 // Reads a record from a text in memory, as record_read does from a file. `t` may be any bytes.
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e);
@@ -70,9 +95,8 @@ const char *foreign_format(const struct record_text *t);
 const char *foreign_file(const struct record_text *t);
 
 // Decides time step and unit from those of the user and the file, and checks that the record is
-// plausible as an accelerogram.
-int record_check(const struct record_request *request, const struct record_text *t,
-                 const struct record_content *content, struct record *out, struct error *e);
+// plausible as an accelerogram. False after an error.
+bool record_check(const struct record_reader *r, struct record *out);
 
 // Units as record files and users write them.
 

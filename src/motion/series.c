@@ -13,24 +13,17 @@ static bool series_matches(const struct record_text *t) {
     return table.n_row == 1 || (table.n_ragged == 0 && table.n_last < table.n_column);
 }
 
-static int series_read(struct arena *a, const struct record_request *request,
-                       const struct record_text *t, struct record_content *out, struct error *e) {
-    (void)request;
+static bool series_read(const struct record_reader *r) {
     struct table table;
-    if (!table_find(t, &table)) {
-        return lines_error(e, t->path, 0, "the file has no line of numbers");
-    }
-    int status = table_check(t, &table, e);
-    if (status) {
-        return status;
+    if (table_read(r->text, &table, r->e) != STATUS_OK) {
+        return false;
     }
     if (table.comma) {
-        return lines_error(e, t->path, table.first_line,
-                           "decimal commas; only -format columns reads them");
+        return record_fail(r, table.first_line, "decimal commas; only -format columns reads them");
     }
     int last_line;
     const size_t n = values_count(table.rows, table.separators, &last_line);
-    return values_read(a, t, table.rows, table.separators, n, out, e);
+    return values_read(r, table.rows, table.separators, n);
 }
 
 const struct record_format record_series = {

@@ -29,7 +29,7 @@ static const double UNKNOWN = 1e38;
 static const double ROUNDING = 1e-4;  // of values of five digits
 
 struct smc {
-    const struct record_text *text;
+    const struct record_reader *reading;
     struct lines line[HEADER_LINES + 1];
 };
 
@@ -43,20 +43,19 @@ static bool smc_matches(const struct record_text *t) {
     return lines_next(&l) && is_title(l.line);
 }
 
-static int read_lines(struct smc *s, struct error *e) {
+static bool read_lines(struct smc *s) {
     struct lines l;
-    lines_init(&l, s->text);
+    lines_init(&l, s->reading->text);
     for (int i = 1; i <= HEADER_LINES; i++) {
         if (!lines_next(&l)) {
-            return lines_error(e, s->text->path, l.number,
+            return record_fail(s->reading, l.number,
                                "the file ends after %d of the %d lines of a header", i - 1,
                                HEADER_LINES);
         }
         s->line[i] = l;
     }
-    return is_title(s->line[1].line)
-               ? STATUS_OK
-               : lines_error(e, s->text->path, 1, "the line has no \'2 CORRECTED ACCELEROGRAM'");
+    return is_title(s->line[1].line) ||
+           record_fail(s->reading, 1, "the line has no \'2 CORRECTED ACCELEROGRAM'");
 }
 
 // Number `i`, from 1, in the fields of this format that begin in line `first`.
@@ -67,9 +66,37 @@ static struct header_entry number(const struct smc *s, const char *key, int firs
                                  line};
 }
 
+static bool read_rate(const struct smc *s) {
+    const struct header_entry entry = number(s, "samples a second", REAL_LINE, &reals, REAL_RATE);
+    double rate;
+    if (!header_read_positive(s->reading, &entry, entry.value, &rate)) {
+        return false;
+    }
+    s->reading->out->dt = 1 / rate;
+    s->reading->out->dt_line = entry.line;
+    return true;
+}
+
+static bool read_peak(const struct smc *s) {
+    static const size_t places[] = {REAL_LARGEST, REAL_SMALLEST};
+    struct record_content *out = s->reading->out;
+    for (int i = 0; i < 2; i++) {
+        const struct header_entry entry = number(s, "peak", REAL_LINE, &reals, places[i]);
+        double peak;
+        if (!header_read_number(s->reading, &entry, entry.value, &peak)) {
+            return false;
+        }
+        if (fabs(peak) < UNKNOWN && fabs(peak) > out->stated_peak) {
+            out->stated_peak = fabs(peak);
+            out->stated_rounding = ROUNDING * fabs(peak);
+            out->stated_line = entry.line;
+        }
+    }
+    return true;
+}
+
 // Goes over the lines of comment, to the last of them.
-static int skip_comments(const struct smc *s, struct lines *l, struct error *e) {
-    const struct header h = {.text = s->text};
+static bool skip_comments(const struct smc *s, struct lines *l) {
     const struct header_entry entry =
         number(s, "number of comments", INTEGER_LINE, &integers, INT_COMMENTS);
     double told;
@@ -78,64 +105,28 @@ static int skip_comments(const struct smc *s, struct lines *l, struct error *e) 
          n++) {
         *l = next;
     }
-    const int status = header_read_number(&h, &entry, entry.value, &told, e);
-    return status != STATUS_OK || told == n
-               ? status
-               : lines_error(e, s->text->path, entry.line,
-                             "the header states %.0f lines of comment; %d lines begin with a |",
-                             told, n);
+    return header_read_number(s->reading, &entry, entry.value, &told) &&
+           (told == n ||
+            record_fail(s->reading, entry.line,
+                        "the header states %.0f lines of comment; %d lines begin with a |", told,
+                        n));
 }
 
-static int read_peak(const struct smc *s, struct record_content *out, struct error *e) {
-    const struct header h = {.text = s->text};
-    static const size_t places[] = {REAL_LARGEST, REAL_SMALLEST};
-    int status = STATUS_OK;
-    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
-        const struct header_entry entry = number(s, "peak", REAL_LINE, &reals, places[i]);
-        double peak;
-        status = header_read_number(&h, &entry, entry.value, &peak, e);
-        if (status == STATUS_OK && fabs(peak) < UNKNOWN && fabs(peak) > out->stated_peak) {
-            out->stated_peak = fabs(peak);
-            out->stated_rounding = ROUNDING * fabs(peak);
-            out->stated_line = entry.line;
-        }
+static bool smc_read(const struct record_reader *r) {
+    struct smc s = {.reading = r};
+    double n;
+    if (!read_lines(&s)) {
+        return false;
     }
-    return status;
-}
-
-static int smc_read(struct arena *a, const struct record_request *request,
-                    const struct record_text *t, struct record_content *out, struct error *e) {
-    static const char unit[] = "cm/s/s";
-    struct smc s = {.text = t};
-    const struct header h = {.text = t};
-    struct header_entry entry;
-    struct lines l;
-    double n = 0;
-    int status = read_lines(&s, e);
-    if (status == STATUS_OK) {
-        entry = number(&s, "number of values", INTEGER_LINE, &integers, INT_VALUES);
-        status = header_read_count(&h, &entry, &n, e);
+    const struct header_entry count =
+        number(&s, "number of values", INTEGER_LINE, &integers, INT_VALUES);
+    if (!header_read_count(r, &count, &n) || !read_rate(&s) || !read_peak(&s)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        double rate;
-        entry = number(&s, "samples a second", REAL_LINE, &reals, REAL_RATE);
-        status = header_read_positive(&h, &entry, entry.value, &rate, e);
-        out->dt = 1 / rate;
-        out->dt_line = entry.line;
-    }
-    if (status == STATUS_OK) {
-        status = read_peak(&s, out, e);
-    }
-    if (status == STATUS_OK) {
-        header_read_unit(request, &(struct header_entry){.line = 1},
-                         (struct piece){unit, sizeof unit - 1}, out);
-        l = s.line[HEADER_LINES];
-        status = skip_comments(&s, &l, e);
-    }
-    if (status == STATUS_OK) {
-        status = fixed_read(a, t, &l, &values, (size_t)n, out, e);
-    }
-    return status == STATUS_OK ? fixed_check_end(t, l, &values, out->n, e) : status;
+    header_read_unit(r, 1, (struct piece){"cm/s/s", 6});
+    struct lines l = s.line[HEADER_LINES];
+    return skip_comments(&s, &l) && fixed_read(r, &l, &values, (size_t)n) &&
+           fixed_check_end(r, l, &values);
 }
 
 const struct record_format record_smc = {

@@ -206,7 +206,10 @@ static bool caption_is_row(const struct table *table) {
             lines_count(table->caption, table->separators) == table->n_column);
 }
 
-int table_check(const struct record_text *t, const struct table *table, struct error *e) {
+int table_read(const struct record_text *t, struct table *table, struct error *e) {
+    if (!table_find(t, table)) {
+        return lines_error(e, t->path, 0, "the file has no line of numbers");
+    }
     if (caption_is_row(table)) {
         struct excerpt shown = lines_excerpt(table->caption);
         return lines_error(e, t->path, table->caption_line,

@@ -29,6 +29,11 @@ struct table {
 // Finds the rows; false: the file has no line of numbers.
 bool table_find(const struct record_text *t, struct table *out);
 
+// Finds the rows, and refuses a file without them or that would be misread. Reasons: the caption is
+// a row with an unreadable value or an overflow, unless lines of stars frame it; a comment is
+// between the rows; decimal commas are next to other separators.
+int table_read(const struct record_text *t, struct table *out, struct error *e);
+
 // Goes to the next row; false at the end.
 bool table_next(struct lines *rows);
 
@@ -38,10 +43,5 @@ int table_number(const struct table *table, const struct number_field *f, double
 
 // The time step in s that a line above the rows gives, as in `dt = 0.02 s`, and its line; 0: none.
 double table_noted_step(const struct record_text *t, const struct table *table, int *line);
-
-// Refuses a file that would be misread. Reasons: the caption is a row with an unreadable value or
-// an overflow, unless lines of stars frame it; a comment is between the rows; decimal commas are
-// next to other separators.
-int table_check(const struct record_text *t, const struct table *table, struct error *e);
 
 #endif

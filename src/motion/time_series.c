@@ -147,22 +147,60 @@ static int read_rows(struct arena *a, struct file *f, struct error *e) {
     return STATUS_OK;
 }
 
-static int read_text(struct arena *a, struct file *f, struct error *e) {
+static int find_table(struct file *f, struct error *e) {
     struct record_text raw = f->text;
-    int status = record_clean(&raw, &f->text, e);
-    if (status == STATUS_OK && !table_find(&f->text, &f->table)) {
-        return lines_error(e, f->text.path, 0, "the file has no line of numbers");
+    const int status = record_clean(&raw, &f->text, e);
+    return status == STATUS_OK ? table_read(&f->text, &f->table, e) : status;
+}
+
+// Reads row `index` of a file of n columns without units, which stand behind each other.
+static int read_numbers(const struct file *f, const struct lines *l, size_t index, int n,
+                        double *value, struct error *e) {
+    const size_t n_row = f->table.n_row;
+    struct piece rest = l->line;
+    const size_t found = lines_count(l->line, f->table.separators);
+    if (found != (size_t)n) {
+        return lines_error(e, f->text.path, l->number, "%zu columns; %d are read: the time and %d",
+                           found, n, n - 1);
     }
-    if (status == STATUS_OK) {
-        status = table_check(&f->text, &f->table, e);
+    for (int c = 0; c < n; c++) {
+        struct number_field field = {
+            &f->text, l->number, c > 0 ? "value" : "time", index + 1, {NULL, 0}};
+        lines_field(&rest, f->table.separators, &field.field);
+        const int status = table_number(&f->table, &field, &value[(size_t)c * n_row + index], e);
+        if (status != STATUS_OK) {
+            return status;
+        }
     }
-    if (status == STATUS_OK) {
-        status = check_columns(f, f->table.first_line, f->table.n_column, e);
+    return index == 0 || value[index] > value[index - 1]
+               ? STATUS_OK
+               : lines_error(e, f->text.path, l->number, "times must increase");
+}
+
+static int read_matrix(struct arena *a, struct file *f, int n, const double **out,
+                       struct error *e) {
+    int status = find_table(f, e);
+    if (status != STATUS_OK) {
+        return status;
     }
-    if (status == STATUS_OK) {
-        status = find_units(f, e);
+    double *value = arena_alloc(a, (size_t)n * f->table.n_row, sizeof *value);
+    if (!value) {
+        return error_no_memory(e);
     }
-    return status == STATUS_OK ? read_rows(a, f, e) : status;
+    struct lines l = f->table.rows;
+    for (size_t i = 0; status == STATUS_OK && table_next(&l); i++) {
+        status = read_numbers(f, &l, i, n, value, e);
+    }
+    *out = value;
+    return status;
+}
+
+static int read_text(struct arena *a, struct file *f, struct error *e) {
+    return find_table(f, e) != STATUS_OK ||
+                   check_columns(f, f->table.first_line, f->table.n_column, e) != STATUS_OK ||
+                   find_units(f, e) != STATUS_OK
+               ? e->status
+               : read_rows(a, f, e);
 }
 
 static int read_file(struct arena *a, const char *path, struct file *f, const double **value,
@@ -197,6 +235,19 @@ int time_series_read(struct arena *a, const char *path,
     const int status = read_file(a, path, &f, value, &n, e);
     if (status == STATUS_OK) {
         *out = (struct time_series){n, value[0], value[1]};
+    }
+    return status;
+}
+
+int time_series_matrix(struct arena *a, const char *path, int n_column, const double **value,
+                       size_t *n_row, struct error *e) {
+    struct file f = {.n_column = 0};
+    struct arena *scratch;
+    int status = record_text_open(path, FILE_SIZE_MAX, &f.text, &scratch, e);
+    if (status == STATUS_OK) {
+        status = read_matrix(a, &f, n_column, value, e);
+        *n_row = f.table.n_row;
+        arena_free(scratch);
     }
     return status;
 }

@@ -37,4 +37,9 @@ int time_series_read(struct arena *a, const char *path,
                      const struct time_series_column column[TIME_SERIES_COLUMNS],
                      struct time_series *out, struct error *e);
 
+// Reads the time and the numbers beside it, n_column in all, without units, into the arena:
+// *value (n_column, *n_row). Times must ascend. Errors: as of time_series_columns.
+int time_series_matrix(struct arena *a, const char *path, int n_column, const double **value,
+                       size_t *n_row, struct error *e);
+
 #endif

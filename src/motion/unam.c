@@ -29,19 +29,9 @@ enum { MARK_LINES = 16, HEADER_LINES_MAX = 200, CHANNELS = 6, NAMES = 3, RULE = 
 
 static const double ROUNDING = 1e-6;  // of rate times step, which should be 1
 
-static bool unam_matches(const struct record_text *t) {
-    struct lines l;
-    lines_init(&l, t);
-    while (l.number < MARK_LINES && lines_next(&l)) {
-        if (lines_contain(l.line, "ARCHIVO ESTANDAR DE ACELERACION")) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // Goes to the last line of the header, and reads the names of the channels above it.
-static bool find_data(struct lines *l, struct piece *names) {
+static bool find_data(const struct record_reader *r, struct lines *l, struct piece *names) {
+    lines_init(l, r->text);
     while (l->number < HEADER_LINES_MAX && lines_next(l)) {
         if (!lines_contain(l->line, "DATOS DE ACELERACION:")) {
             continue;
@@ -49,36 +39,39 @@ static bool find_data(struct lines *l, struct piece *names) {
         for (int i = 1; i <= RULE && lines_next(l); i++) {
             *names = i == NAMES ? l->line : *names;
         }
-        return l->line.n > 2 && memcmp(l->line.text, "---", 3) == 0;
+        if (l->line.n > 2 && memcmp(l->line.text, "---", 3) == 0) {
+            return true;
+        }
+        break;
     }
-    return false;
+    return record_fail(r, 0,
+                       "the file has no 'DATOS DE ACELERACION:' with four lines, the last a rule, "
+                       "in the first %d lines; it ends the header of a UNAM file",
+                       HEADER_LINES_MAX);
 }
 
-static int read_names(const struct header *h, struct piece names, struct channels *c,
-                      struct error *e) {
+static bool read_names(const struct header *h, struct piece names, struct channels *c) {
     struct header_entry entry;
     double n;
-    const int status = header_positive(h, "NUMERO DE CANALES", &entry, &n, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (!header_positive(h, "NUMERO DE CANALES", &entry, &n)) {
+        return false;
     }
     const size_t named = lines_count(names, "");
     if (n > CHANNELS || n != (double)named) {
-        return lines_error(e, h->text->path, entry.line,
+        return record_fail(h->reading, entry.line,
                            "%s is %s; it must be at most %d, and %zu are named above the values",
                            entry.key, lines_excerpt(entry.value).text, CHANNELS, named);
     }
     for (c->n = 0; lines_field(&names, "", &c->name[c->n]); c->n++) {
     }
-    return STATUS_OK;
+    return true;
 }
 
 // The entry of this key. Its value is the text after the slash of the channel.
-static int find_entry(const struct header *h, const char *key, int channel,
-                      struct header_entry *out, struct error *e) {
-    const int status = header_text(h, key, out, e);
-    if (status != STATUS_OK) {
-        return status;
+static bool find_entry(const struct header *h, const char *key, int channel,
+                       struct header_entry *out) {
+    if (!header_text(h, key, out)) {
+        return false;
     }
     struct piece rest = out->value;
     struct piece field;
@@ -87,102 +80,69 @@ static int find_entry(const struct header *h, const char *key, int channel,
         found = lines_field(&rest, "/", &field) && field.n > 0;
     }
     if (!found) {
-        return lines_error(e, h->text->path, out->line, "%s '%s' has no value of channel %d", key,
+        return record_fail(h->reading, out->line, "%s '%s' has no value of channel %d", key,
                            lines_excerpt(out->value).text, channel + 1);
     }
     out->value = field;
-    return STATUS_OK;
+    return true;
 }
 
 // An error if the entry is not `wanted`: the values would then have another meaning.
-static int check_entry(const struct header *h, const char *key, double wanted, struct error *e) {
+static bool check_entry(const struct header *h, const char *key, double wanted) {
     struct header_entry entry;
     double value;
-    const int status = header_positive(h, key, &entry, &value, e);
-    return status != STATUS_OK || value == wanted
-               ? status
-               : lines_error(e, h->text->path, entry.line, "%s is %s; only %g can be read", key,
-                             lines_excerpt(entry.value).text, wanted);
+    return header_positive(h, key, &entry, &value) &&
+           (value == wanted || record_fail(h->reading, entry.line, "%s is %s; only %g can be read",
+                                           key, lines_excerpt(entry.value).text, wanted));
 }
 
 // The time step. The header gives it twice, as rate and as step.
-static int read_step(const struct header *h, int channel, struct record_content *out,
-                     struct error *e) {
-    struct header_entry entry;
+static bool read_step(const struct header *h, int channel) {
+    const struct record_reader *r = h->reading;
+    struct header_entry speed, interval;
     double rate;
-    int status = find_entry(h, "VEL. DE MUESTREO, C1-C6 (muestras/s)", channel, &entry, e);
-    if (status == STATUS_OK) {
-        status = header_read_positive(h, &entry, entry.value, &rate, e);
+    if (!find_entry(h, "VEL. DE MUESTREO, C1-C6 (muestras/s)", channel, &speed) ||
+        !header_read_positive(r, &speed, speed.value, &rate) ||
+        !find_entry(h, "INTERVALO DE MUESTREO, C1-C6 (s)", channel, &interval) ||
+        !header_read_positive(r, &interval, interval.value, &r->out->dt)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = find_entry(h, "INTERVALO DE MUESTREO, C1-C6 (s)", channel, &entry, e);
-    }
-    if (status == STATUS_OK) {
-        status = header_read_positive(h, &entry, entry.value, &out->dt, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    out->dt_line = entry.line;
-    return fabs(rate * out->dt - 1) <= ROUNDING ? STATUS_OK
-                                                : lines_error(e, h->text->path, entry.line,
-                                                              "a time step of %g s; %g samples a "
-                                                              "second make it %g s",
-                                                              out->dt, rate, 1 / rate);
+    r->out->dt_line = interval.line;
+    return fabs(rate * r->out->dt - 1) <= ROUNDING ||
+           record_fail(r, interval.line, "a time step of %g s; %g samples a second make it %g s",
+                       r->out->dt, rate, 1 / rate);
 }
 
-static int read_channel(const struct record_request *request, const struct header *h, int channel,
-                        struct channel_rows *rows, struct record_content *out, struct error *e) {
-    struct header_entry entry;
-    struct piece unit;
-    int status = find_entry(h, "NUM. TOTAL DE MUESTRAS, C1-C6", channel, &entry, e);
-    if (status == STATUS_OK) {
-        rows->stated_line = entry.line;
-        status = header_read_count(h, &entry, &rows->stated, e);
+static bool read_channel(const struct header *h, int channel, struct channel_rows *rows) {
+    struct header_entry count, unit, peak;
+    struct piece name;
+    if (!find_entry(h, "NUM. TOTAL DE MUESTRAS, C1-C6", channel, &count) ||
+        !header_read_count(h->reading, &count, &rows->stated) ||
+        !header_text(h, "UNIDADES DE LOS DATOS", &unit)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = header_text(h, "UNIDADES DE LOS DATOS", &entry, e);
-    }
-    if (status == STATUS_OK) {
-        lines_field(&entry.value, "(", &unit);
-        header_read_unit(request, &entry, unit, out);
-        status = find_entry(h, "ACEL. MAX.(Gal), C1-C6", channel, &entry, e);
-    }
-    return status == STATUS_OK ? header_read_peak(h, &entry, entry.value, out, e) : status;
+    rows->stated_line = count.line;
+    lines_field(&unit.value, "(", &name);
+    header_read_unit(h->reading, unit.line, name);
+    return find_entry(h, "ACEL. MAX.(Gal), C1-C6", channel, &peak) &&
+           header_read_peak(h->reading, &peak, peak.value, 0);
 }
 
-static int unam_read(struct arena *a, const struct record_request *request,
-                     const struct record_text *t, struct record_content *out, struct error *e) {
+static bool unam_read(const struct record_reader *r) {
     struct channels c = {0};
     struct channel_rows rows = {0};
     struct piece names = {0};
-    lines_init(&rows.from, t);
-    if (!find_data(&rows.from, &names)) {
-        return lines_error(
-            e, t->path, 0,
-            "the file has no 'DATOS DE ACELERACION:' with four lines, the last a rule, in the "
-            "first %d lines; it ends the header of a UNAM file",
-            HEADER_LINES_MAX);
+    if (!find_data(r, &rows.from, &names)) {
+        return false;
     }
-    const struct header h = {t, rows.from.number};
-    int status = check_entry(&h, "VERSION DEL FORMATO", 2, e);
-    if (status == STATUS_OK) {
-        status = check_entry(&h, "FACTOR DE DECIMACION", 1, e);
+    const struct header h = {r, rows.from.number};
+    if (!check_entry(&h, "VERSION DEL FORMATO", 2) || !check_entry(&h, "FACTOR DE DECIMACION", 1) ||
+        !read_names(&h, names, &c) || !channels_choose(r, &c, &rows.column)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        status = read_names(&h, names, &c, e);
-    }
-    if (status == STATUS_OK) {
-        status = channels_choose(request, t, &c, &rows.column, out, e);
-    }
-    if (status == STATUS_OK) {
-        rows.n_column = c.n;
-        status = read_step(&h, rows.column, out, e);
-    }
-    if (status == STATUS_OK) {
-        status = read_channel(request, &h, rows.column, &rows, out, e);
-    }
-    return status == STATUS_OK ? channels_read(a, t, &rows, out, e) : status;
+    rows.n_column = c.n;
+    return read_step(&h, rows.column) && read_channel(&h, rows.column, &rows) &&
+           channels_read(r, &rows);
 }
 
 const struct record_format record_unam = {
@@ -190,6 +150,7 @@ const struct record_format record_unam = {
     .doc = "UNAM, Mexico, standard acceleration file 2.0, channels side by side",
     .certain = true,
     .channels = true,
-    .matches = unam_matches,
+    .mark = "ARCHIVO ESTANDAR DE ACELERACION",
+    .mark_lines = MARK_LINES,
     .read = unam_read,
 };

@@ -57,14 +57,13 @@ size_t values_count(struct lines from, const char *separators, int *last_line) {
     return n;
 }
 
-int values_check_time(const struct record_text *t, int line, size_t index, double time,
-                      struct record_content *out, struct error *e) {
+bool values_check_time(const struct record_reader *r, int line, size_t index, double time) {
+    struct record_content *out = r->out;
     out->time_offset = index == 0 ? time : out->time_offset;
     const double wanted = out->time_offset + (double)index * out->dt;
-    return fabs(time - wanted) <= TIME_ERROR_MAX * out->dt
-               ? STATUS_OK
-               : lines_error(e, t->path, line, "time %.9g; the header's step of %g s makes it %.9g",
-                             time, out->dt, wanted);
+    return fabs(time - wanted) <= TIME_ERROR_MAX * out->dt ||
+           record_fail(r, line, "time %.9g; the header's step of %g s makes it %.9g", time, out->dt,
+                       wanted);
 }
 
 void values_note_peak(struct record_content *out, const double *value, size_t index, int line) {
@@ -90,63 +89,61 @@ double values_mean(const double *value, size_t n) {
 }
 
 // Reads the values of a field, up to value n of the record.
-static int read_field(const struct record_text *t, int line, struct piece field, size_t n,
-                      struct record_content *out, struct error *e) {
+static bool read_field(const struct record_reader *r, int line, struct piece field, size_t n) {
+    struct record_content *out = r->out;
     struct compound c = compound_of(field);
     const size_t end = c.n < n - out->n ? out->n + c.n : n;
-    int status = STATUS_OK;
-    while (status == STATUS_OK && out->n < end) {
-        const struct number_field f = {t, line, "value", out->n + 1, compound_next(&c)};
-        status = lines_read_number(&f, &out->value[out->n], e);
-        if (status == STATUS_OK) {
-            values_note_peak(out, out->value, out->n, line);
-            out->n++;
+    while (out->n < end) {
+        const struct number_field f = {r->text, line, "value", out->n + 1, compound_next(&c)};
+        if (!record_number(r, &f, &out->value[out->n])) {
+            return false;
         }
+        values_note_peak(out, out->value, out->n, line);
+        out->n++;
     }
-    return status;
+    return true;
 }
 
-int values_read(struct arena *a, const struct record_text *t, struct lines from,
-                const char *separators, size_t n, struct record_content *out, struct error *e) {
-    if (n > VALUES_MAX && n > t->size) {
-        return lines_error(e, t->path, 0, "%zu values, most of them repeated; at most %d are read",
-                           n, VALUES_MAX);
+bool values_read(const struct record_reader *r, struct lines from, const char *separators,
+                 size_t n) {
+    struct record_content *out = r->out;
+    if (n > VALUES_MAX && n > r->text->size) {
+        return record_fail(r, 0, "%zu values, most of them repeated; at most %d are read", n,
+                           VALUES_MAX);
     }
-    out->value = arena_alloc(a, n, sizeof *out->value);
+    out->value = arena_alloc(r->arena, n, sizeof *out->value);
     if (!out->value) {
-        return error_no_memory(e);
+        return record_fail_memory(r);
     }
-    int status = STATUS_OK;
     out->n = 0;
-    while (status == STATUS_OK && out->n < n && lines_next(&from)) {
+    while (out->n < n && lines_next(&from)) {
         struct piece rest = lines_without_comment(from.line);
         struct piece field;
-        while (status == STATUS_OK && out->n < n && lines_field(&rest, separators, &field)) {
-            status = read_field(t, from.number, field, n, out, e);
+        while (out->n < n && lines_field(&rest, separators, &field)) {
+            if (!read_field(r, from.number, field, n)) {
+                return false;
+            }
         }
     }
-    return status;
+    return true;
 }
 
 // If the file has fewer values than stated, its last value may be incomplete and is not read.
-int values_read_stated(struct arena *a, const struct record_text *t, struct lines from,
-                       double stated, int stated_line, struct record_content *out,
-                       struct error *e) {
+bool values_read_stated(const struct record_reader *r, struct lines from, double stated,
+                        int stated_line) {
     int last_line;
     const size_t n = values_count(from, "", &last_line);
     const bool is_short = (double)n < stated;
-    int status = values_check_comments(t, from, e);
-    if (status == STATUS_OK) {
-        status = values_read(a, t, from, "", is_short && n > 0 ? n - 1 : n, out, e);
+    if (values_check_comments(r->text, from, r->e) != STATUS_OK ||
+        !values_read(r, from, "", is_short && n > 0 ? n - 1 : n)) {
+        return false;
     }
-    if (status != STATUS_OK || (double)n == stated) {
-        return status;
+    if (is_short) {
+        return record_fail(r, last_line ? last_line : from.number,
+                           "the file ends after %zu values; its header (line %d) says %.0f", n,
+                           stated_line, stated);
     }
-    if (!is_short) {
-        return lines_error(e, t->path, stated_line,
-                           "the header says %.0f values; the file holds %zu", stated, n);
-    }
-    return lines_error(e, t->path, last_line ? last_line : from.number,
-                       "the file ends after %zu values; its header (line %d) says %.0f", n,
-                       stated_line, stated);
+    return (double)n == stated ||
+           record_fail(r, stated_line, "the header says %.0f values; the file holds %zu", stated,
+                       n);
 }

@@ -1,15 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volume 1 in Caltech's layout, which several networks use (volume1.h).
-#include "motion/volume1.h"
-
+// Volume 1, uncorrected accelerations, in the layout of Caltech, which other networks use too. A
+// file has one or more channels. Each has 13 lines of text, 7 of integers and 7 of reals before its
+// values, and often a line `/&` after them. Lines of a channel that are read:
+//
+//      1   the title
+//      7   the name of the channel
+//     11   NO. OF POINTS =   3500  RECORD LENGTH = 35.000 SEC       or DURATION
+//     12   UNITS ... ARE SEC AND G/10.     MAX  = -0.051 G, AT   3.910 SEC
+//
+// The duration divided by the number of values is the time step. The number of values per second
+// must be whole. The peak may be missing. The headers of numbers repeat the lines of text and are
+// skipped.
+//
+// BHRC, Iran (ISMN): accelerations (10E13.6). The headers of numbers are cut off at 70 characters.
+//
+//     * VOL1DS FILE:  5529/01
+//     COMP L1
+//     NO. OF POINTS =   9472      DURATION =  47.360
+//     UNITS ARE SECONDS AND G/10
+//     /&
+//
+// RENADIC, Universidad de Chile: pairs of time and acceleration (10F7.3), which may touch. Times
+// off the even grid are refused.
+//
+//     UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 06/30/2011
+//     CHAN  1: EW       (STA CHN:  1)
+//     NO. OF POINTS =   3500  RECORD LENGTH = 35.000 SEC
+//     UNITS OF UNCOR ACCEL ARE SEC AND G/10.     MAX  = -0.051 G, AT   3.910 SEC
+//     /&  ----------  END OF DATA FOR CHANNEL 1  ----------
+//
+// The times of Caltech's own files, from digitised films, are uneven. Such files are refused.
+//
+// Source: files of the networks; the reader of gmprocess (USGS) for them; of the layout, Caltech
+// (1969), Strong motion earthquake accelerograms, digitized and plotted data, volume I, part A,
+// EERL 70-20.
 #include <math.h>
 
 #include "motion/channels.h"
+#include "motion/fixed.h"
 #include "motion/header.h"
 
 enum { LINE_NAME = 7, LINE_POINTS = 11, LINE_UNITS = 12, HEADER_LINES = 27 };
 
 static const double DURATION_ROUNDING = 0.001;  // [s]
+
+// The variant of a network; words in capitals.
+struct variant {
+    const char *title;   // in line 1
+    const char *units;   // in line 12
+    const char *length;  // key of the duration
+    const char *none;    // the error of a file without channels
+    struct fixed_format format;
+};
+
+static const struct variant bhrc = {
+    .title = "VOL1DS FILE",
+    .units = "UNITS ARE SECONDS AND",
+    .length = "DURATION",
+    .none = "the file has no line 'VOL1DS FILE'",
+    .format = {.n = 10, .width = 13},
+};
+
+static const struct variant renadic = {
+    .title = "UNCORRECTED ACCELEROGRAM DATA",
+    .units = "UNITS OF UNCOR ACCEL",
+    .length = "RECORD LENGTH",
+    .none = "the file has no line 'UNCORRECTED ACCELEROGRAM DATA'",
+    .format = {.n = 5, .width = 7, .timed = true},
+};
 
 // The line with this number in a channel, from 1; the last line of the file if the file ends
 // before.
@@ -19,14 +77,15 @@ static struct lines line_of(struct lines title, int number) {
     return title;
 }
 
-bool volume1_matches(const struct volume1 *v, const struct record_text *t) {
+static bool has_layout(const struct variant *v, const struct record_text *t) {
     struct lines l;
     lines_init(&l, t);
     return lines_next(&l) && lines_contain(l.line, v->title) &&
            lines_contain(line_of(l, LINE_UNITS).line, v->units);
 }
 
-bool volume1_next(const struct volume1 *v, struct lines *l, struct piece *name) {
+// Goes to the first line of the next channel; false: there is no further channel.
+static bool next_channel(const struct variant *v, struct lines *l, struct piece *name) {
     while (lines_next(l)) {
         if (lines_contain(l->line, v->title)) {
             *name = line_of(*l, LINE_NAME).line;
@@ -37,97 +96,124 @@ bool volume1_next(const struct volume1 *v, struct lines *l, struct piece *name) 
 }
 
 // Reads the number of values and the time step.
-static int read_sizes(const struct volume1 *v, const struct record_text *t, const struct lines *l,
-                      double *n, struct record_content *out, struct error *e) {
-    const struct header h = {.text = t};
+static bool read_sizes(const struct variant *v, const struct record_reader *r,
+                       const struct lines *l, double *n) {
     struct header_entry points = {"NO. OF POINTS", {0}, l->number};
     struct header_entry length = {v->length, {0}, l->number};
+    double duration;
     if (!lines_value(l->line, points.key, &points.value) ||
         !lines_value(l->line, length.key, &length.value)) {
-        return lines_error(e, t->path, l->number, "no '%s =' and '%s ='", points.key, length.key);
+        return record_fail(r, l->number, "no '%s =' and '%s ='", points.key, length.key);
     }
-    double duration = 0;
-    int status = header_read_count(&h, &points, n, e);
-    if (status == STATUS_OK) {
-        status = header_read_positive(&h, &length, length.value, &duration, e);
+    if (!header_read_count(r, &points, n) ||
+        !header_read_positive(r, &length, length.value, &duration)) {
+        return false;
     }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    if (*n > (double)t->size) {
-        return lines_error(e, t->path, l->number, "%.0f values; the file ends before", *n);
+    if (*n > (double)r->text->size) {
+        return record_fail(r, l->number, "%.0f values; the file ends before", *n);
     }
     const double rate = round(*n / duration);
     if (rate < 1 || fabs(*n / rate - duration) > DURATION_ROUNDING) {
-        return lines_error(e, t->path, l->number,
+        return record_fail(r, l->number,
                            "%.0f values in %g s are %g a second; that must be a whole number", *n,
                            duration, *n / duration);
     }
-    out->dt = 1 / rate;
-    out->dt_line = l->number;
-    return STATUS_OK;
+    r->out->dt = 1 / rate;
+    r->out->dt_line = l->number;
+    return true;
 }
 
 // Reads the unit, and the peak against which the values are checked. The peak has its own unit.
-static int read_unit(const struct record_request *request, const struct record_text *t,
-                     const struct lines *l, struct record_content *out, struct error *e) {
-    const struct header h = {.text = t};
-    const struct header_entry entry = {"MAX", {0}, l->number};
-    struct record_content peak = {0};
+static bool read_unit(const struct record_reader *r, const struct lines *l) {
     struct piece rest = lines_behind(l->line, "AND");
     struct piece unit, value;
     if (lines_field(&rest, ".", &unit)) {
-        header_read_unit(request, &entry, unit, out);
+        header_read_unit(r, l->number, unit);
     }
     if (!lines_value(l->line, "MAX", &value)) {
-        return STATUS_OK;
+        return true;
     }
     rest = (struct piece){value.text + value.n,
                           (size_t)(l->line.text + l->line.n - value.text) - value.n};
     lines_field(&rest, ",", &unit);
-    header_read_unit(request, &entry, unit, &peak);
-    if (peak.unit == 0) {
-        return lines_error(e, t->path, l->number, "unit '%s' of MAX is not a unit of acceleration",
-                           peak.unit_text.text);
+    const double size = header_unit(r, unit);
+    if (size == 0) {
+        return record_fail(r, l->number, "unit '%s' of MAX is not a unit of acceleration",
+                           lines_excerpt(unit).text);
     }
-    return header_read_peak_of_unit(&h, &entry, value, peak.unit, out, e);
+    return header_read_peak(r, &(struct header_entry){"MAX", value, l->number}, value, size);
 }
 
 // Goes over the line `/&`, unless the file ends.
-static int check_end(const struct record_text *t, struct lines l, size_t n, struct error *e) {
+static bool check_end(const struct record_reader *r, struct lines l) {
     while (lines_next(&l)) {
         if (l.line.n > 0) {
-            return l.line.n > 1 && l.line.text[0] == '/' && l.line.text[1] == '&'
-                       ? STATUS_OK
-                       : lines_error(e, t->path, l.number,
-                                     "'%s' is where '/&' should end the channel of %zu values",
-                                     lines_excerpt(l.line).text, n);
+            return (l.line.n > 1 && l.line.text[0] == '/' && l.line.text[1] == '&') ||
+                   record_fail(r, l.number,
+                               "'%s' is where '/&' should end the channel of %zu values",
+                               lines_excerpt(l.line).text, r->out->n);
         }
     }
-    return STATUS_OK;
+    return true;
 }
 
-int volume1_read(const struct volume1 *v, struct arena *a, const struct record_request *request,
-                 const struct record_text *t, struct record_content *out, struct error *e) {
+static bool read_variant(const struct variant *v, const struct record_reader *r,
+                         bool (*next)(struct lines *l, struct piece *name)) {
+    struct fixed_format format = v->format;
     struct lines l;
     struct piece name;
-    double n = 0;
-    int status = channels_seek(request, t, v->next, v->none, &l, out, e);
-    if (status != STATUS_OK) {
-        return status;
+    double n;
+    if (!channels_seek(r, next, v->none, &l)) {
+        return false;
     }
-    v->next(&l, &name);
-    const struct lines points = line_of(l, LINE_POINTS);
-    const struct lines units = line_of(l, LINE_UNITS);
-    status = read_sizes(v, t, &points, &n, out, e);
-    if (status == STATUS_OK) {
-        status = read_unit(request, t, &units, out, e);
+    next(&l, &name);
+    const struct lines points = line_of(l, LINE_POINTS), units = line_of(l, LINE_UNITS);
+    if (!read_sizes(v, r, &points, &n) || !read_unit(r, &units)) {
+        return false;
     }
-    if (status == STATUS_OK) {
-        struct fixed_format format = v->format;
-        format.stated = points.number;
-        l = line_of(l, HEADER_LINES);
-        status = fixed_read(a, t, &l, &format, (size_t)n, out, e);
-    }
-    return status == STATUS_OK ? check_end(t, l, out->n, e) : status;
+    format.stated = points.number;
+    l = line_of(l, HEADER_LINES);
+    return fixed_read(r, &l, &format, (size_t)n) && check_end(r, l);
 }
+
+static bool bhrc_matches(const struct record_text *t) {
+    return has_layout(&bhrc, t);
+}
+
+static bool bhrc_next(struct lines *l, struct piece *name) {
+    return next_channel(&bhrc, l, name);
+}
+
+static bool bhrc_read(const struct record_reader *r) {
+    return read_variant(&bhrc, r, bhrc_next);
+}
+
+const struct record_format record_bhrc = {
+    .name = "bhrc",
+    .doc = "BHRC, Iran, volume 1, accelerations of one of its channels",
+    .certain = true,
+    .channels = true,
+    .matches = bhrc_matches,
+    .read = bhrc_read,
+};
+
+static bool renadic_matches(const struct record_text *t) {
+    return has_layout(&renadic, t);
+}
+
+static bool renadic_next(struct lines *l, struct piece *name) {
+    return next_channel(&renadic, l, name);
+}
+
+static bool renadic_read(const struct record_reader *r) {
+    return read_variant(&renadic, r, renadic_next);
+}
+
+const struct record_format record_renadic = {
+    .name = "renadic",
+    .doc = "RENADIC, Chile, volume 1, accelerations of one of its channels",
+    .certain = true,
+    .channels = true,
+    .matches = renadic_matches,
+    .read = renadic_read,
+};

@@ -9,6 +9,7 @@
 #include "model/foundation.h"
 #include "model/frame.h"
 #include "plot/deck_links.h"
+#include "plot/deck_members.h"
 #include "plot/legend.h"
 #include "plot/script.h"
 
@@ -130,84 +131,6 @@ static int write_matrices(const struct deck_view *v, FILE *to) {
     return n;
 }
 
-static bool is_wall(const struct part *p) {
-    return p->kind == &frame_wall;
-}
-
-static int count_walls(const struct building *g) {
-    int n = 0;
-    for (int p = 0; p < g->n_part; p++) {
-        n += is_wall(&g->part[p]);
-    }
-    return n;
-}
-
-static int write_members(const struct deck_view *v, FILE *to, bool walls) {
-    int n = 0;
-    for (int k = 0; k < v->at.n; k++) {
-        const struct building *g = without_foundation(&v->m->building[k]);
-        for (int p = 0; p < g->n_part; p++) {
-            const struct plane_frame *f = frame_of(&g->part[p]);
-            for (int i = 0; f && is_wall(&g->part[p]) == walls && i < f->n_member; i++) {
-                const struct frame_member *m = &f->member[i];
-                const struct elevation_ends at = elevation_member(
-                    &v->at, k, m->kind, m->level, m->number, walls ? count_walls(g) : f->n_line);
-                deck_put_line(to, at.x[0], at.y[0], at.x[1], at.y[1]);
-                n++;
-            }
-        }
-    }
-    return n;
-}
-
-static int write_walls(const struct deck_view *v, FILE *to) {
-    return write_members(v, to, true);
-}
-
-static int write_frames(const struct deck_view *v, FILE *to) {
-    return write_members(v, to, false);
-}
-
-enum base { BASE_FIXED, BASE_PINNED, BASE_SPRING };
-
-// The bases of this kind, of the members that stand on the ground.
-static int write_bases(const struct deck_view *v, FILE *to, enum base kind) {
-    int n = 0;
-    for (int k = 0; k < v->at.n; k++) {
-        const struct building *g = without_foundation(&v->m->building[k]);
-        for (int p = 0; p < g->n_part; p++) {
-            const struct plane_frame *f = frame_of(&g->part[p]);
-            for (int i = 0; f && i < f->n_member; i++) {
-                const struct frame_member *m = &f->member[i];
-                const struct frame_joint *j = &f->joint[m->joint[0]];
-                const enum base is = !j->turns         ? BASE_FIXED
-                                     : j->spring > 0.0 ? BASE_SPRING
-                                                       : BASE_PINNED;
-                if (m->kind != FRAME_BEAM && m->level == 1 && is == kind) {
-                    const struct elevation_ends at =
-                        elevation_member(&v->at, k, m->kind, 1, m->number,
-                                         is_wall(&g->part[p]) ? count_walls(g) : f->n_line);
-                    deck_put_point(to, at.x[0], 0);
-                    n++;
-                }
-            }
-        }
-    }
-    return n;
-}
-
-static int write_fixed(const struct deck_view *v, FILE *to) {
-    return write_bases(v, to, BASE_FIXED);
-}
-
-static int write_pinned(const struct deck_view *v, FILE *to) {
-    return write_bases(v, to, BASE_PINNED);
-}
-
-static int write_springs(const struct deck_view *v, FILE *to) {
-    return write_bases(v, to, BASE_SPRING);
-}
-
 #define GREY "#808080"
 #define BLUE "#0072b2"
 
@@ -218,18 +141,25 @@ static const struct layer layers[] = {
     {"foundations", "foundation", {STYLE_AREA, .colour = "#b08d57"}, write_foundations},
     {"matrices", "stiffness matrix", {STYLE_LINE, GREY, 1.2, "(6,5)", 0, 0}, write_matrices},
     {"storeys", "shear storeys", {STYLE_LINE, GREY, 1.2, NULL, 0, 0}, write_storeys},
-    {"walls", "wall", {STYLE_LINE, "#9a9a9a", 7, NULL, 0, 0}, write_walls},
+    {"walls", "wall", {STYLE_LINE, "#9a9a9a", 7, NULL, 0, 0}, deck_members_write_walls},
     {"floors", NULL, {STYLE_LINE, "#202020", 2, NULL, 0, 0}, write_floors},
-    {"frames", "frame", {STYLE_LINE, BLUE, 1.6, NULL, 0, 0}, write_frames},
-    {"fixed", "fixed base", {STYLE_POINTS, .colour = BLUE, .point = 5, .size = 1}, write_fixed},
+    {"frames", "frame", {STYLE_LINE, BLUE, 1.6, NULL, 0, 0}, deck_members_write_frames},
+    {"fixed",
+     "fixed base",
+     {STYLE_POINTS, .colour = BLUE, .point = 5, .size = 1},
+     deck_members_write_fixed},
     {"pinned",
      "pinned base",
      {STYLE_POINTS, .colour = BLUE, .point = 8, .size = 1.4},
-     write_pinned},
+     deck_members_write_pinned},
     {"springs",
      "base on a spring",
      {STYLE_POINTS, .colour = BLUE, .point = 12, .size = 1.4},
-     write_springs},
+     deck_members_write_springs},
+    {"hinges",
+     "hinge",
+     {STYLE_POINTS, .colour = BLUE, .point = 6, .size = 1},
+     deck_members_write_hinges},
     {"bodies", "free body", {STYLE_AREA, .colour = "#56b4e9"}, write_bodies},
     {"rigid", "rigid wall", {STYLE_AREA, .colour = "#606060"}, deck_links_write_rigid},
     {"struck",

@@ -21,11 +21,7 @@ static const char dark[] = "#404040";
 
 struct view {
     const struct runs *s;
-    int contact[RUNS_MAX];  // -1: no impact, the roofs are shown
-    int building[2];        // -1: a wall, or none
-    int floor[2];           // from 0
-    double level[2];        // between that floor and the one below; NAN: at the floor
-    double weight[2];       // of the floor there
+    struct facing at;
     struct data data[RUNS_MAX];
 };
 
@@ -33,39 +29,19 @@ static int check(const struct subject *p, struct error *e) {
     return runs_need(p->runs, FIELD_DISPLACEMENT, "floor displacements", e);
 }
 
-static void choose_floors(struct view *v) {
-    const struct report *r = v->s->r[0];
-    runs_hardest_contact(v->s, v->contact);
-    for (int side = 0; side < 2 && v->contact[0] < 0; side++) {
-        v->building[side] = side < r->n_building ? side : -1;
-        v->floor[side] = side < r->n_building ? r->building[side].n_floor - 1 : 0;
-        v->level[side] = NAN;
-    }
-    if (v->contact[0] >= 0) {
-        const struct report_link *c = &r->contact[v->contact[0]];
-        v->building[0] = runs_building(r, c->left);
-        v->building[1] = runs_building(r, c->right);
-        v->floor[0] = c->left_floor - 1;
-        v->floor[1] = c->right_floor - 1;
-        v->level[0] = c->left_level;
-        v->level[1] = c->right_level;
-        v->weight[0] = c->left_weight;
-        v->weight[1] = c->right_weight;
-    }
-}
-
-// The right side as the left one sees it: by the penetration where the file has it, which holds for
-// different grounds too; otherwise by the displacements.
+// Moves the right side by the gap, so that both curves meet at an impact. The penetration is used
+// if the file has it, because it also holds for different grounds; otherwise the displacements.
 static int shift_right(struct view *v, struct error *e) {
     const struct report *r = v->s->r[0];
     struct data *d = &v->data[0];
     double *right = d->column[RIGHT];
     const bool exact = r->fields & FIELD_PENETRATION;
     int status =
-        exact ? result_contact_history(v->s->file[0], FIELD_PENETRATION, v->contact[0], right, e)
+        exact ? result_contact_history(v->s->file[0], FIELD_PENETRATION, v->at.contact[0], right, e)
               : STATUS_OK;
     for (size_t i = 0; i < d->n_row; i++) {
-        right[i] = exact ? d->column[LEFT][i] - right[i] : right[i] + r->contact[v->contact[0]].gap;
+        right[i] =
+            exact ? d->column[LEFT][i] - right[i] : right[i] + r->contact[v->at.contact[0]].gap;
     }
     return status;
 }
@@ -75,18 +51,18 @@ static int read_run(struct view *v, int run, struct error *e) {
     struct data *d = &v->data[run];
     struct history h[N_COLUMN] = {{.kind = HISTORY_TIME}};
     for (int side = 0; side < 2; side++) {
-        h[LEFT + side] =
-            (struct history){HISTORY_FLOOR, FIELD_DISPLACEMENT, v->building[side], v->floor[side]};
-        h[GROUND_LEFT + side] = (struct history){HISTORY_GROUND, 0, v->building[side], 0};
+        h[LEFT + side] = (struct history){HISTORY_FLOOR, FIELD_DISPLACEMENT, v->at.building[side],
+                                          v->at.floor[side]};
+        h[GROUND_LEFT + side] = (struct history){HISTORY_GROUND, 0, v->at.building[side], 0};
     }
     int status = runs_read(v->s, run, h, N_COLUMN, d, e);
     for (int side = 0; side < 2 && status == STATUS_OK; side++) {
-        if (v->building[side] >= 0 && !isnan(v->level[side])) {
-            status = runs_move_to_level(v->s, run, v->building[side], v->floor[side],
-                                        v->weight[side], d->column[LEFT + side], d->n_row, e);
+        if (v->at.building[side] >= 0 && !isnan(v->at.level[side])) {
+            status = runs_move_to_level(v->s, run, v->at.building[side], v->at.floor[side],
+                                        v->at.weight[side], d->column[LEFT + side], d->n_row, e);
         }
     }
-    if (status == STATUS_OK && v->s->n == 1 && v->contact[0] >= 0) {
+    if (status == STATUS_OK && v->s->n == 1 && v->at.contact[0] >= 0) {
         status = shift_right(v, e);
     }
     return status;
@@ -96,7 +72,7 @@ static int read_run(struct view *v, int run, struct error *e) {
 static void write_marks(const struct view *v, int run, int column, const char *name, FILE *to) {
     const struct report *r = v->s->r[run];
     long hardest[MARKS_MAX];
-    runs_hardest_of_parts(r, v->contact[run], MARKS_MAX, hardest);
+    runs_hardest_of_parts(r, v->at.contact[run], MARKS_MAX, hardest);
     script_block(to, name, "time displacement force");
     fputs("NaN NaN NaN\n", to);
     for (int b = 0; b < MARKS_MAX; b++) {
@@ -110,21 +86,21 @@ static void write_marks(const struct view *v, int run, int column, const char *n
 }
 
 static const char *side_name(const struct view *v, int side) {
-    const int building = v->building[side];
+    const int building = v->at.building[side];
     return building < 0 ? "wall" : v->s->r[0]->building[building].name;
 }
 
 // Behind the name.
 static void write_floor_name(const struct view *v, int side, char *text, size_t size) {
     text[0] = '\0';
-    if (v->building[side] >= 0 && isnan(v->level[side])) {
-        snprintf(text, size, ", floor %d", v->floor[side] + 1);
-    } else if (v->building[side] >= 0) {
-        snprintf(text, size, ", level %.4g %s", v->level[side], v->s->r[0]->units.length_name);
+    if (v->at.building[side] >= 0 && isnan(v->at.level[side])) {
+        snprintf(text, size, ", floor %d", v->at.floor[side] + 1);
+    } else if (v->at.building[side] >= 0) {
+        snprintf(text, size, ", level %.4g %s", v->at.level[side], v->s->r[0]->units.length_name);
     }
 }
 
-// What the contact met with, in each run.
+// The impacts of the contact in each run.
 struct hits {
     char force[RUNS_MAX][32];  // the largest
     long impacts[RUNS_MAX];
@@ -134,16 +110,16 @@ struct hits {
 static void write_subtitle(const struct view *v, char *text, size_t size) {
     const struct report *r = v->s->r[0];
     char length[64], unit[64], name[64], gap[32];
-    if (v->contact[0] < 0) {
+    if (v->at.contact[0] < 0) {
         snprintf(text, size, "displacement of the roofs; %s",
                  r->n_contact > 0 ? "no contact closed" : "there are no contacts");
         return;
     }
-    const struct report_link *c = &r->contact[v->contact[0]];
+    const struct report_link *c = &r->contact[v->at.contact[0]];
     struct hits h = {.force = {"0", "0"}};
     for (int k = 0; k < v->s->n; k++) {
-        if (v->contact[k] >= 0) {
-            const struct link_peak *p = &v->s->r[k]->contact[v->contact[k]].peak;
+        if (v->at.contact[k] >= 0) {
+            const struct link_peak *p = &v->s->r[k]->contact[v->at.contact[k]].peak;
             script_number(p->force, h.force[k], sizeof h.force[k]);
             h.rigid |= isnan(p->force);
             h.impacts[k] = p->impacts;
@@ -176,7 +152,7 @@ static struct axis displacement_axis(const char *name, struct span span) {
 // Both floors with the gap between them.
 static void draw_facing(const struct view *v, struct canvas *c, struct area a, bool at_foot) {
     struct span span = span_none;
-    const bool hit = v->contact[0] >= 0, two = hit || v->building[1] >= 0;
+    const bool hit = v->at.contact[0] >= 0, two = hit || v->at.building[1] >= 0;
     data_span(&v->data[0], LEFT, &span);
     if (two) {
         data_span(&v->data[0], RIGHT, &span);
@@ -214,7 +190,7 @@ static void draw_floor(const struct view *v, struct canvas *c, struct area a, in
     for (int k = 0; k < v->s->n; k++) {
         panel_series(c, panel_line(script_colour[k], 0), "$rows%d using 1:%d", k, LEFT + side + 1);
     }
-    for (int k = 0; k < v->s->n && v->contact[0] >= 0; k++) {
+    for (int k = 0; k < v->s->n && v->at.contact[0] >= 0; k++) {
         panel_series(c, panel_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 0.9),
                      "$marks%d%d using 1:2", k, side);
     }
@@ -229,8 +205,8 @@ static bool same(const struct data *p, int i, const struct data *q, int j) {
 // The grounds under both sides, or of both runs; one where they are the same.
 static void draw_ground(const struct view *v, struct canvas *c, struct area a) {
     const int other = v->s->n - 1;
-    const int first = v->building[0] >= 0 ? GROUND_LEFT : GROUND_RIGHT;
-    const int second = v->s->n > 1 || v->building[1] < 0 ? first : GROUND_RIGHT;
+    const int first = v->at.building[0] >= 0 ? GROUND_LEFT : GROUND_RIGHT;
+    const int second = v->s->n > 1 || v->at.building[1] < 0 ? first : GROUND_RIGHT;
     const bool one = same(&v->data[0], first, &v->data[other], second);
     struct span span = span_none;
     data_span(&v->data[0], first, &span);
@@ -256,12 +232,12 @@ static void write_legend(const struct view *v, struct canvas *c) {
         runs_legend(v->s, NULL, &l);
     } else {
         // The displacements of both sides; that of the right side includes the gap.
-        const bool hit = v->contact[0] >= 0;
+        const bool hit = v->at.contact[0] >= 0;
         char floor[48], tail[64];
         for (int side = 0; side < 2; side++) {
             write_floor_name(v, side, floor, sizeof floor);
             snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
-            if (hit || v->building[side] >= 0) {
+            if (hit || v->at.building[side] >= 0) {
                 legend_add(&l, panel_line(script_colour[side], 0), side_name(v, side), tail);
             }
         }
@@ -269,7 +245,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
             legend_add(&l, panel_area(gap_colour), "gap", "");
         }
     }
-    if (v->contact[0] >= 0) {
+    if (v->at.contact[0] >= 0) {
         legend_add(&l, panel_points("#000000", POINT_DISC, 0.8), "impacts", "");
     }
     legend_write(&l, c);
@@ -296,7 +272,7 @@ static int write_data(const struct view *v, FILE *to, struct error *e) {
 static void draw_panels(const struct view *v, struct canvas *c) {
     int shown[2], n = 0;
     for (int side = 0; side < 2; side++) {
-        if (v->building[side] >= 0) {
+        if (v->at.building[side] >= 0) {
             shown[n++] = side;
         }
     }
@@ -326,7 +302,7 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
     const struct runs *s = subject->runs;
     struct view v = {.s = s};
     char subtitle[320];
-    choose_floors(&v);
+    runs_facing(s, &v.at);
     int status = STATUS_OK;
     for (int k = 0; k < s->n && status == STATUS_OK; k++) {
         status = read_run(&v, k, e);

@@ -76,12 +76,8 @@ static void write_flats(struct view *v, FILE *to) {
     for (int k = 0; k < s->n_sample; k++) {
         const int last = points_of(s, k) - 1;
         if (ends_flat(s, k)) {
-            const double ends[] = {v->demand.factor * suite_reached(s, 0, k, last), edge};
-            for (int i = 0; i < 2; i++) {
-                study_number(to, ends[i]);
-                study_number(to, s->point[last]);
-                fputc('\n', to);
-            }
+            study_point(to, v->demand.factor * suite_reached(s, 0, k, last), s->point[last]);
+            study_point(to, edge, s->point[last]);
             fputc('\n', to);
             v->flattens = true;
         }
@@ -101,9 +97,7 @@ static void write_samples(struct view *v, FILE *to) {
         fputc('\n', to);
         for (int j = 0; j < points_of(s, k); j++) {
             const double x = v->demand.factor * suite_reached(s, 0, k, j);
-            study_number(to, x);
-            study_number(to, s->point[j]);
-            fputc('\n', to);
+            study_point(to, x, s->point[j]);
             span_add(&v->span, x);
         }
         fputc('\n', to);
@@ -114,9 +108,7 @@ static void write_samples(struct view *v, FILE *to) {
             const double before = suite_value(s, 0, k, j - 1);
             if (isfinite(before) && !isfinite(suite_value(s, 0, k, j)) &&
                 !suite_collapsed(s, 0, k, j)) {
-                study_number(to, v->demand.factor * before);
-                study_number(to, s->point[j - 1]);
-                fputc('\n', to);
+                study_point(to, v->demand.factor * before, s->point[j - 1]);
                 v->crosses = true;
             }
         }
@@ -130,9 +122,7 @@ static void write_hit(const struct view *v, FILE *to) {
     for (int i = 0; i < s->n_sample * s->n_point; i++) {
         const int k = i / s->n_point, j = i % s->n_point;
         if (suite_hit(s, 0, k, j)) {
-            study_number(to, v->demand.factor * suite_value(s, 0, k, j));
-            study_number(to, s->point[j]);
-            fputc('\n', to);
+            study_point(to, v->demand.factor * suite_value(s, 0, k, j), s->point[j]);
         }
     }
     fprintf(to, "EOD\n");
@@ -183,10 +173,7 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
     const struct axis y = study_abscissa_axis(v->s);
     study_panel(c, 3.2, &x, &y);
     for (int i = 0; i < p->n_limit; i++) {
-        fprintf(c->to,
-                "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '#000000' "
-                "lw 1.5\n",
-                v->demand.factor * p->limit[i], v->demand.factor * p->limit[i]);
+        panel_upright(c, v->demand.factor * p->limit[i], panel_line("#000000", 1.5));
     }
     panel_series(c, panel_line(record_colour, 0.8), "$samples using 1:2");
     for (int i = CURVES - 1; v->s->n_sample > 1 && i >= 0; i--) {

@@ -83,9 +83,7 @@ static int write_hit(const struct view *v, FILE *to, struct error *e) {
             hit |= suite_hit(s, g, k, j);
         }
         if (hit) {
-            study_number(to, s->point[j]);
-            study_number(to, v->demand.factor * suite_percentile(s, g, j, 0.5, work));
-            fputc('\n', to);
+            study_point(to, s->point[j], v->demand.factor * suite_percentile(s, g, j, 0.5, work));
         }
     }
     fprintf(to, "EOD\n");

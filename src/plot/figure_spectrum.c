@@ -45,21 +45,14 @@ static void add(struct view *v, int building, int floor) {
 
 static int choose(struct view *v, struct error *e) {
     const struct report *r = v->s->r[0];
-    int contact[RUNS_MAX], building[2] = {0, r->n_building > 1 ? 1 : -1};
-    runs_hardest_contact(v->s, contact);
-    if (contact[0] >= 0) {
-        const struct report_link *c = &r->contact[contact[0]];
-        building[0] = runs_building(r, c->left);
-        building[1] = runs_building(r, c->right);
-        for (int side = 0; side < 2; side++) {
-            if (building[side] >= 0) {
-                add(v, building[side], (side == 0 ? c->left_floor : c->right_floor) - 1);
-            }
-        }
-    }
-    for (int side = 0; side < 2; side++) {
+    struct facing at;
+    runs_facing(v->s, &at);
+    const int *building = at.building;
+    for (int i = 0; i < 4; i++) {  // the floors of both sides, then their roofs
+        const int side = i % 2;
         if (building[side] >= 0) {
-            add(v, building[side], r->building[building[side]].n_floor - 1);
+            add(v, building[side],
+                i < 2 ? at.floor[side] : r->building[building[side]].n_floor - 1);
         }
     }
     if (v->n == 0) {

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "plot/legend.h"
 #include "plot/panel.h"
 #include "plot/scale.h"
 #include "plot/script.h"
@@ -14,8 +13,6 @@ enum { SAMPLES_SHOWN = 1500 };  // pairs of a smallest and a largest one
 
 // Of the contact, how much of a record is shown before and after.
 static const double AROUND = 0.15;
-
-static const char sample_colour[] = "#808080";
 
 static const struct scale times[] = {{1.0, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {0.0, NULL}};
 
@@ -70,20 +67,6 @@ static int write_samples(const struct impact_figure *f, const struct scales *s, 
     return STATUS_OK;
 }
 
-// A panel of the force against `column` of the data.
-static void draw_panel(const struct impact_figure *f, const struct panel *p, int column,
-                       struct canvas *c) {
-    panel_open(c, p);
-    fprintf(c->to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\n");
-    if (f->n_sample > 0 && column == 1) {
-        panel_series(c, panel_points(sample_colour, POINT_DISC, 0.8), "$measured using 1:2");
-    }
-    for (int k = 0; k < f->n_curve; k++) {
-        panel_series(c, panel_line(script_colour[k], 0), "$curve%d using %d:2", k, column);
-    }
-    panel_close(c);
-}
-
 static void draw_panels(const struct impact_figure *f, const struct extent *x,
                         const struct scales *s, struct canvas *c) {
     const double top = f->impact ? 1.6 : 0.7;
@@ -107,13 +90,13 @@ static void draw_panels(const struct impact_figure *f, const struct extent *x,
                       .y = scale_axis("contact force", &s->force,
                                       span_with_room(x->force, x->force.low < 0 ? NAN : 0)),
                       .caption = over_time};
-    draw_panel(f, &p, 1, c);
+    pictures_law_panel(c, &p, f->n_curve, 1, 2, f->n_sample > 0 ? 0.8 : 0);
     p.area = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
     p.x = scale_axis("penetration", &s->length, span_with_room(x->depth, 0));
     p.y.name = NULL;
     p.y.kind = AXIS_WITHOUT_NUMBERS;
     p.caption = over_depth;
-    draw_panel(f, &p, 3, c);
+    pictures_law_panel(c, &p, f->n_curve, 3, 2, 0);
 }
 
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
@@ -146,7 +129,9 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
     const struct scales s = scales_of(&x);
     struct canvas canvas;
     int status = figure_open(&head, to, &canvas, e);
+    const char *name[IMPACT_FIGURE_CURVES];
     for (int c = 0; status == STATUS_OK && c < f->n_curve; c++) {
+        name[c] = f->curve[c].name;
         write_curve(&f->curve[c], c, &s, to->data);
     }
     if (status == STATUS_OK && f->n_sample > 0) {
@@ -154,16 +139,7 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
     }
     if (status == STATUS_OK) {
         canvas_head(&canvas, f->title, f->subtitle);
-        if (f->n_curve + (f->n_sample > 0) != 1) {
-            struct legend l = {0};
-            for (int k = 0; k < f->n_curve; k++) {
-                legend_add(&l, panel_line(script_colour[k], 0), f->curve[k].name, "");
-            }
-            if (f->n_sample > 0) {
-                legend_add(&l, panel_points(sample_colour, POINT_DISC, 0.8), "measured", "");
-            }
-            legend_write(&l, &canvas);
-        }
+        pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
         draw_panels(f, &x, &s, &canvas);
         figure_close(&canvas);
     }

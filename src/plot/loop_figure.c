@@ -3,13 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "plot/legend.h"
 #include "plot/panel.h"
 #include "plot/pictures.h"
 #include "plot/scale.h"
 #include "plot/script.h"
-
-static const char sample_colour[] = "#808080";
 
 // What is shown, in SI; the tangent over the initial stiffness.
 struct extent {
@@ -104,20 +101,6 @@ static void write_samples(const struct loop_figure *f, const struct scales *s, F
     fprintf(to, "EOD\n");
 }
 
-// A panel of columns `x` and `y` of the data.
-static void draw_panel(const struct loop_figure *f, const struct panel *p, int x, int y,
-                       struct canvas *c) {
-    panel_open(c, p);
-    fprintf(c->to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\n");
-    if (f->n_sample > 0 && x == 2) {
-        panel_series(c, panel_points(sample_colour, POINT_DISC, 0.5), "$measured using 1:2");
-    }
-    for (int k = 0; k < f->n_curve; k++) {
-        panel_series(c, panel_line(script_colour[k], 0), "$curve%d using %d:%d", k, x, y);
-    }
-    panel_close(c);
-}
-
 static void draw_panels(const struct loop_figure *f, const struct extent *x, const struct scales *s,
                         struct canvas *c) {
     const struct scale number = {1.0, ""};
@@ -125,7 +108,7 @@ static void draw_panels(const struct loop_figure *f, const struct extent *x, con
     struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.55, 0, 1), 6.0, 1.0, 3.2, 0.7),
                       .x = scale_axis("drift", &s->drift, span_with_room(x->drift, NAN)),
                       .y = scale_axis("shear", &s->shear, span_with_room(x->shear, NAN))};
-    draw_panel(f, &p, 2, 3, c);
+    pictures_law_panel(c, &p, f->n_curve, 2, 3, f->n_sample > 0 ? 0.5 : 0);
     const struct axis axis[] = {
         scale_axis("dissipated", &s->energy, span_with_room(x->energy, x->energy.low)),
         scale_axis("plastic", &s->drift, span_with_room(x->plastic, NAN)),
@@ -139,7 +122,7 @@ static void draw_panels(const struct loop_figure *f, const struct extent *x, con
         p.x = scale_axis(last ? f->progress : NULL, &number, turns);
         p.x.kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS;
         p.y = axis[i];
-        draw_panel(f, &p, 1, 4 + i, c);
+        pictures_law_panel(c, &p, f->n_curve, 1, 4 + i, 0);
     }
 }
 
@@ -158,23 +141,16 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
     if (status != STATUS_OK) {
         return status;
     }
+    const char *name[LOOP_FIGURE_CURVES];
     for (int c = 0; c < f->n_curve; c++) {
+        name[c] = f->curve[c].name;
         write_curve(f, c, &x, &s, to->data);
     }
     if (f->n_sample > 0) {
         write_samples(f, &s, to->data);
     }
     canvas_head(&canvas, f->title, f->subtitle);
-    if (f->n_curve + (f->n_sample > 0) != 1) {
-        struct legend l = {0};
-        for (int k = 0; k < f->n_curve; k++) {
-            legend_add(&l, panel_line(script_colour[k], 0), f->curve[k].name, "");
-        }
-        if (f->n_sample > 0) {
-            legend_add(&l, panel_points(sample_colour, POINT_DISC, 0.8), "measured", "");
-        }
-        legend_write(&l, &canvas);
-    }
+    pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
     draw_panels(f, &x, &s, &canvas);
     figure_close(&canvas);
     return STATUS_OK;

@@ -76,6 +76,16 @@ void panel_series(struct canvas *c, struct style s, const char *data, ...) {
     }
 }
 
+void panel_upright(const struct canvas *c, double x, struct style s) {
+    fprintf(c->to,
+            "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' lw %g", x,
+            x, s.colour, s.width);
+    if (s.dash) {
+        fprintf(c->to, " dt %s", s.dash);
+    }
+    fprintf(c->to, "\n");
+}
+
 void panel_close(struct canvas *c) {
     fprintf(c->to, "\nunset label\nunset arrow\nunset object\n");
 }

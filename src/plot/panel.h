@@ -51,6 +51,9 @@ void panel_open(struct canvas *c, const struct panel *p);
 void panel_series(struct canvas *c, struct style s, const char *data, ...)
     __attribute__((format(printf, 3, 4)));
 
+// An upright line across the panel at x, before its first series.
+void panel_upright(const struct canvas *c, double x, struct style s);
+
 // Ends the panel. It must have a series.
 void panel_close(struct canvas *c);
 

@@ -9,6 +9,8 @@
 #include "law/storey_loop.h"
 #include "motion/target.h"
 #include "plot/figure.h"
+#include "plot/panel.h"
+#include "study/comparison.h"
 
 // The picture of response spectra: pseudo-acceleration against the logarithm of the period.
 
@@ -29,6 +31,13 @@ struct response_sheet {
 // STATUS_INPUT (the picture has another ending). Write errors are the caller's.
 int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e);
+
+// What the pictures of laws share: a panel of curves $curve0, $curve1 ... with what was measured,
+// $measured, and the legend, which a single curve does not need.
+
+void pictures_law_panel(struct canvas *c, const struct panel *p, int n_curve, int x, int y,
+                        double sample);  // size of a sample in the panel; 0: none are drawn
+void pictures_law_legend(struct canvas *c, const char *const *name, int n_curve, size_t n_sample);
 
 // The picture of isolated impacts: force against time, and against penetration.
 
@@ -55,6 +64,27 @@ struct impact_figure {
 // STATUS_SYSTEM (no memory). Write errors are the caller's.
 int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e);
+
+// The picture of the peak forces of isolated impacts over a velocity, a restitution or a stiffness.
+
+struct force_curve {
+    const char *name;
+    size_t n;
+    const double *x, *force;  // (n) in SI
+};
+
+struct force_figure {
+    const char *subtitle, *version;
+    const char *name, *unit;  // of the axis across; "": a number
+    bool logarithmic;
+    int n_curve;  // at most IMPACT_FIGURE_CURVES
+    const struct force_curve *curve;
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending). Write
+// errors are the caller's.
+int force_figure_write(const struct force_figure *f, const struct figure_files *to,
+                       struct error *e);
 
 // The picture of storeys under a protocol: shear against drift, and energy, plastic deformation and
 // tangent over the turns.
@@ -97,5 +127,25 @@ struct pounding_map {
 // errors are the caller's.
 int pounding_map_write(const struct pounding_map *map, const struct figure_files *to,
                        struct error *e);
+
+// The picture of histories beside others: a panel for each of the pairs that differ most, or one
+// for all runs and a measurement.
+
+enum { COMPARISON_PANELS = 3, COMPARISON_RUNS = 6 };
+
+struct comparison_figure {
+    const char *title, *version;
+    const char *quantity;  // the name of its axis
+    struct dimension dimension;
+    const struct unit_system *units;
+    bool measured;  // all pairs have one reference
+    int n;
+    const struct comparison_pair *pair;  // (n)
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending),
+// STATUS_SYSTEM (no memory). Write errors are the caller's.
+int comparison_figure_write(const struct comparison_figure *f, const struct figure_files *to,
+                            struct error *e);
 
 #endif

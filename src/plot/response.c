@@ -221,10 +221,7 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
     const double end[] = {sheet->match.low, sheet->match.high};
     for (int i = 0; sheet->target && i < 2; i++) {
         if (end[i] > p.x.span.low && end[i] < p.x.span.high) {
-            fprintf(c.to,
-                    "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
-                    "lw 1 dt (2,4)\n",
-                    end[i], end[i], target.colour);
+            panel_upright(&c, end[i], (struct style){STYLE_LINE, target.colour, 1, "(2,4)", 0, 0});
         }
     }
     draw_series(sheet, &c);

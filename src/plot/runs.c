@@ -4,6 +4,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,33 +22,33 @@ static void name_run(struct runs *s, int run, bool whole) {
     script_shorten(whole ? path : text, 16, s->name[run], sizeof s->name[run]);
 }
 
-static int other(const struct runs *s, struct error *e, const char *what, const char *first,
-                 const char *second) {
-    return error_set(e, STATUS_INPUT, "%s and %s cannot be compared: %s %s in one, %s in the other",
-                     s->r[0]->file, s->r[1]->file, what, first, second);
+// The error that says in what two runs differ.
+__attribute__((format(printf, 3, 4))) static int differ(const struct runs *s, struct error *e,
+                                                        const char *format, ...) {
+    char what[256];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(what, sizeof what, format, list);
+    va_end(list);
+    return error_set(e, STATUS_INPUT, "%s and %s cannot be compared: %s", s->r[0]->file,
+                     s->r[1]->file, what);
 }
 
 static int match_buildings(const struct runs *s, struct error *e) {
     const struct report *a = s->r[0], *b = s->r[1];
-    char first[64], second[64];
     if (a->n_building != b->n_building) {
-        snprintf(first, sizeof first, "%d", a->n_building);
-        snprintf(second, sizeof second, "%d", b->n_building);
-        return other(s, e, "number of buildings is", first, second);
+        return differ(s, e, "number of buildings is %d in one, %d in the other", a->n_building,
+                      b->n_building);
     }
     for (int i = 0; i < a->n_building; i++) {
         const struct report_building *p = &a->building[i], *q = &b->building[i];
         if (strcmp(p->name, q->name) != 0) {
-            snprintf(first, sizeof first, "'%.40s'", p->name);
-            snprintf(second, sizeof second, "'%.40s'", q->name);
-            return other(s, e, "a building is", first, second);
+            return differ(s, e, "a building is '%.40s' in one, '%.40s' in the other", p->name,
+                          q->name);
         }
         if (p->n_floor != q->n_floor) {
-            char what[96];
-            snprintf(what, sizeof what, "number of floors of '%.40s' is", p->name);
-            snprintf(first, sizeof first, "%d", p->n_floor);
-            snprintf(second, sizeof second, "%d", q->n_floor);
-            return other(s, e, what, first, second);
+            return differ(s, e, "number of floors of '%.40s' is %d in one, %d in the other",
+                          p->name, p->n_floor, q->n_floor);
         }
     }
     return STATUS_OK;
@@ -55,13 +56,10 @@ static int match_buildings(const struct runs *s, struct error *e) {
 
 static int match(const struct runs *s, struct error *e) {
     const struct unit_system *a = &s->r[0]->units, *b = &s->r[1]->units;
-    if (a->force != b->force || a->length != b->length || a->time != b->time) {
-        char first[64], second[64];
-        snprintf(first, sizeof first, "'%s %s %s'", a->force_name, a->length_name, a->time_name);
-        snprintf(second, sizeof second, "'%s %s %s'", b->force_name, b->length_name, b->time_name);
-        return other(s, e, "units are", first, second);
-    }
-    return match_buildings(s, e);
+    return a->force == b->force && a->length == b->length && a->time == b->time
+               ? match_buildings(s, e)
+               : differ(s, e, "units are '%s %s %s' in one, '%s %s %s' in the other", a->force_name,
+                        a->length_name, a->time_name, b->force_name, b->length_name, b->time_name);
 }
 
 int runs_init(struct runs *s, const struct result_file *first, const struct result_file *second,
@@ -245,6 +243,23 @@ int runs_building(const struct report *r, const char *name) {
         }
     }
     return -1;
+}
+
+void runs_facing(const struct runs *s, struct facing *f) {
+    const struct report *r = s->r[0];
+    runs_hardest_contact(s, f->contact);
+    const struct report_link *c = f->contact[0] >= 0 ? &r->contact[f->contact[0]] : NULL;
+    for (int side = 0; side < 2; side++) {
+        const bool left = side == 0;
+        f->building[side] = c                      ? runs_building(r, left ? c->left : c->right)
+                            : side < r->n_building ? side
+                                                   : -1;
+        f->floor[side] = c                        ? (left ? c->left_floor : c->right_floor) - 1
+                         : f->building[side] >= 0 ? r->building[side].n_floor - 1
+                                                  : 0;
+        f->level[side] = c ? (left ? c->left_level : c->right_level) : (double)NAN;
+        f->weight[side] = c ? (left ? c->left_weight : c->right_weight) : 1;
+    }
 }
 
 double runs_level(const struct report_building *b, int floors, bool heights) {

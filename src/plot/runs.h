@@ -8,7 +8,7 @@
 #include "plot/canvas.h"
 #include "plot/legend.h"
 
-// Histories side by side, the time first, to be written into a script.
+// Histories as columns, the first of which has the times.
 
 enum { DATA_COLUMNS_MAX = 8 };
 struct data {
@@ -69,15 +69,15 @@ struct history {
     int floor;  // from 0
 };
 
-// Reads histories of a run, a column each, to be given to data_free in any case. Errors:
-// STATUS_INPUT (they take too much memory; a damaged file), STATUS_SYSTEM.
+// Reads histories of a run, one in each column. Call data_free afterwards, also after an error.
+// Errors: STATUS_INPUT (they take too much memory; a damaged file), STATUS_SYSTEM.
 int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
               struct error *e);
 
 // True if all runs hold all these histories, bits of enum field.
 bool runs_have(const struct runs *s, unsigned fields);
 
-// STATUS_OK if they do; else the error "FILE has no WHAT; see output -fields".
+// STATUS_OK if all runs hold them; otherwise the error "FILE has no WHAT; see output -fields".
 int runs_need(const struct runs *s, unsigned fields, const char *what, struct error *e);
 
 // The errors "FILE has no WHAT", and that the first run has no contacts.
@@ -87,6 +87,17 @@ int runs_lack_contacts(const struct runs *s, struct error *e);
 // The contact with the largest force of the first run that has one, for each run: its index, or -1.
 // Contacts of two runs are the same if they join the same floors.
 void runs_hardest_contact(const struct runs *s, int *contact);
+
+// The sides that figures show: those of the hardest contact of the first run, or the roofs of its
+// first two buildings.
+struct facing {
+    int contact[RUNS_MAX];  // the hardest in each run; below 0: none
+    int building[2];        // -1: a wall, or none
+    int floor[2];           // from 0
+    double level[2];        // between that floor and the one below; NAN: at the floor
+    double weight[2];       // of the floor there
+};
+void runs_facing(const struct runs *s, struct facing *f);
 
 // Index in `run` of the first run's contact `i`; -1 if it is not there.
 int runs_same_contact(const struct runs *s, int run, int i);

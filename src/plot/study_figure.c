@@ -139,3 +139,9 @@ void study_number(FILE *to, double value) {
         fputs(" NaN", to);
     }
 }
+
+void study_point(FILE *to, double x, double y) {
+    study_number(to, x);
+    study_number(to, y);
+    fputc('\n', to);
+}

@@ -40,7 +40,9 @@ void study_panel(struct canvas *c, double bottom, const struct axis *x, const st
 void study_foot(const struct canvas *c, const char *text);
 double study_panel_width(const struct canvas *c);  // [em]
 
-// A number of the data; what is not finite becomes NaN, which gnuplot leaves out.
+// A number of the data, and a line of two. Numbers that are not finite become NaN, which gnuplot
+// leaves out.
 void study_number(FILE *to, double value);
+void study_point(FILE *to, double x, double y);
 
 #endif

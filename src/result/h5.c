@@ -164,12 +164,8 @@ void h5_create(struct h5 *h, const char *path) {
         h->file = H5Fcreate(path, H5F_ACC_EXCL, list, access);
         h5_failed(h, h->file);
     }
-    if (list >= 0) {
-        H5Pclose(list);
-    }
-    if (access >= 0) {
-        H5Pclose(access);
-    }
+    h5_drop(list);
+    h5_drop(access);
     if (h->file >= 0) {
         h->lock = fcntl(h5_descriptor(h), F_DUPFD_CLOEXEC, 0);  // outlives the library's
         if (h->lock < 0) {
@@ -201,9 +197,7 @@ void h5_open(struct h5 *h, const char *path, size_t sieve) {
             snprintf(h->cause, sizeof h->cause, "another run is writing it");
         }
     }
-    if (access >= 0) {
-        H5Pclose(access);
-    }
+    h5_drop(access);
     if (!h->failed) {
         open_types(h);
         open_transfer(h);
@@ -215,9 +209,7 @@ void h5_close_types(struct h5 *h) {
     hid_t *const held[] = {&h->text,  &h->references, &h->scalar, &h->plain,   &h->compact,
                            &h->group, &h->chunked,    &h->access, &h->transfer};
     for (size_t i = 0; i < sizeof held / sizeof held[0]; i++) {
-        if (*held[i] > 0) {
-            H5Idec_ref(*held[i]);
-        }
+        h5_drop(*held[i]);
         *held[i] = 0;
     }
     h5_heap_close(h);
@@ -250,6 +242,12 @@ hid_t h5_open_object(struct h5 *h, hid_t parent, const char *path) {
     hid_t object = H5Oopen(parent, path, H5P_DEFAULT);
     h5_failed(h, object);
     return object;
+}
+
+void h5_drop(hid_t id) {
+    if (id > 0) {
+        H5Idec_ref(id);
+    }
 }
 
 void h5_close(struct h5 *h, hid_t object) {

@@ -80,16 +80,16 @@ struct h5_dataset {
     bool may_be_cut;     // h5_cut may follow; it needs chunk_rows
 };
 
-// Checks that there is memory for what the library does next, as it crashes where memory runs out;
-// records a failure and returns false if there is not.
+// The library crashes when memory runs out. Checks that there is memory for its next call; false,
+// with a failure recorded: there is none.
 bool h5_has_room(struct h5 *h);
 
-// Records that memory has run out; tells whether that is the failure recorded.
+// Records the failure that memory has run out. h5_lacks_memory: true if this is the failure.
 void h5_no_memory(struct h5 *h);
 
-// The memory [bytes] that all that is read from the open file may take: compression can hide a
-// thousand times the size of the file. Takes `n` objects of `size` bytes from what is left; false:
-// that is too little, which is a failure.
+// Limit of the memory [bytes] for all values of the open file, because compression can hide a
+// thousand times the size of the file. h5_take counts `n` objects of `size` bytes; false, with a
+// failure recorded: they exceed the limit.
 uint64_t h5_memory_limit(const struct h5 *h);
 bool h5_take(struct h5 *h, size_t n, size_t size);
 
@@ -103,8 +103,8 @@ bool h5_lacks_memory(const struct h5 *h);
 // STATUS_SYSTEM (no memory).
 int h5_damaged(const struct h5 *h, const char *path, struct error *e);
 
-// h5_has_room, before a file is opened. It starts the library, which takes longer than reading a
-// deck, and keeps it from printing its own errors and from working at exit.
+// Starts the library before a file is opened, if h5_has_room. Turns off its own error messages and
+// its work at exit. The start takes longer than reading a deck.
 bool h5_start(struct h5 *h);
 
 // Checks that there is a regular file that can be read. Errors: STATUS_INPUT (none, or another kind
@@ -132,6 +132,8 @@ void h5_fail(struct h5 *h, const char *format, ...) __attribute__((format(printf
 // Creates a group; it is open, -1 after a failure.
 hid_t h5_group(struct h5 *h, hid_t parent, const char *name);
 void h5_close(struct h5 *h, hid_t object);  // a group or dataset; negative is allowed
+// Gives back an identifier of any kind, a type, space or list; 0 and negative ones are allowed.
+void h5_drop(hid_t id);
 // Gives the object another name, in the group `parent`.
 void h5_hard_link(struct h5 *h, hid_t object, hid_t parent, const char *name);
 
@@ -144,8 +146,8 @@ void h5_put_double(struct h5 *h, hid_t object, const char *name, double value);
 hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d);
 // Makes scale[i] the scale of dimension i of the open dataset (n_dim); 0: none.
 void h5_attach(struct h5 *h, hid_t dataset, const hid_t *scale, int n_dim);
-// Lists in each scale the datasets that have come to use it since the last call. A scale can be
-// listed once: when all its users are there.
+// Writes into each scale the list of the datasets that use it. A list is written once, so all
+// datasets of a scale must exist.
 void h5_list_uses(struct h5 *h);
 // True if the open dataset is a scale; if it has floating-point numbers.
 bool h5_is_scale(hid_t dataset);
@@ -174,14 +176,14 @@ void h5_put_box(struct h5 *h, hid_t dataset, const struct h5_box *box, hid_t typ
                 const void *value);
 void h5_get_box(struct h5 *h, hid_t dataset, const struct h5_box *box, hid_t type, void *value);
 
-// The same where each value of the box, which has `n_front` dimensions, is a row of `width` values;
-// the rows are `stride` numbers apart in memory.
+// Write and read a box of `n_front` dimensions in which each value is a row of `width` values. In
+// memory the rows are `stride` numbers apart.
 void h5_put_columns(struct h5 *h, hid_t dataset, struct h5_box box, int n_front, size_t width,
                     size_t stride, const double *value);
 void h5_get_columns(struct h5 *h, hid_t dataset, struct h5_box box, int n_front, size_t width,
                     size_t stride, double *value);
 
-// What a reference refers to: *n items of `item` bytes, valid until the next call; none after a
+// The content of a reference: *n items of `item` bytes, valid until the next call; none after a
 // failure.
 const void *h5_heap_get(struct h5 *h, const struct h5_reference *r, size_t item, size_t *n);
 // A text, from `a`; NULL after a failure.
@@ -222,7 +224,7 @@ size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit)
 char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
 // The `n` values of a list as doubles.
 double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
-// What h5_put_column and h5_put_member wrote.
+// Read what h5_put_column and h5_put_member wrote.
 void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,
                    void *base, size_t n);
 void h5_get_member(struct h5 *h, struct arena *a, hid_t object, const struct column_table *t, int c,

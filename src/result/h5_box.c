@@ -41,12 +41,8 @@ static void move(struct h5 *h, hid_t dataset, const struct h5_box *box, hid_t ty
         h5_failed(h, from ? H5Dwrite(dataset, type, memory, file, h->transfer, from)
                           : H5Dread(dataset, type, memory, file, h->transfer, to));
     }
-    if (box && memory >= 0) {
-        H5Sclose(memory);
-    }
-    if (box && file >= 0) {
-        H5Sclose(file);
-    }
+    h5_drop(memory);
+    h5_drop(file);
 }
 
 void h5_put_box(struct h5 *h, hid_t dataset, const struct h5_box *box, hid_t type,

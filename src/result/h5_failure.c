@@ -57,9 +57,9 @@ int h5_damaged(const struct h5 *h, const char *path, struct error *e) {
 #define H5E_ID H5E_ATOM  // before HDF5 1.14
 #endif
 
-// What the library says of memory: it got none, or none as far as can be guessed. Its lists of
-// properties and of objects are in memory only. Where they lack an entry, an allocation failed at a
-// place that did not report it.
+// Does an error of the library mean that memory has run out? WANT_SAID: it says so. WANT_GUESSED: a
+// list of properties or objects, which is in memory only, lacks an entry, so that an allocation has
+// failed at a place that did not report it.
 enum want { WANT_NONE, WANT_GUESSED, WANT_SAID };
 
 static herr_t find_memory(unsigned n, const H5E_error2_t *entry, void *want) {
@@ -88,9 +88,7 @@ static herr_t visit_object(hid_t group, const char *name, const H5L_info_t *info
     if (visited < 0) {
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, context);
     }
-    if (object >= 0) {
-        H5Oclose(object);
-    }
+    h5_drop(object);
     return visited;
 }
 
@@ -108,16 +106,12 @@ static bool fails_again(const char *path) {
     if (!visited && !second[0]) {
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, second);
     }
-    if (file >= 0) {
-        H5Fclose(file);
-    }
-    if (access >= 0) {
-        H5Pclose(access);
-    }
+    h5_drop(file);
+    h5_drop(access);
     return first[0] && strcmp(first, second) == 0;
 }
 
-// Where there is no memory for the library, a group is not missing and a file is not damaged.
+// Without memory the library reports missing groups and damaged files. Replaces such a cause.
 static void take_memory(struct h5 *h) {
     enum want want = is_there(ROOM) ? WANT_NONE : WANT_SAID;
     if (want == WANT_NONE && !h5_lacks_memory(h)) {

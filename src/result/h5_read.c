@@ -232,9 +232,7 @@ static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory
     } else if (n > 0) {
         read_values(h, dataset, memory_type, n, to);
     }
-    if (type >= 0) {
-        H5Tclose(type);
-    }
+    h5_drop(type);
     H5Dclose(dataset);
 }
 

@@ -98,9 +98,7 @@ static bool get_lists(struct h5 *h, hid_t dataset, int n_dim, struct h5_referenc
     const bool good = item >= 0 && H5Tequal(item, H5T_STD_REF_OBJ) > 0 &&
                       H5Sget_simple_extent_npoints(space) == n_dim &&
                       !h5_failed(h, H5Aread(attribute, h->heap.reference, list));
-    if (item >= 0) {
-        H5Tclose(item);
-    }
+    h5_drop(item);
     H5Tclose(type);
     H5Sclose(space);
     H5Aclose(attribute);
@@ -177,7 +175,5 @@ void h5_list_uses(struct h5 *h) {
         first += n;
     }
     h->n_use = 0;
-    if (type >= 0) {
-        H5Tclose(type);
-    }
+    h5_drop(type);
 }

@@ -101,12 +101,8 @@ static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
         dataset = H5Dcreate2(parent, d->name, d->file_type, space, H5P_DEFAULT, list, access);
         h5_failed(h, dataset);
     }
-    if (space >= 0) {
-        H5Sclose(space);
-    }
-    if (list != usual && list >= 0) {
-        H5Pclose(list);
-    }
+    h5_drop(space);
+    h5_drop(list != usual ? list : -1);
     return dataset;
 }
 

@@ -113,6 +113,14 @@ static const struct column peak_column[] = {
     FLOORS(layout_residual_drift_name, residual_drift, &dimension_length,
            "absolute drift of the storey below each floor that remains when it unloads after the "
            "end"),
+    FLOORS("ductility", demand[YIELD_DUCTILITY], NULL,
+           "largest drift of the storey below each floor over that at yield"),
+    FLOORS("hysteretic", demand[YIELD_HYSTERETIC], &dimension_energy,
+           "energy dissipated by the storey below each floor"),
+    FLOORS("deterioration", demand[YIELD_DETERIORATION], NULL,
+           "energy consumed over the least capacity of the storey below each floor"),
+    FLOORS("damage", demand[YIELD_DAMAGE], NULL,
+           "damage index of Park and Ang of the storey below each floor"),
 };
 const struct column_table layout_peak = TABLE(peak_column, report_building);
 
@@ -128,8 +136,13 @@ static const struct column member_peak_column[] = {
            "largest absolute normal force, NaN of beams and walls"),
     MEMBER("plastic_rotation", DOUBLE, plastic, NULL,
            "largest absolute plastic rotation of a hinge, 0 without hinges"),
-    MEMBER("ductility", DOUBLE, ductility, NULL,
+    MEMBER("ductility", DOUBLE, demand.value[YIELD_DUCTILITY], NULL,
            "largest rotation of a hinge over its rotation at yield, 0 without hinges"),
+    MEMBER("hysteretic", DOUBLE, demand.value[YIELD_HYSTERETIC], &dimension_energy,
+           "energy dissipated by the hinges"),
+    MEMBER("deterioration", DOUBLE, demand.value[YIELD_DETERIORATION], NULL,
+           "energy consumed over the least capacity of a hinge"),
+    MEMBER("damage", DOUBLE, demand.value[YIELD_DAMAGE], NULL, "damage index of a hinge"),
 };
 const struct column_table layout_member_peak[] = {
     {member_peak_column, MEMBER_PEAKS, sizeof(struct report_member)},
@@ -348,6 +361,11 @@ bool layout_has_levels(const struct report_link *link, int n) {
     return any;
 }
 
+bool layout_is_later(const struct column *c) {
+    return strcmp(c->name, "ductility") == 0 || strcmp(c->name, "hysteretic") == 0 ||
+           strcmp(c->name, "deterioration") == 0 || strcmp(c->name, "damage") == 0;
+}
+
 bool layout_is_shared(const struct column *c) {
     return !c->long_name && strcmp(c->name, "parameters") != 0 &&
            strcmp(c->name, "command_line") != 0;
@@ -359,32 +377,4 @@ bool layout_is_fixed(const struct column *c) {
 
 bool layout_is_value(const struct column *c) {
     return c->kind != COLUMN_TEXT && c->kind != COLUMN_INT;
-}
-
-const void *layout_at(const struct column_table *t, int c, const void *base, size_t i) {
-    const struct column *column = &t->column[c];
-    const char *member = (const char *)base + column->offset;
-    if (column->kind == COLUMN_ARRAY) {
-        const double *array = *(const double *const *)member;
-        return array ? array + i : NULL;
-    }
-    return member + i * t->size;
-}
-
-long layout_whole(const struct column *c, const void *at) {
-    switch (c->kind) {
-        case COLUMN_LONG:
-            return *(const long *)at + c->base;
-        case COLUMN_INT:
-            return *(const int *)at + (long)c->base;
-        case COLUMN_FLAG:
-            return *(const bool *)at ? 1 : 0;
-        default:
-            return 0;
-    }
-}
-
-double layout_number(const struct column *c, const void *at) {
-    return c->kind == COLUMN_DOUBLE || c->kind == COLUMN_ARRAY ? *(const double *)at
-                                                               : (double)layout_whole(c, at);
 }

@@ -50,8 +50,12 @@ extern const struct column_table layout_link_peak;    // of struct report_link: 
 extern const struct column_table layout_column_peak;  // the same: /columns/envelope
 extern const struct column_table layout_impact;       // of struct impact: /impacts
 
-// The last column of layout_peak. A run has it of buildings that can yield.
+// A run has this column of layout_peak, and the YIELD_QUANTITIES behind it, of buildings that can
+// yield.
 extern const char layout_residual_drift_name[];
+
+// Do files of earlier versions not have the column? It is one of those quantities.
+bool layout_is_later(const struct column *c);
 
 // The attribute of a building with isolators: their storey.
 extern const char layout_isolated_name[];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The walk over the places of the tree.
+// The walk over the places of the tree, and the values there.
 #include "result/layout.h"
 
 #include "core/arena.h"
@@ -71,4 +71,32 @@ void layout_each(const struct report *r, layout_visit *visit, void *context) {
 void layout_paths(struct report_building *b, struct arena *a) {
     b->path = arena_format(a, "buildings/%s", b->name);
     b->parts = arena_format(a, "buildings/%s/parts", b->name);
+}
+
+const void *layout_at(const struct column_table *t, int c, const void *base, size_t i) {
+    const struct column *column = &t->column[c];
+    const char *member = (const char *)base + column->offset;
+    if (column->kind == COLUMN_ARRAY) {
+        const double *array = *(const double *const *)member;
+        return array ? array + i : NULL;
+    }
+    return member + i * t->size;
+}
+
+long layout_whole(const struct column *c, const void *at) {
+    switch (c->kind) {
+        case COLUMN_LONG:
+            return *(const long *)at + c->base;
+        case COLUMN_INT:
+            return *(const int *)at + (long)c->base;
+        case COLUMN_FLAG:
+            return *(const bool *)at ? 1 : 0;
+        default:
+            return 0;
+    }
+}
+
+double layout_number(const struct column *c, const void *at) {
+    return c->kind == COLUMN_DOUBLE || c->kind == COLUMN_ARRAY ? *(const double *)at
+                                                               : (double)layout_whole(c, at);
 }

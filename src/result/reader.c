@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-// What a file may claim before it is taken for damaged.
+// A file with larger numbers is damaged.
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
 
 bool reader_is_run(const struct result_file *r) {
@@ -26,7 +26,7 @@ static struct spot root_of(const struct result_file *r) {
     return (struct spot){r->root, reader_is_run(r) ? r->h.file : -1};
 }
 
-// The group of these two that has `name`: that of the run itself, if it does.
+// The group that has `name`: that of the run itself if possible, otherwise that of the study.
 static hid_t holder(struct result_file *r, const struct spot *p, const char *name) {
     const bool is_own = p->study < 0 || (p->own >= 0 && h5_has(&r->h, p->own, name));
     return is_own ? p->own : p->study;
@@ -45,13 +45,14 @@ static void close_spot(struct result_file *r, const struct spot *p) {
 
 static void get_column(struct result_file *r, const struct spot *p, const struct column_table *t,
                        int c, void *base, size_t n) {
-    if (!r->h.failed) {
-        const hid_t group = holder(r, p, t->column[c].name);
+    const char *name = t->column[c].name;
+    const hid_t group = r->h.failed ? -1 : holder(r, p, name);
+    if (!r->h.failed && !(layout_is_later(&t->column[c]) && !h5_has(&r->h, group, name))) {
         h5_get_column(&r->h, r->report->arena, group, t, c, base, n);
     }
 }
 
-// Of the links of a study only what is the same for all runs.
+// Of a study, reads only the columns that are the same for all runs.
 static void get_columns(struct result_file *r, const struct spot *p, const struct column_table *t,
                         void *base, size_t n) {
     for (int c = 0; c < t->n_column; c++) {
@@ -59,6 +60,14 @@ static void get_columns(struct result_file *r, const struct spot *p, const struc
             get_column(r, p, t, c, base, n);
         }
     }
+}
+
+// The columns of the envelope in the group.
+static void get_envelope(struct result_file *f, const struct spot *group,
+                         const struct column_table *t, void *base, size_t n) {
+    const struct spot envelope = open_spot(f, group, "envelope");
+    get_columns(f, &envelope, t, base, n);
+    close_spot(f, &envelope);
 }
 
 static void get_attributes(struct result_file *f) {
@@ -77,7 +86,7 @@ static void get_attributes(struct result_file *f) {
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, r);
     }
-    // Files of earlier versions do not tell.
+    // Files of earlier versions do not have these attributes.
     r->collapse = (struct report_collapse){.building = ""};
     const bool tells = H5Aexists(f->root, layout_collapse.column[0].name) > 0;
     for (int c = 0; tells && c < layout_collapse.n_column; c++) {
@@ -89,7 +98,7 @@ static void get_attributes(struct result_file *f) {
     }
 }
 
-// The members of a building, whose group is there.
+// Reads the members of a building that has the group.
 static void get_members(struct result_file *f, const struct spot *building,
                         struct report_building *b) {
     const struct spot members = open_spot(f, building, "members");
@@ -113,7 +122,7 @@ static void get_members(struct result_file *f, const struct spot *building,
     close_spot(f, &members);
 }
 
-// The shares of what resists, whose group is there.
+// Reads the shares of the restoring force of a building that has the group.
 static void get_shares(struct result_file *f, const struct spot *building,
                        struct report_building *b) {
     const struct spot parts = open_spot(f, building, "parts");
@@ -123,23 +132,19 @@ static void get_shares(struct result_file *f, const struct spot *building,
     get_column(f, &parts, &layout_share, 0, b->share, n);
     for (size_t i = 0; f->reading == READ_VALUES && i < n && !f->h.failed; i++) {
         const struct spot share = open_spot(f, &parts, b->share[i].name);
-        const struct spot envelope = open_spot(f, &share, "envelope");
-        get_columns(f, &envelope, &layout_share_peak, &b->share[i], (size_t)b->n_floor);
-        close_spot(f, &envelope);
+        get_envelope(f, &share, &layout_share_peak, &b->share[i], (size_t)b->n_floor);
         close_spot(f, &share);
     }
     b->n_share = f->h.failed ? 0 : (int)n;
     close_spot(f, &parts);
 }
 
-// What the foundation of a building has done, whose group is there.
+// Reads the envelope of the foundation of a building that has the group.
 static void get_foundation(struct result_file *f, const struct spot *building,
                            struct report_building *b) {
     const struct spot foundation = open_spot(f, building, "foundation");
-    const struct spot envelope = open_spot(f, &foundation, "envelope");
     b->foundation = h5_alloc(&f->h, f->report->arena, 1, sizeof *b->foundation);
-    get_columns(f, &envelope, &layout_foundation, b->foundation, 1);
-    close_spot(f, &envelope);
+    get_envelope(f, &foundation, &layout_foundation, b->foundation, 1);
     close_spot(f, &foundation);
 }
 
@@ -178,7 +183,8 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
             const bool yields = envelope.own >= 0
                                     ? h5_has(&f->h, envelope.own, layout_residual_drift_name)
                                     : h5_get_long(&f->h, building.own, "yields") != 0;
-            for (int c = 0; c < layout_peak.n_column - !yields; c++) {
+            const int n_column = layout_peak.n_column - (yields ? 0 : 1 + YIELD_QUANTITIES);
+            for (int c = 0; c < n_column; c++) {
                 get_column(f, &envelope, &layout_peak, c, b, (size_t)b->n_floor);
             }
             close_spot(f, &envelope);
@@ -265,9 +271,7 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
             const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
             r->report->fields |= h5_has(&r->h, links.own, g->field[i]) ? bit : 0;
         }
-        const struct spot envelope = open_spot(r, &links, "envelope");
-        get_columns(r, &envelope, g->peaks, link, n);
-        close_spot(r, &envelope);
+        get_envelope(r, &links, g->peaks, link, n);
     }
     close_spot(r, &links);
     *n_link = (int)n;

@@ -7,7 +7,6 @@
 #include "core/arena.h"
 #include "jostle/result.h"
 #include "model/forces.h"
-#include "model/hinges.h"
 #include "model/struck_column.h"
 #include "result/layout.h"
 
@@ -32,16 +31,17 @@ static double larger_of(const struct member_extreme *e) {
 
 // What the hinges of a member have gone through. An end without a hinge has NAN, which fmax
 // ignores.
-static void hinges_fill(struct report_member *to, const struct plane_frame *f,
+static void hinges_fill(struct report_member *to, const struct results *r, int first,
                         const struct frame_member *m) {
     const struct member_extreme *e = to->extreme;
     for (int end = 0; end < 2; end++) {
         if (m->hinge[end] >= 0) {
-            const struct hinge *h = hinges_at(f, m->hinge[end]);
-            const double yield = h->storey.yield / h->stiffness;
-            const double ductility = larger_of(&e[MEMBER_ROTATION_I + end]) / yield;
+            const double *own = r->hinge_demand[first + m->hinge[end]].value;
             to->plastic = fmax(to->plastic, larger_of(&e[MEMBER_PLASTIC_I + end]));
-            to->ductility = isfinite(yield) ? fmax(to->ductility, ductility) : (double)NAN;
+            for (int q = 0; q < YIELD_QUANTITIES; q++) {
+                to->demand.value[q] = q == YIELD_HYSTERETIC ? to->demand.value[q] + own[q]
+                                                            : fmax(to->demand.value[q], own[q]);
+            }
         }
     }
 }
@@ -60,7 +60,7 @@ static void member_fill(struct report_member *to, const struct plane_frame *f, i
     to->shear = larger_of(&e[MEMBER_V]);
     to->axial = larger_of(&e[MEMBER_N]);
     if (r) {
-        hinges_fill(to, f, &f->member[i]);
+        hinges_fill(to, r, b->first_hinge, &f->member[i]);
     }
 }
 
@@ -143,6 +143,13 @@ static void building_fill(struct report_building *to, struct arena *a, const str
     }
     if (r && !b->elastic) {
         to->residual_drift = copy(a, r->residual_drift + b->first, n);
+        for (int q = 0; q < YIELD_QUANTITIES; q++) {
+            double *of = arena_alloc(a, n, sizeof *of);
+            for (size_t i = 0; of && i < n; i++) {
+                of[i] = r->storey_demand[(size_t)b->first + i].value[q];
+            }
+            to->demand[q] = of;
+        }
     }
     layout_paths(to, a);
     members_fill(to, a, b, own, r);

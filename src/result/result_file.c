@@ -56,9 +56,7 @@ static int find_run(struct result_file *r, const char *file, long run, struct er
                           file, run, (unsigned long long)n_run);
     }
     r->h.n_front = r->h.failed ? 0 : n;
-    if (space >= 0) {
-        H5Sclose(space);
-    }
+    h5_drop(space);
     h5_close(&r->h, status);
     return found;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file is walked twice: first every object gets a number, in the order of the names, as
-// references may lead to objects that come later. Then each link adds its name and the number of
-// its object, and the first link to an object adds its content too.
+// A file is walked twice: first every object gets a number, in the order of the names, because
+// references may lead to later objects. Then each link adds its name and the number of its object.
+// The first link to an object adds its content too.
 #include "result/seal.h"
 
 #include <stdlib.h>
@@ -13,7 +13,6 @@
 enum { BUFFER_BYTES = 1 << 20, ATTRIBUTE_BYTES_MAX = 1 << 28, DEPTH_MAX = 32, SLOTS_FIRST = 256 };
 
 static const char seal_name[] = "data_sha256";
-
 struct object {
     hobj_ref_t address;  // 0: an empty slot
     uint32_t number;     // from 1
@@ -23,7 +22,7 @@ struct object {
 struct walk {
     struct h5 *h;
     struct checksum_sum *to;            // that values are added to
-    struct checksum_sum data, results;  // of everything; of the datasets only
+    struct checksum_sum data, results;  // of everything; of the datasets outside of /origin
     struct object *object;              // (n_slot) by their addresses
     size_t n_object, n_slot;            // n_slot: a power of 2
     unsigned char *buffer;              // (BUFFER_BYTES)
@@ -38,7 +37,7 @@ static struct object *slot_of(const struct walk *w, hobj_ref_t address) {
     return &w->object[i];
 }
 
-// Makes room for one more.
+// Makes room for one more object.
 static bool grow(struct walk *w) {
     if (2 * (w->n_object + 1) <= w->n_slot) {
         return true;
@@ -82,8 +81,8 @@ static herr_t number_object(hid_t root, const char *path, const H5L_info_t *info
     return w->h->failed ? -1 : 0;
 }
 
-// How values of a type are added: as bytes, as texts of any length, as lists of references to
-// dimension scales, as the users of such a scale. KIND_NONE: jostle does not write such a type.
+// How values of a type are added: bytes, texts of any length, lists of references to dimension
+// scales, users of such a scale. KIND_NONE: jostle does not write such a type.
 enum seal_kind { KIND_NONE, KIND_BYTES, KIND_TEXT, KIND_SCALES, KIND_USES };
 
 static enum seal_kind kind_of(hid_t type) {
@@ -94,13 +93,10 @@ static enum seal_kind kind_of(hid_t type) {
     if (class == H5T_VLEN) {
         hid_t item = H5Tget_super(type);
         const bool is_list = item >= 0 && H5Tequal(item, H5T_STD_REF_OBJ) > 0;
-        if (item >= 0) {
-            H5Tclose(item);
-        }
+        h5_drop(item);
         return is_list ? KIND_SCALES : KIND_NONE;
     }
-    // Lists of users of a scale are compounds of a reference and a number, as the high-level
-    // library makes them.
+    // The high-level library lists users of a scale as compounds of a reference and a number.
     const bool is_uses = class == H5T_COMPOUND && H5Tget_nmembers(type) == 2 &&
                          H5Tget_member_class(type, 0) == H5T_REFERENCE &&
                          H5Tget_member_class(type, 1) == H5T_INTEGER &&
@@ -326,7 +322,9 @@ static herr_t visit_link(hid_t group, const char *name, const H5L_info_t *info, 
         w->to = &w->data;
         add_attributes(w, object);
     } else if (type == H5I_GROUP) {
+        const struct checksum_sum before = w->results;
         add_group(w, object);
+        w->results = w->depth == 1 && !strcmp(name, "origin") ? before : w->results;
     } else {
         h5_fail(w->h, "'%s' is neither a group nor a dataset", name);
     }

@@ -9,7 +9,7 @@
 #include "result/study_writer.h"
 
 enum { SOURCES_LIMIT = 1 << 26 };
-static const char group_name[] = "origin";
+static const char group_name[] = "origin", key_name[] = "key";
 
 static void put_texts(struct study_writer *w, hid_t group, const char *name, const char *long_name,
                       const char *const *text, hsize_t n) {
@@ -22,6 +22,22 @@ static void put_texts(struct study_writer *w, hid_t group, const char *name, con
     h5_put(&w->h, group, &d, text);
 }
 
+// The keys are a line of bytes for each run, in the order of the runs.
+static void put_keys(struct study_writer *w, hid_t group) {
+    const struct study_key *key = w->content->origin->key;
+    const struct h5_dataset d = {
+        .name = key_name,
+        .quantity = {"SHA-256 of what each run depends on", NULL},
+        .memory_type = H5T_NATIVE_UCHAR,
+        .file_type = H5T_STD_U8LE,
+        .n_dim = 2,
+        .dim = {(hsize_t)w->content->n_run, sizeof key->byte},
+    };
+    if (key) {
+        h5_put(&w->h, group, &d, key);
+    }
+}
+
 void study_origin_put(struct study_writer *w) {
     const struct study_origin *o = w->content->origin;
     const size_t n = (size_t)o->n_source;
@@ -30,7 +46,6 @@ void study_origin_put(struct study_writer *w) {
     h5_put_text(&w->h, group, "study", o->study);
     h5_put_text(&w->h, group, "define", o->define);
     h5_put_text(&w->h, group, "program_sha256", o->programs);
-    h5_put_text(&w->h, group, "accepted", o->accepted);
     for (size_t i = 0; path && sum && i < n; i++) {
         path[i] = o->source[i].path;
         sum[i] = o->source[i].sum.digits;
@@ -43,7 +58,41 @@ void study_origin_put(struct study_writer *w) {
     }
     free(path);
     free(sum);
+    put_keys(w, group);
     h5_close(&w->h, group);
+}
+
+int study_file_keys(struct study_file *f, struct study_key **out, struct error *e) {
+    struct h5 *h = &f->file.h;
+    const size_t n = (size_t)f->view.n_run;
+    hsize_t dim[H5S_MAX_RANK] = {0};
+    *out = NULL;
+    if (!h5_has(h, h->file, group_name)) {
+        return STATUS_OK;
+    }
+    hid_t group = h5_get_group(h, h->file, group_name);
+    hid_t dataset = h5_has(h, group, key_name) ? h5_open_object(h, group, key_name) : -1;
+    struct study_key *key = dataset >= 0 ? malloc((n + 1) * sizeof *key) : NULL;
+    hid_t space = key ? H5Dget_space(dataset) : -1;
+    if (dataset >= 0 && !key) {
+        h5_no_memory(h);
+    }
+    if (space >= 0) {
+        const int n_dim = H5Sget_simple_extent_dims(space, dim, NULL);
+        H5Sclose(space);
+        if (n_dim != 2 || dim[0] != n || dim[1] != sizeof key->byte || !h5_is_stored(dataset)) {
+            h5_fail(h, "it does not have a key for each run");
+        }
+        h5_get_box(h, dataset, NULL, H5T_NATIVE_UCHAR, key);
+    }
+    h5_close(h, dataset);
+    h5_close(h, group);
+    if (h->failed) {
+        free(key);
+        return h5_damaged(h, f->view.path, e);
+    }
+    *out = key;
+    return STATUS_OK;
 }
 
 static void get_sources(struct study_file *f, hid_t group) {
@@ -75,7 +124,6 @@ void study_origin_get(struct study_file *f) {
     o->study = h5_get_text(&f->file.h, a, group, "study");
     o->define = h5_get_text(&f->file.h, a, group, "define");
     o->programs = h5_get_text(&f->file.h, a, group, "program_sha256");
-    o->accepted = h5_get_text(&f->file.h, a, group, "accepted");
     get_sources(f, group);
     h5_close(&f->file.h, group);
 }

@@ -132,3 +132,12 @@ int study_table_find(const struct study_table *t, const struct study_item *wante
     }
     return -1;
 }
+
+long study_table_collapsed(const struct study_table *t) {
+    for (int i = 0; i < t->n_item; i++) {
+        if (strcmp(t->item[i].parent, "totals") == 0 && strcmp(t->item[i].name, "collapsed") == 0) {
+            return (long)t->item[i].first;
+        }
+    }
+    return -1;
+}

@@ -18,6 +18,11 @@
 
 int run_poll_now(struct run *r, double time) {
     const struct observer *o = r->observer;
+    if (o && o->steps_max > 0 && r->results->totals.steps >= o->steps_max) {
+        return error_set(r->error, STATUS_FAILED,
+                         "the limit of %ld steps was reached at t = %.6g %s", o->steps_max, time,
+                         r->model->deck->units.time_name);
+    }
     return o && o->poll ? o->poll(o->context, time, r->error) : STATUS_OK;
 }
 
@@ -193,7 +198,8 @@ static int analysis_start(struct run *r) {
     const struct model *m = r->model;
     rest_start(r->now, m);
     peaks_update(r->results, m, r->now);
-    if (m->n_force > 0) {
+    yielding_start(&r->forces.yielding, r->now);
+    if (force_peaks_due(&r->forces)) {
         force_peaks_note(&r->forces, r->now);
     }
     if (energy_start(&r->energy, m, r->now, r->results->link, r->error) != STATUS_OK) {
@@ -242,6 +248,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
         return error_no_memory(r->error);
     }
     residual_links(r->model, r->now, results->link);
+    yielding_finish(&r->forces.yielding, &r->energy, r->now, results);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;
     *out = results;

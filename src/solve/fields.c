@@ -34,6 +34,8 @@ static size_t fields_count(const struct fields_row *f, const struct model *m, in
         [FIELD_PART_TANGENTS] = m->n_part_tangent,
         [FIELD_LINK_HISTORIES] = m->n_link_history,
         [FIELD_FORCES] = m->n_force,
+        [FIELD_HINGES] = m->n_hinge,
+        [FIELD_ACTIONS] = fields_actions(m),
         [FIELD_FORCE_STATES] = m->n_force > 0 ? fields_actions(m) * FORCES_BATCH : 0,
     };
     return (size_t)n[f->count];

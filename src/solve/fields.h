@@ -36,6 +36,8 @@ enum field_count {
     FIELD_PART_TANGENTS,     // (model.n_part_tangent)
     FIELD_LINK_HISTORIES,    // (model.n_link_history)
     FIELD_FORCES,            // (model.n_force)
+    FIELD_HINGES,            // (model.n_hinge)
+    FIELD_ACTIONS,           // (fields_actions)
     FIELD_FORCE_STATES,      // (FORCES_BATCH, fields_actions) if the model has forces
 };
 

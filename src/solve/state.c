@@ -56,10 +56,7 @@ bool state_memory_alloc(struct memory *s, const struct model *m, struct arena *a
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->predictable && g->n_part > 0) {
-            const size_t n = (size_t)g->n_dof * (size_t)g->n_dof;
-            double *own = s->part_tangent + g->part_tangent;
-            memcpy(own, g->part_stiffness, n * sizeof *own);
-            memcpy(own + n, g->part_dashpot, n * sizeof *own);
+            parts_initial(g, s->part_tangent + g->part_tangent);
         }
     }
     return true;

@@ -93,7 +93,7 @@ struct span {
     void *at;
     size_t size;
 };
-enum { SPANS = 2 * PEAK_COUNT + 13 };
+enum { SPANS = 2 * PEAK_COUNT + 15 };
 
 static void find_spans(struct results *r, const struct model *m, struct span s[SPANS]) {
     const size_t floors = (size_t)m->n_dof * sizeof(double);
@@ -102,6 +102,8 @@ static void find_spans(struct results *r, const struct model *m, struct span s[S
         *s++ = (struct span){r->peak_time[p], floors};
     }
     *s++ = (struct span){r->residual_drift, floors};
+    *s++ = (struct span){r->storey_demand, (size_t)m->n_dof * sizeof *r->storey_demand};
+    *s++ = (struct span){r->hinge_demand, (size_t)m->n_hinge * sizeof *r->hinge_demand};
     double *const force[] = {r->force_max, r->force_max_time, r->force_min, r->force_min_time};
     for (int i = 0; i < 4; i++) {
         *s++ = (struct span){force[i], (size_t)m->n_force * sizeof(double)};
@@ -213,6 +215,8 @@ static struct results *new_results(const struct model *m, long n_impact) {
         r->peak_time[p] = arena_alloc(a, (size_t)m->n_dof, sizeof *r->peak_time[p]);
     }
     r->residual_drift = arena_alloc(a, (size_t)m->n_dof, sizeof *r->residual_drift);
+    r->storey_demand = arena_alloc(a, (size_t)m->n_dof, sizeof *r->storey_demand);
+    r->hinge_demand = arena_alloc(a, (size_t)m->n_hinge, sizeof *r->hinge_demand);
     double **const force[] = {&r->force_max, &r->force_max_time, &r->force_min, &r->force_min_time};
     for (int i = 0; i < 4; i++) {
         *force[i] = arena_alloc(a, (size_t)m->n_force, sizeof **force[i]);

@@ -9,8 +9,12 @@
 #include "core/file.h"
 #include "study/journal_entry.h"
 
-static const char magic[8] = "jostle6\n";
+static const char magic[JOURNAL_MAGIC] = "jostle7\n";
 enum { MAGIC_VERSION = 6 };  // the place of its digit
+
+off_t journal_first(const unsigned char *bytes) {
+    return bytes && memcmp(bytes, magic, sizeof magic) == 0 ? (off_t)sizeof magic : 0;
+}
 
 void journal_close(struct journal *j) {
     if (j->file >= 0) {
@@ -19,6 +23,7 @@ void journal_close(struct journal *j) {
     free(j->path);
     free(j->offset);
     free(j->chain);
+    free(j->found);
     free(j->buffer);
     free(j->head);
     *j = (struct journal){.file = -1};
@@ -37,20 +42,15 @@ void journal_remove(struct journal *j) {
 
 static int take_foreign(struct journal *j, struct error *e) {
     j->head = calloc(1, 1);
-    j->accepted = j->head;
     return j->head ? STATUS_OK : error_no_memory(e);
 }
 
-// The head in the buffer, and after a 0 what was accepted with it.
 static int take_head(struct journal *j, size_t n, struct error *e) {
-    char *head = calloc(n + 2, 1);
-    if (!head) {
+    j->head = calloc(n + 1, 1);
+    if (!j->head) {
         return error_no_memory(e);
     }
-    memcpy(head, journal_entry_content(j->buffer), n);
-    free(j->head);
-    j->head = head;
-    j->accepted = head + strlen(head) + (strlen(head) < n);
+    memcpy(j->head, journal_entry_content(j->buffer), n);
     return STATUS_OK;
 }
 
@@ -94,11 +94,12 @@ static int attempt(void *context, struct error *e) {
     return file_claim(j->path, j->path, O_CREAT, &j->file, e);
 }
 
-int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e) {
-    *j = (struct journal){.file = -1, .n_run = n_run, .n_value = n_value};
+int journal_open(struct journal *j, const char *path, const struct keys *keys, size_t n_value,
+                 struct error *e) {
+    *j = (struct journal){.file = -1, .keys = keys, .n_value = n_value};
     const size_t n = strlen(path) + 1;
     j->path = malloc(n);
-    j->offset = calloc((size_t)n_run, sizeof *j->offset);
+    j->offset = calloc((size_t)keys->n + 1, sizeof *j->offset);
     const bool room = journal_reserve(j, ENTRY_HEAD + journal_entry_run_size(n_value) + ENTRY_TAIL);
     if (!j->path || !j->offset || !room) {
         journal_close(j);
@@ -122,76 +123,118 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
 }
 
 int journal_want_histories(struct journal *j, uint64_t shape, struct error *e) {
-    j->chain = calloc((size_t)j->n_run, sizeof *j->chain);
+    j->chain = calloc((size_t)j->keys->n + 1, sizeof *j->chain);
     j->shape = shape;
     return j->chain ? STATUS_OK : error_no_memory(e);
 }
 
 void journal_begin_run(struct journal *j, long run) {
     if (j->chain) {
-        j->chain[run] = (struct journal_chain){0};
+        j->chain[run] = (struct journal_chain){.number = run};
     }
+}
+
+// Room for the blocks of the run of this number.
+static bool find_chain(struct journal *j, int64_t number) {
+    if (number < j->n_found) {
+        return true;
+    }
+    const size_t n = 2 * (size_t)number + 64;
+    struct journal_chain *more = realloc(j->found, n * sizeof *more);
+    if (!more) {
+        return false;
+    }
+    memset(more + j->n_found, 0, (n - (size_t)j->n_found) * sizeof *more);
+    j->found = more;
+    j->n_found = (long)n;
+    return true;
 }
 
 // The block at j->end is another one of its run, if it stands behind those that there are.
-static void link_block(struct journal *j, const struct entry_block *b) {
-    if (!j->chain || b->run < 0 || b->run >= j->n_run) {
-        return;
+static int link_block(struct journal *j, const struct entry_block *b, struct error *e) {
+    if (!j->chain || b->run < 0 || b->run >= STUDY_RUNS_MAX) {
+        return STATUS_OK;
     }
-    struct journal_chain *chain = &j->chain[b->run];
+    if (!find_chain(j, b->run)) {
+        return error_no_memory(e);
+    }
+    struct journal_chain *chain = &j->found[b->run];
     if (b->index == 0) {
-        journal_begin_run(j, (long)b->run);
+        *chain = (struct journal_chain){.number = b->run};
     }
     if (b->index == chain->n && b->previous == chain->last) {
-        *chain = (struct journal_chain){chain->n + 1, j->end};
+        *chain = (struct journal_chain){chain->n + 1, j->end, b->run};
     }
+    return STATUS_OK;
 }
 
-// Whether the histories of the run, which ended with this status, are there as they are wanted.
-static bool has_blocks(const struct journal *j, const struct entry_run *run, int status) {
-    const struct journal_chain *chain = j->chain ? &j->chain[run->number] : NULL;
-    return status == STUDY_FAILED ||
-           (run->shape == j->shape &&
-            (!chain || (run->n_block == chain->n && run->last == chain->last)));
-}
-
-// Takes the entry in the buffer; 0 if it is not one of this study, or lacks a file or histories.
-static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_function *file,
-                void *context, struct error *e) {
-    struct entry_run run;
-    struct entry_block block;
-    struct study_outcome outcome;
-    const char *path = NULL;
-    struct checksum sum;
-    if (kind == ENTRY_RUN &&
-        journal_entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) && run.number >= 0 &&
-        run.number < j->n_run && run.n_file <= j->n_file && has_blocks(j, &run, outcome.status)) {
-        int64_t *offset = &j->offset[run.number];
-        j->n_done += *offset == 0;
-        j->n_failed += *offset == 0 && outcome.status == STUDY_FAILED;
-        *offset = j->end;
-        if (outcome.status == STUDY_FAILED) {
-            journal_begin_run(j, run.number);  // rows before the failure are not kept
+// Notes where the runs of a key are that are not there, from the first of them on; how many.
+static long enter(struct journal *j, long first, int64_t offset, int status, bool collapsed,
+                  const struct journal_chain *chain) {
+    long n = 0;
+    for (long i = first; i >= 0 && j->offset[i] == 0; i = j->keys->twin[i], n++) {
+        j->offset[i] = offset;
+        if (j->chain) {
+            j->chain[i] = *chain;
         }
+    }
+    j->n_done += n;
+    j->n_failed += status == STUDY_FAILED ? n : 0;
+    j->n_collapsed += collapsed ? n : 0;
+    return n;
+}
+
+bool journal_take(struct journal *j, const struct study_key *key, int64_t place, int status,
+                  bool collapsed) {
+    const long first = keys_find(j->keys, key);
+    if (first >= 0) {
+        enter(j, first, -place, status, collapsed, NULL);
+    }
+    return first >= 0;
+}
+
+// Takes the entry of a run in the buffer, unless its histories are not there as they are wanted.
+static int take_run(struct journal *j, size_t n) {
+    static const struct journal_chain none;
+    struct entry_run run;
+    struct study_outcome outcome;
+    if (!journal_entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL)) {
+        return 0;
+    }
+    const long first = keys_find(j->keys, &run.key);
+    j->n_foreign += first < 0 && keys_is_known(&run.key);
+    const bool done = outcome.status == STUDY_DONE;
+    const struct journal_chain *chain = &none;
+    if (first < 0 || (done && run.shape != j->shape) || (!done && j->retry)) {
         return 1;
+    }
+    if (done && run.n_block > 0) {
+        if (run.number < 0 || run.number >= j->n_found) {
+            return 0;
+        }
+        chain = &j->found[run.number];
+    }
+    if (done && (run.n_block != chain->n || run.last != chain->last)) {
+        return 0;
+    }
+    enter(j, first, j->end, outcome.status, run.collapsed != 0, chain);
+    return 1;
+}
+
+// Takes the entry in the buffer; 0 if it is not one of a journal, or lacks histories.
+static int take(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
+    struct entry_block block;
+    if (kind == ENTRY_RUN) {
+        return take_run(j, n);
     }
     if (kind == ENTRY_BLOCK && journal_entry_get_block(j->buffer, n, &block)) {
-        link_block(j, &block);
-        return 1;
-    }
-    if (kind == ENTRY_FILE && journal_entry_get_file(j->buffer, n, &path, &sum)) {
-        int status = file(context, path, &sum, e);
-        j->n_file++;
+        const int status = link_block(j, &block, e);
         return status == STATUS_OK ? 1 : status;
     }
-    if (kind == ENTRY_HEAD_TEXT) {
-        int status = take_head(j, n, e);
-        return status == STATUS_OK ? 1 : status;
-    }
-    return 0;
+    return kind == ENTRY_STATE;
 }
 
-int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e) {
+int journal_load(struct journal *j, struct error *e) {
     enum entry_kind kind = ENTRY_RUN;
     size_t n = 0;
     off_t at = j->end;
@@ -199,12 +242,15 @@ int journal_load(struct journal *j, journal_file_function *file, void *context, 
     while ((sound = journal_find_entry(j, &at, &kind, &n, e)) == 1) {
         j->n_damaged += at > j->end;
         j->end = at;
-        const int taken = take(j, kind, n, file, context, e);
+        const int taken = take(j, kind, n, e);
         if (taken < 0) {
             return taken;
         }
         at = j->end += (off_t)(ENTRY_HEAD + n + ENTRY_TAIL);
     }
+    free(j->found);
+    j->found = NULL;
+    j->n_found = 0;
     if (sound < 0) {
         return sound;
     }
@@ -216,16 +262,6 @@ int journal_go_on(struct journal *j, struct error *e) {
     return file_cut(j->file, j->end) == 0 ? STATUS_OK : journal_cannot(j, "write", e);
 }
 
-int journal_accept(struct journal *j, const char *head, const char *accepted, struct error *e) {
-    const size_t n_head = strlen(head) + 1, n = n_head + strlen(accepted);
-    if (!journal_reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
-        return error_no_memory(e);
-    }
-    memcpy(journal_entry_content(j->buffer), head, n_head);
-    memcpy(journal_entry_content(j->buffer) + n_head, accepted, n - n_head);
-    return journal_append(j, ENTRY_HEAD_TEXT, n, e);
-}
-
 bool journal_is_new(const struct journal *j, const char *head) {
     const size_t whole = sizeof magic + ENTRY_HEAD + strlen(head) + ENTRY_TAIL;
     return !j->head && lseek(j->file, 0, SEEK_END) < (off_t)whole;
@@ -233,13 +269,6 @@ bool journal_is_new(const struct journal *j, const char *head) {
 
 int journal_reset(struct journal *j, const char *head, struct error *e) {
     const size_t n = strlen(head);
-    memset(j->offset, 0, (size_t)j->n_run * sizeof *j->offset);
-    for (long run = 0; run < j->n_run; run++) {
-        journal_begin_run(j, run);
-    }
-    j->n_done = 0;
-    j->n_failed = 0;
-    j->n_file = 0;
     j->end = sizeof magic;
     if (!journal_reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
         return error_no_memory(e);
@@ -251,40 +280,32 @@ int journal_reset(struct journal *j, const char *head, struct error *e) {
     return journal_append(j, ENTRY_HEAD_TEXT, n, e);
 }
 
-int journal_add_file(struct journal *j, const char *path, const struct checksum *sum,
-                     struct error *e) {
-    if (!journal_reserve(j, ENTRY_HEAD + journal_entry_file_size(path) + ENTRY_TAIL)) {
-        return error_no_memory(e);
-    }
-    const int status =
-        journal_append(j, ENTRY_FILE, journal_entry_put_file(j->buffer, path, sum), e);
-    j->n_file += status == STATUS_OK;
-    return status;
+int journal_add_state(struct journal *j, const struct journal_state *state, struct error *e) {
+    memcpy(journal_entry_content(j->buffer), state, sizeof *state);
+    return journal_append(j, ENTRY_STATE, sizeof *state, e);
 }
 
 int journal_add_run(struct journal *j, long run, const struct study_outcome *outcome,
-                    const double *value, struct error *e) {
+                    bool collapsed, const double *value, struct error *e) {
+    static const struct journal_chain none;
     const off_t at = j->end;
-    struct entry_run entry = {.number = run, .n_file = j->n_file};
-    if (j->chain && outcome->status == STUDY_DONE) {
-        entry.shape = j->shape;
-        entry.n_block = j->chain[run].n;
-        entry.last = j->chain[run].last;
+    const struct study_key *key = &j->keys->key[run];
+    const long twin = keys_find(j->keys, key), first = twin < 0 ? run : twin;
+    struct entry_run entry = {.key = *key, .number = run, .collapsed = collapsed};
+    const bool has_rows = j->chain && outcome->status == STUDY_DONE;
+    const struct journal_chain chain = has_rows ? j->chain[run] : none;
+    for (long i = first; i >= 0; i = j->keys->twin[i]) {
+        entry.count += j->offset[i] == 0;
     }
+    entry.shape = has_rows ? j->shape : 0;
+    entry.n_block = chain.n;
+    entry.last = chain.last;
     const size_t n = journal_entry_put_run(j->buffer, entry, outcome, value, j->n_value);
     int status = journal_append(j, ENTRY_RUN, n, e);
     if (status == STATUS_OK) {
-        j->offset[run] = at;
-        j->n_done++;
-        j->n_failed += outcome->status == STUDY_FAILED;
+        enter(j, first, at, outcome->status, collapsed, &chain);
     }
     return status;
-}
-
-// Only runs with histories are forgotten. None of them has failed, so n_failed stays.
-void journal_forget(struct journal *j, long run) {
-    j->offset[run] = 0;
-    j->n_done--;
 }
 
 // The error of a run that was there and is not.
@@ -295,16 +316,16 @@ static int lost(const struct journal *j, long run, struct error *e) {
 
 int journal_read(struct journal *j, long run, struct study_outcome *outcome, double *value,
                  struct error *e) {
-    enum entry_kind kind = ENTRY_FILE;
+    enum entry_kind kind = ENTRY_STATE;
     size_t n = 0;
-    struct entry_run found = {.number = -1};
+    struct entry_run found;
     int sound = journal_load_entry(j, (off_t)j->offset[run], &kind, &n, e);
     if (sound < 0) {
         return sound;
     }
     if (sound == 0 || kind != ENTRY_RUN ||
         !journal_entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) ||
-        found.number != run) {
+        memcmp(&found.key, &j->keys->key[run], sizeof found.key) != 0) {
         return lost(j, run, e);
     }
     return STATUS_OK;
@@ -312,7 +333,7 @@ int journal_read(struct journal *j, long run, struct study_outcome *outcome, dou
 
 int journal_add_block(struct journal *j, long run, const void *bytes, size_t n, struct error *e) {
     const struct journal_chain *chain = &j->chain[run];
-    const struct entry_block block = {run, chain->n, chain->last};
+    const struct entry_block block = {chain->number, chain->n, chain->last};
     const off_t at = j->end;
     if (!journal_reserve(j, ENTRY_HEAD + sizeof block + n + ENTRY_TAIL)) {
         return error_no_memory(e);
@@ -320,13 +341,13 @@ int journal_add_block(struct journal *j, long run, const void *bytes, size_t n, 
     const int status =
         journal_append(j, ENTRY_BLOCK, journal_entry_put_block(j->buffer, block, bytes, n), e);
     if (status == STATUS_OK) {
-        j->chain[run] = (struct journal_chain){block.index + 1, at};
+        j->chain[run] = (struct journal_chain){block.index + 1, at, block.run};
     }
     return status;
 }
 
 int journal_find_blocks(struct journal *j, long run, int64_t **offset, struct error *e) {
-    const long n = j->chain[run].n;
+    const long n = (long)j->chain[run].n;
     int64_t at = j->chain[run].last, *to = malloc(((size_t)n + 1) * sizeof *to);
     int status = STATUS_OK;
     if (!to) {
@@ -340,7 +361,8 @@ int journal_find_blocks(struct journal *j, long run, int64_t **offset, struct er
             journal_entry_get_block(start, sizeof block, &block);
         }
         at = block.previous;
-        status = block.run == run && block.index == i ? STATUS_OK : lost(j, run, e);
+        status =
+            block.run == j->chain[run].number && block.index == i ? STATUS_OK : lost(j, run, e);
     }
     if (status != STATUS_OK) {
         free(to);
@@ -352,7 +374,7 @@ int journal_find_blocks(struct journal *j, long run, int64_t **offset, struct er
 
 int journal_read_block(struct journal *j, long run, int64_t offset, const unsigned char **bytes,
                        size_t *n, struct error *e) {
-    enum entry_kind kind = ENTRY_FILE;
+    enum entry_kind kind = ENTRY_STATE;
     struct entry_block block = {.run = -1};
     const int sound = journal_load_entry(j, (off_t)offset, &kind, n, e);
     if (sound < 0) {
@@ -361,7 +383,7 @@ int journal_read_block(struct journal *j, long run, int64_t offset, const unsign
     *bytes =
         sound == 1 && kind == ENTRY_BLOCK ? journal_entry_get_block(j->buffer, *n, &block) : NULL;
     *n -= sizeof block;
-    return *bytes && block.run == run ? STATUS_OK : lost(j, run, e);
+    return *bytes && block.run == j->chain[run].number ? STATUS_OK : lost(j, run, e);
 }
 
 int journal_sync(const struct journal *j, struct error *e) {

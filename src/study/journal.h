@@ -5,8 +5,9 @@
 // A file starts with a magic word. An entry is {kind, bytes of content}, the content, and the
 // checksum of both; numbers and the checksum are in the machine's order of bytes, and a journal
 // from a machine with another one is not read. The first entry is the head: lines of text that say
-// which study this is. Bytes that are no sound entry are passed over. If the entry of a file is
-// lost, so are the runs that may have read that file, as it may have changed.
+// which values a run has. The entry of a run has its key (keys.h), by which the run is found,
+// whatever its number is in a study that has grown since. Bytes that are no sound entry are passed
+// over. Entries of states tell others how far the study is (status.h).
 //
 // The histories of a run precede its entry in blocks, each of which says where the one before it
 // is; blocks of several runs may be mixed. A run is lost if one of its blocks is.
@@ -17,39 +18,53 @@
 #include <sys/types.h>
 
 #include "jostle/study_file.h"
+#include "study/keys.h"
 
-// The blocks of a run so far.
+// The blocks of a run so far. The run had this number at the start that ran it.
 struct journal_chain {
-    long n;
-    int64_t last;  // offset of the last one
+    int64_t n, last;  // how many; offset of the last one
+    int64_t number;
+};
+
+// How far a study is.
+struct journal_state {
+    int64_t n_run, n_done, n_failed, n_collapsed;
+    int64_t ended;         // 1: the start has ended, and the study goes on with another one
+    double time, started;  // wall time [s] since 1970: of this state, of the start
+    double seconds_left;   // 0: not known
 };
 
 struct journal {
     char *path;  // owned
     int file;
     off_t end;                    // of the last sound entry
-    long n_run;                   // of the study, or of the part of it
+    const struct keys *keys;      // borrowed: of the runs of the study, or of the part of it
     size_t n_value;               // of a run
-    int64_t *offset;              // (n_run) of the entry of each run; 0: not there
+    bool retry;                   // entries of failed runs are not taken
+    int64_t *offset;              // (n) of the entry of each run; 0: not there; < 0: the run is
+                                  // elsewhere, and the place is the caller's (journal_take)
     uint64_t shape;               // of the rows of histories; 0: there are none
-    struct journal_chain *chain;  // (n_run) of each run; NULL without histories
-    unsigned char *buffer;        // (capacity) for one entry
+    struct journal_chain *chain;  // (n) of each run; NULL without histories
+    struct journal_chain *found;  // (n_found) by their numbers, while entries are loaded
+    long n_found;
+    unsigned char *buffer;  // (capacity) for one entry
     size_t capacity;
-    long n_done, n_failed;  // runs in it
-    long n_file;            // entries of files up to its end
-    long n_damaged;         // places that were passed over
-    char *head;             // the last one in the file; NULL: there is none, or a damaged one
-    const char *accepted;   // what had changed when the user went on; in the memory of the head
+    long n_done, n_failed, n_collapsed;  // runs in it, or elsewhere
+    long n_foreign;                      // entries of runs that this study does not have
+    long n_damaged;                      // places that were passed over
+    char *head;                          // NULL: there is none, or a damaged one
 };
 
-// A file that runs read: the entries of kind file.
-typedef int journal_file_function(void *context, const char *path, const struct checksum *sum,
-                                  struct error *e);
+// Where the first entry of the journal is that begins with these JOURNAL_MAGIC bytes; 0: it is no
+// journal of this version.
+enum { JOURNAL_MAGIC = 8 };
+off_t journal_first(const unsigned char *bytes);
 
 // Opens the journal, or makes an empty one, and locks it. With an old one `head` is filled and the
 // caller decides by it: journal_load or journal_reset (without a head if journal_is_new). Errors:
 // STATUS_INPUT (no journal), STATUS_SYSTEM (cannot be read or written, another program writes it).
-int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e);
+int journal_open(struct journal *j, const char *path, const struct keys *keys, size_t n_value,
+                 struct error *e);
 
 // From now on runs have histories, with rows of this shape, any number but 0: what tells them from
 // histories of other rows. Runs that were done without them, or with others, are not loaded.
@@ -60,32 +75,29 @@ int journal_want_histories(struct journal *j, uint64_t shape, struct error *e);
 // was made? A longer file without a sound head is damaged, and may hold runs.
 bool journal_is_new(const struct journal *j, const char *head);
 
-// Reads the entries after the head, and changes nothing; `file` is called for each file, and its
-// errors are returned. A head among them, of journal_accept, replaces the one before.
-int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e);
+// Reads the entries after the head, and changes nothing in the file. Errors: STATUS_SYSTEM.
+int journal_load(struct journal *j, struct error *e);
 
 // Drops what is behind the last sound entry, so that entries can be appended.
 int journal_go_on(struct journal *j, struct error *e);
 
-// Appends another head: from here on the runs belong to it, and `accepted` says in which respects
-// those before it do not.
-int journal_accept(struct journal *j, const char *head, const char *accepted, struct error *e);
-
 // Empties the journal and writes the head.
 int journal_reset(struct journal *j, const char *head, struct error *e);
 
-// Append an entry. Errors: STATUS_SYSTEM; the journal stays as it was.
-int journal_add_file(struct journal *j, const char *path, const struct checksum *sum,
-                     struct error *e);
+// Notes that all runs of this key that are not there are at a place of the caller's, > 0, which is
+// then -offset. Returns false if the study has no such run.
+bool journal_take(struct journal *j, const struct study_key *key, int64_t place, int status,
+                  bool collapsed);
+
+// Append an entry. A run stands for all runs of its key. Errors: STATUS_SYSTEM; the journal stays
+// as it was.
 int journal_add_run(struct journal *j, long run, const struct study_outcome *outcome,
-                    const double *value, struct error *e);
+                    bool collapsed, const double *value, struct error *e);
+int journal_add_state(struct journal *j, const struct journal_state *state, struct error *e);
 // The next `n` <= ENTRY_BLOCK_BYTES bytes of the histories of a run; journal_begin_run before the
 // first ones.
 void journal_begin_run(struct journal *j, long run);
 int journal_add_block(struct journal *j, long run, const void *bytes, size_t n, struct error *e);
-
-// Forgets a run that is done, so that it is run again.
-void journal_forget(struct journal *j, long run);
 
 // Where the blocks of a run that is there are, from the first on; chain[run].n offsets, to be
 // freed. Errors: STATUS_SYSTEM (no memory, damaged).

@@ -3,7 +3,6 @@
 #include "study/journal_entry.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,16 +11,7 @@
 #include "core/checksum.h"
 #include "core/file.h"
 
-enum { CONTENT_MAX = 1 << 30, HEADER_TEXT_MAX = 1 << 16 };  // bytes; of a later head
-
-// How the content of a run starts; the message and, if it is done, the values follow.
-struct run_head {
-    int64_t run, n_file;
-    uint64_t shape;
-    int64_t n_block, last;
-    int32_t status;
-    int32_t n_message;
-};
+enum { CONTENT_MAX = 1 << 30 };  // bytes
 
 unsigned char *journal_entry_content(unsigned char *entry) {
     return entry + ENTRY_HEAD;
@@ -37,13 +27,12 @@ static size_t seal(unsigned char *entry, enum entry_kind kind, size_t n) {
     return ENTRY_HEAD + n + ENTRY_TAIL;
 }
 
-// Reads the kind and the size of the content from the head; false if it cannot be one.
-static bool get_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
+bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
     uint32_t head[2];
     memcpy(head, entry, sizeof head);
     *kind = (enum entry_kind)head[0];
     *n = head[1];
-    return (*kind == ENTRY_HEAD_TEXT || *kind == ENTRY_FILE || *kind == ENTRY_BLOCK ||
+    return (*kind == ENTRY_HEAD_TEXT || *kind == ENTRY_STATE || *kind == ENTRY_BLOCK ||
             *kind == ENTRY_RUN) &&
            *n <= CONTENT_MAX;
 }
@@ -68,20 +57,15 @@ static bool is_sound(const unsigned char *entry, size_t n) {
 }
 
 size_t journal_entry_run_size(size_t n_value) {
-    return sizeof(struct run_head) + STUDY_MESSAGE_MAX + n_value * sizeof(double);
+    return sizeof(struct journal_run_head) + STUDY_MESSAGE_MAX + n_value * sizeof(double);
 }
 
 size_t journal_entry_put_run(unsigned char *entry, struct entry_run run,
                              const struct study_outcome *outcome, const double *value,
                              size_t n_value) {
     const size_t n_message = strlen(outcome->message);
-    const struct run_head head = {.run = run.number,
-                                  .n_file = run.n_file,
-                                  .shape = run.shape,
-                                  .n_block = run.n_block,
-                                  .last = run.last,
-                                  .status = outcome->status,
-                                  .n_message = (int32_t)n_message};
+    const struct journal_run_head head = {
+        .run = run, .status = outcome->status, .n_message = (int32_t)n_message};
     unsigned char *to = journal_entry_content(entry);
     memcpy(to, &head, sizeof head);
     memcpy(to + sizeof head, outcome->message, n_message);
@@ -95,7 +79,7 @@ size_t journal_entry_put_run(unsigned char *entry, struct entry_run run,
 
 bool journal_entry_get_run(const unsigned char *entry, size_t n, size_t n_value,
                            struct entry_run *run, struct study_outcome *outcome, double *value) {
-    struct run_head head;
+    struct journal_run_head head;
     const unsigned char *from = entry + ENTRY_HEAD;
     if (n < sizeof head) {
         return false;
@@ -108,11 +92,7 @@ bool journal_entry_get_run(const unsigned char *entry, size_t n, size_t n_value,
         n != sizeof head + (size_t)head.n_message + n_bytes) {
         return false;
     }
-    *run = (struct entry_run){.number = (long)head.run,
-                              .n_file = (long)head.n_file,
-                              .shape = head.shape,
-                              .n_block = (long)head.n_block,
-                              .last = head.last};
+    *run = head.run;
     *outcome = (struct study_outcome){.status = head.status};
     memcpy(outcome->message, from + sizeof head, (size_t)head.n_message);
     if (value && done) {
@@ -139,30 +119,6 @@ const unsigned char *journal_entry_get_block(const unsigned char *entry, size_t 
     }
     memcpy(block, entry + ENTRY_HEAD, sizeof *block);
     return entry + ENTRY_HEAD + sizeof *block;
-}
-
-size_t journal_entry_file_size(const char *path) {
-    return CHECKSUM_DIGITS + strlen(path) + 1;
-}
-
-// A file that cannot be read has zeros.
-size_t journal_entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum) {
-    unsigned char *to = journal_entry_content(entry);
-    memcpy(to, sum->digits, CHECKSUM_DIGITS);
-    memcpy(to + CHECKSUM_DIGITS, path, strlen(path) + 1);
-    return journal_entry_file_size(path);
-}
-
-bool journal_entry_get_file(const unsigned char *entry, size_t n, const char **path,
-                            struct checksum *sum) {
-    const unsigned char *from = entry + ENTRY_HEAD;
-    if (n <= CHECKSUM_DIGITS || from[n - 1] != 0) {
-        return false;
-    }
-    *sum = (struct checksum){.digits = ""};
-    memcpy(sum->digits, from, CHECKSUM_DIGITS);
-    *path = (const char *)from + CHECKSUM_DIGITS;
-    return true;
 }
 
 int journal_cannot(const struct journal *j, const char *what, struct error *e) {
@@ -199,7 +155,7 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
     if (got < 0) {
         return journal_cannot(j, "read", e);
     }
-    if (got < ENTRY_HEAD || !get_size(j->buffer, kind, n)) {
+    if (got < ENTRY_HEAD || !journal_entry_size(j->buffer, kind, n)) {
         return 0;
     }
     const size_t size = ENTRY_HEAD + *n + ENTRY_TAIL;
@@ -220,13 +176,9 @@ int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_
 // looked at for it.
 static bool is_head(const struct journal *j, const unsigned char *entry, enum entry_kind *kind,
                     size_t *n) {
-    const size_t run = journal_entry_run_size(j->n_value),
-                 file = journal_entry_file_size("") + PATH_MAX;
+    const size_t run = journal_entry_run_size(j->n_value);
     const size_t block = sizeof(struct entry_block) + ENTRY_BLOCK_BYTES;
-    return get_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
-                                              : *kind == ENTRY_HEAD_TEXT ? HEADER_TEXT_MAX
-                                              : run > file               ? run
-                                                                         : file);
+    return journal_entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK ? block : run);
 }
 
 int journal_find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,

@@ -9,20 +9,28 @@
 
 enum entry_kind {
     ENTRY_HEAD_TEXT = 0x64616568,
-    ENTRY_FILE = 0x656c6966,
+    ENTRY_STATE = 0x74617473,
     ENTRY_BLOCK = 0x636f6c62,
     ENTRY_RUN = 0x206e7572
 };
 enum { ENTRY_HEAD = 8, ENTRY_TAIL = 8 };  // bytes before and after the content
 
-// Which run it is, and how many entries of files precede it: it may have read those files. Of a run
-// with histories also which rows they have (0: there are none), how many blocks they take, and
-// where the last one is.
+// Which run it is: its key, and its number at the start that ran it. `count` runs have this key. Of
+// a run with histories also which rows they have (0: there are none), how many blocks they take,
+// and where the last one is.
 struct entry_run {
-    long number, n_file;
+    struct study_key key;
+    int64_t number, count;
     uint64_t shape;
-    long n_block;
-    int64_t last;
+    int64_t n_block, last;
+    int64_t collapsed;  // 1: it has collapsed
+};
+
+// How the content of a run starts; the message and, if it is done, the values follow.
+struct journal_run_head {
+    struct entry_run run;
+    int32_t status;
+    int32_t n_message;
 };
 
 // A block of the histories of a run: block `index` of it, behind the one at `previous`.
@@ -30,6 +38,10 @@ struct entry_block {
     int64_t run, index, previous;
 };
 enum { ENTRY_BLOCK_BYTES = 1 << 18 };  // most bytes of histories in a block
+
+// Reads the kind and the size of the content of an entry from its first ENTRY_HEAD bytes; false:
+// they cannot be those of an entry.
+bool journal_entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
 
 // The content of the entry at `entry`.
 unsigned char *journal_entry_content(unsigned char *entry);
@@ -46,8 +58,6 @@ size_t journal_entry_put_run(unsigned char *entry, struct entry_run run,
 // Fills the content of a block with `n` <= ENTRY_BLOCK_BYTES bytes of histories; its size.
 size_t journal_entry_put_block(unsigned char *entry, struct entry_block block, const void *bytes,
                                size_t n);
-size_t journal_entry_file_size(const char *path);
-size_t journal_entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum);
 
 // Read the content, `n` bytes; false if it cannot be one. `value` NULL: the values are not wanted.
 bool journal_entry_get_run(const unsigned char *entry, size_t n, size_t n_value,
@@ -55,8 +65,6 @@ bool journal_entry_get_run(const unsigned char *entry, size_t n, size_t n_value,
 // Its bytes of histories, of which there are n - sizeof *block; NULL if it cannot be one.
 const unsigned char *journal_entry_get_block(const unsigned char *entry, size_t n,
                                              struct entry_block *block);
-bool journal_entry_get_file(const unsigned char *entry, size_t n, const char **path,
-                            struct checksum *sum);
 
 // The error of an operation on the file: STATUS_SYSTEM with the cause in errno.
 int journal_cannot(const struct journal *j, const char *what, struct error *e);

@@ -64,6 +64,7 @@ static struct manifest_file *enter(struct manifest *m, const char *name, bool in
     f->sum = sum_of(path, included);
     f->next = m->file;
     m->file = f;
+    m->n_file++;
     return f;
 }
 
@@ -72,13 +73,12 @@ static int changed(const char *path, struct error *e) {
 }
 
 int manifest_check(struct manifest *m, const struct deck_path *file,
-                   const struct manifest_file **added, struct error *e) {
+                   const struct manifest_file **entry, struct error *e) {
     const char *path = file->path, *name = file->absolute ? path : path + m->folder;
     struct manifest_file *f = find(m, name);
-    *added = NULL;
+    *entry = f ? f : enter(m, name, file->included);
     if (!f) {
-        *added = enter(m, name, file->included);
-        return *added ? STATUS_OK : error_no_memory(e);
+        return *entry ? STATUS_OK : error_no_memory(e);
     }
     const struct stat now = look(path);
     if (looks_the_same(&f->seen, &now)) {

@@ -24,17 +24,17 @@ struct manifest {
     const char *deck;     // path of the deck, borrowed
     size_t folder;        // bytes of it up to its last slash, and that
     struct manifest_file *file;
+    long n_file;
 };
 
 // An empty manifest of the deck at this path. Errors: STATUS_SYSTEM (no memory).
 int manifest_init(struct manifest *m, const char *deck, struct error *e);
 void manifest_close(struct manifest *m);
 
-// Enters a file that has no entry, as it is now; *added is its entry. A file that has one is
-// compared with it; *added is NULL. Errors: STATUS_INPUT (it has changed), STATUS_SYSTEM (no
-// memory).
+// Enters a file that has no entry, as it is now; compares a file that has one with it. *entry is
+// its entry. Errors: STATUS_INPUT (it has changed), STATUS_SYSTEM (no memory).
 int manifest_check(struct manifest *m, const struct deck_path *file,
-                   const struct manifest_file **added, struct error *e);
+                   const struct manifest_file **entry, struct error *e);
 
 // Enters the file of this name and notes whether it has another checksum than `sum`. Of a file that
 // is expected twice the last one counts. Errors: STATUS_SYSTEM (no memory).

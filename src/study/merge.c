@@ -12,26 +12,18 @@
 #include "jostle/study_merge.h"
 #include "study/number_list.h"
 #include "study/origin.h"
-
-enum { BYTES_MAX = 1 << 20, ROWS_MAX = 256 };
-
-struct input {
-    struct study_file *file;
-    const struct study_view *view;
-    int *item;  // (n_item of the table) the item of the file that each one is
-};
+#include "study/take.h"
 
 struct merge {
     const struct study_merge_request *request;
-    struct input *input;  // (n_path)
+    struct take_file *input;  // (n_path)
     struct report *report;
     struct study_table *table;
     struct study_merged *out;
-    struct arena *arena;            // owned
-    struct study_origin origin;     // of the file; its arrays are from the arena or the inputs
-    long capacity;                  // rows of a part on their way
-    struct study_outcome *outcome;  // (capacity)
-    double *value;                  // (capacity, n_value)
+    struct arena *arena;         // owned
+    struct study_origin origin;  // of the file; its arrays are from the arena or the inputs
+    struct study_key *key;       // (n_run); NULL: a part has none
+    double *value;               // (n_value) of a run that is compared
 };
 
 static const char *path_of(const struct merge *m, int k) {
@@ -46,23 +38,18 @@ static void tell(const struct merge *m, int k) {
 }
 
 static int open_part(struct merge *m, int k, struct error *e) {
-    struct input *in = &m->input[k];
+    struct take_file *in = &m->input[k];
     const char *path = path_of(m, k);
     tell(m, k);
-    int status = study_file_open(path, &in->file, e);
+    int status = take_open(in, path, e);
     if (status == STATUS_INPUT && access(path, F_OK) == 0 && !study_file_is_study(path)) {
         return error_set(e, STATUS_INPUT, "%s is not the file of a part of a study", path);
     }
     if (status != STATUS_OK) {
         return status;
     }
-    in->view = study_file_view(in->file);
     if (in->view->part.shard.n == 0) {
         return error_set(e, STATUS_INPUT, "%s is a whole study, not a part of one", path);
-    }
-    status = study_file_verify(in->file, e);
-    if (status != STATUS_OK) {
-        return status;
     }
     const char *first = m->input[0].view->origin.study, *study = in->view->origin.study;
     if (strcmp(first, study) != 0) {
@@ -127,56 +114,41 @@ static int join_sources(struct merge *m, struct error *e) {
     return status;
 }
 
-// Appends to the text *to the lines of another that it does not have; NULL: no memory.
-static const char *join_lines(struct arena *a, const char *to, const char *lines) {
-    while (*lines && to) {
-        const size_t n = strcspn(lines, "\n");
-        const char *at = to;
-        while (*at && !(strncmp(at, lines, n) == 0 && at[n] == '\n')) {
-            at += strcspn(at, "\n") + 1;
-        }
-        to = *at ? to : arena_format(a, "%s%.*s\n", to, (int)n, lines);
-        lines += n + (lines[n] == '\n');
-    }
-    return to;
-}
-
 static int join_origins(struct merge *m, struct error *e) {
     const struct study_origin *first = &m->input[0].view->origin;
     m->origin = (struct study_origin){.numerics = first->numerics,
                                       .study = first->study,
                                       .define = first->define,
-                                      .programs = "",
-                                      .accepted = ""};
+                                      .programs = ""};
     for (int k = 0; k < m->request->n_path; k++) {
-        const struct study_origin *o = &m->input[k].view->origin;
-        m->origin.programs = join_lines(m->arena, m->origin.programs, o->programs);
-        m->origin.accepted = join_lines(m->arena, m->origin.accepted, o->accepted);
-        if (!m->origin.programs || !m->origin.accepted) {
+        m->origin.programs =
+            origin_join_lines(m->arena, m->origin.programs, m->input[k].view->origin.programs);
+        if (!m->origin.programs) {
             return error_no_memory(e);
         }
     }
     return join_sources(m, e);
 }
 
-static int map_items(struct merge *m, struct error *e) {
-    const size_t n = (size_t)m->table->n_item;
-    for (int k = 0; k < m->request->n_path; k++) {
-        struct input *in = &m->input[k];
-        in->item = malloc((n + 1) * sizeof *in->item);
-        if (!in->item) {
-            return error_no_memory(e);
+// The keys of all runs; if a part has none, the file has none.
+static int join_keys(struct merge *m, struct error *e) {
+    m->key = calloc((size_t)m->out->n_run + 1, sizeof *m->key);
+    int status = m->key ? STATUS_OK : error_no_memory(e);
+    for (int k = 0; k < m->request->n_path && m->key && status == STATUS_OK; k++) {
+        const struct study_view *v = m->input[k].view;
+        struct study_key *part;
+        status = study_file_keys(m->input[k].file, &part, e);
+        if (status == STATUS_OK && !part) {
+            free(m->key);
+            m->key = NULL;
         }
-        for (size_t i = 0; i < n; i++) {
-            const struct study_item *item = &m->table->item[i];
-            in->item[i] = item->n > 0 ? study_table_find(&in->view->table, item) : 0;
-            if (in->item[i] < 0) {
-                return error_set(e, STATUS_INPUT, "%s is damaged: it has no %s/%s", path_of(m, k),
-                                 item->parent, item->name);
-            }
+        for (long i = 0; m->key && status == STATUS_OK && i < v->n_run; i++) {
+            m->key[study_view_run(v, i)] = part[i];
         }
+        free(status == STATUS_OK ? part : NULL);
     }
-    return STATUS_OK;
+    m->origin.key = m->key;
+    return status;
 }
 
 // Says which runs are missing: by their parts if all parts are of one division.
@@ -251,25 +223,20 @@ struct target {
     double *value;                  // (n, n_value)
 };
 
-// Brings row `row` of the buffer, from part `k`, to its place; a run that is there already must be
-// the same.
-static int place(const struct merge *m, int k, long row, long run, const struct target *to,
-                 struct error *e) {
-    const struct study_table *t = m->table, *from = &m->input[k].view->table;
-    struct study_outcome *outcome = &to->outcome[run - to->first], *new = &m->outcome[row];
-    double *value = to->value + (size_t)(run - to->first) * t->n_value;
-    const double *buffer = m->value + (size_t)row * from->n_value;
+// Brings a row of part `k` to its place; a run that is there already must be the same.
+static int place(const struct merge *m, int k, long row, const struct target *to, struct error *e) {
+    const size_t n_value = m->table->n_value;
+    const long run = study_view_run(m->input[k].view, row);
+    struct study_outcome *outcome = &to->outcome[run - to->first], new;
+    double *value = to->value + (size_t)(run - to->first) * n_value;
     const bool known = outcome->status != STUDY_MISSING;
-    bool same =
-        !known || (outcome->status == new->status && !strcmp(outcome->message, new->message));
-    for (int i = 0; i < t->n_item; i++) {
-        const struct study_item *item = &t->item[i];
-        const double *source = buffer + from->item[m->input[k].item[i]].first;
-        const size_t size = item->n * sizeof *source;
-        same = same && (!known || memcmp(value + item->first, source, size) == 0);
-        memcpy(value + item->first, source, size);
+    const int status =
+        take_row(&m->input[k], row, known ? &new : outcome, known ? m->value : value, e);
+    if (status != STATUS_OK || !known) {
+        return status;
     }
-    *outcome = *new;
+    const bool same = outcome->status == new.status && !strcmp(outcome->message, new.message) &&
+                      memcmp(value, m->value, n_value * sizeof *value) == 0;
     return same ? STATUS_OK
                 : error_set(e, STATUS_INPUT,
                             "run %ld has other results in %s than in a part before it", run + 1,
@@ -281,13 +248,8 @@ static int read_part(const struct merge *m, int k, const struct target *to, stru
     const long end = find_row(v, to->first + to->n);
     int status = STATUS_OK;
     tell(m, k);
-    for (long row = find_row(v, to->first); row < end && status == STATUS_OK;) {
-        const long n = end - row < m->capacity ? end - row : m->capacity;
-        status = study_file_read(m->input[k].file, row, n, m->outcome, m->value, e);
-        for (long i = 0; i < n && status == STATUS_OK; i++) {
-            status = place(m, k, i, study_view_run(v, row + i), to, e);
-        }
-        row += n;
+    for (long row = find_row(v, to->first); row < end && status == STATUS_OK; row++) {
+        status = place(m, k, row, to, e);
     }
     tell(m, -1);
     return status;
@@ -342,14 +304,18 @@ static int join(struct merge *m, struct error *e) {
                                     .context = m};
     describe(m, list, &content);
     int status = study_file_check(&content, &m->request->result, e);
-    status = status == STATUS_OK ? map_items(m, e) : status;
-    const size_t n_value = m->table->n_value + 1, rows = BYTES_MAX / (n_value * sizeof(double));
-    m->capacity = rows < 1 ? 1 : rows > ROWS_MAX ? ROWS_MAX : (long)rows;
-    m->outcome = malloc((size_t)m->capacity * sizeof *m->outcome);
-    m->value = malloc((size_t)m->capacity * n_value * sizeof *m->value);
-    if (status == STATUS_OK && (!m->outcome || !m->value)) {
+    for (int k = 0; k < m->request->n_path && status == STATUS_OK; k++) {
+        status = take_map(&m->input[k], m->table, NULL, e);
+        if (status == STATUS_OK && m->input[k].lacks) {
+            status = error_set(e, STATUS_INPUT, "%s is damaged: it lacks properties of its models",
+                               path_of(m, k));
+        }
+    }
+    m->value = malloc((m->table->n_value + 1) * sizeof *m->value);
+    if (status == STATUS_OK && !m->value) {
         status = error_no_memory(e);
     }
+    status = status == STATUS_OK ? join_keys(m, e) : status;
     return status == STATUS_OK ? study_file_write(&content, &m->request->result, e) : status;
 }
 
@@ -378,11 +344,10 @@ int study_merge(const struct study_merge_request *q, struct study_merged *out, s
     int status = m.input && m.arena ? open_and_join(&m, e) : error_no_memory(e);
     for (int k = 0; m.input && k < q->n_path; k++) {
         tell(&m, k);
-        study_file_close(m.input[k].file);
-        free(m.input[k].item);
+        take_close(&m.input[k]);
     }
     free(m.input);
-    free(m.outcome);
+    free(m.key);
     free(m.value);
     study_table_free(m.table);
     report_free(m.report);

@@ -8,8 +8,6 @@
 #include "deck/parameter.h"
 #include "jostle/study_merge.h"
 
-static const char numerics_line[] = "the version of the numerics", deck_line[] = "the deck";
-
 static struct checksum sum_sweep(const struct sweep *s) {
     struct checksum_sum sum;
     struct checksum out;
@@ -47,8 +45,8 @@ int origin_study(struct arena *a, const struct study_request *q, size_t n_value,
         checksum_add_text(&sum, defined[i]);
     }
     checksum_end(&sum, &define);
-    const char *text = arena_format(a, "%s\t%d\n%s\t%s\n-D\t%s\n", numerics_line, q->numerics,
-                                    deck_line, meaning.digits, define.digits);
+    const char *text = arena_format(a, "the version of the numerics\t%d\nthe deck\t%s\n-D\t%s\n",
+                                    q->numerics, meaning.digits, define.digits);
     for (const struct sweep *w = d->sweeps; w && text; w = w->next) {
         const struct checksum values = sum_sweep(w);
         text = arena_format(a, "%sthe list of values of '%s'\t%d %s\n", text, w->name, w->n,
@@ -58,10 +56,20 @@ int origin_study(struct arena *a, const struct study_request *q, size_t n_value,
     return *out ? STATUS_OK : error_no_memory(e);
 }
 
-const char *origin_journal(struct arena *a, const struct study_request *q, const char *study) {
-    return q->shard.n > 0
-               ? arena_format(a, "%sthe part\t%ld/%ld\n", study, q->shard.number, q->shard.n)
-               : study;
+const char *origin_journal(struct arena *a, const struct study_table *t) {
+    struct checksum_sum sum;
+    struct checksum out;
+    checksum_start(&sum);
+    for (int i = 0; i < t->n_item; i++) {
+        const struct study_item *item = &t->item[i];
+        checksum_add_text(&sum, item->parent);
+        checksum_add_text(&sum, item->owner ? item->owner : "");
+        checksum_add_text(&sum, item->leaf ? item->leaf : "");
+        checksum_add_text(&sum, item->name);
+        checksum_add_number(&sum, item->n);
+    }
+    checksum_end(&sum, &out);
+    return arena_format(a, "values of a run\t%zu %s\n", t->n_value, out.digits);
 }
 
 const char *origin_difference(const char *old, const char *new, int *length) {
@@ -74,34 +82,17 @@ const char *origin_difference(const char *old, const char *new, int *length) {
     return from;
 }
 
-static bool is_named(const char *line, const char *name) {
-    const size_t n = strlen(name);
-    return strncmp(line, name, n) == 0 && line[n] == '\t';
-}
-
-static bool may_change(const char *line) {
-    return is_named(line, numerics_line) || is_named(line, deck_line);
-}
-
-int origin_accept(struct arena *a, const char *old, const char *new, const char **accepted,
-                  struct error *e) {
-    while (*old && *new) {
-        const size_t n_old = strcspn(old, "\n"), n_new = strcspn(new, "\n");
-        const int name = (int)strcspn(new, "\t\n");
-        const bool same = n_old == n_new && memcmp(old, new, n_old) == 0;
-        if (!same && (!may_change(new) || strncmp(old, new, (size_t)name + 1) != 0)) {
-            return error_set(e, STATUS_INPUT, "%.*s", name, new);
+const char *origin_join_lines(struct arena *a, const char *to, const char *lines) {
+    while (*lines && to) {
+        const size_t n = strcspn(lines, "\n");
+        const char *at = to;
+        while (*at && !(strncmp(at, lines, n) == 0 && at[n] == '\n')) {
+            at += strcspn(at, "\n") + 1;
         }
-        *accepted = same ? *accepted
-                         : arena_format(a, "%s%.*s: %.*s\n", *accepted, name, new,
-                                        (int)n_old - name - 1, old + name + 1);
-        if (!*accepted) {
-            return error_no_memory(e);
-        }
-        old += n_old + (old[n_old] == '\n');
-        new += n_new + (new[n_new] == '\n');
+        to = *at ? to : arena_format(a, "%s%.*s\n", to, (int)n, lines);
+        lines += n + (lines[n] == '\n');
     }
-    return *old || *new ? error_set(e, STATUS_INPUT, "the list of sweeps") : STATUS_OK;
+    return to;
 }
 
 static int compare(const void *a, const void *b) {
@@ -133,7 +124,7 @@ int origin_describe(const struct study_request *q, const struct manifest *m,
     }
     out->source = list_sources(m, &out->n_source);
     out->define = define;
-    out->programs = arena_format(m->arena, "%s\n", q->program.digits);
+    out->programs = origin_join_lines(m->arena, out->programs, q->program.digits);
     out->numerics = q->numerics;
     return define && out->source && out->programs ? STATUS_OK : error_no_memory(e);
 }
@@ -169,48 +160,4 @@ int origin_compare(struct manifest *m, const char *study, const struct study_ori
         }
     }
     return STATUS_OK;
-}
-
-static int compare_part(const struct study_request *q, struct manifest *m, const char *study,
-                        struct study_file *f, struct error *e) {
-    const struct study_view *v = study_file_view(f);
-    if (v->part.shard.n != q->shard.n || v->part.shard.number != q->shard.number) {
-        return error_set(e, STATUS_INPUT,
-                         "%s exists and holds part %ld of %ld; --force overwrites it",
-                         q->result.path, v->part.shard.number, v->part.shard.n);
-    }
-    int status = study_file_verify(f, e);
-    const bool whole = status == STATUS_OK;
-    status = whole ? origin_compare(m, study, &v->origin, e) : status;
-    const struct error cause = *e;
-    if (status == STATUS_INPUT && whole) {
-        return error_set(e, STATUS_INPUT,
-                         "%s exists, but %s has changed since it was made; --force overwrites it",
-                         q->result.path, cause.message);
-    }
-    return status == STATUS_INPUT
-               ? error_set(e, STATUS_INPUT, "%s; --force overwrites it", cause.message)
-               : status;
-}
-
-int origin_find_part(const struct study_request *q, struct manifest *m, const char *study,
-                     bool *found, long *n_failed, struct error *e) {
-    *found = false;
-    if (q->shard.n == 0 || q->journal == STUDY_RESTART || q->result.existing == RESULT_REPLACE ||
-        !study_file_is_study(q->result.path)) {
-        return STATUS_OK;  // whoever writes the file says that it exists
-    }
-    struct study_file *f;
-    int status = study_file_open(q->result.path, &f, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    const struct study_part *part = &study_file_view(f)->part;
-    if (part->shard.n > 0) {
-        status = compare_part(q, m, study, f, e);
-        *found = status == STATUS_OK;
-        *n_failed = part->n_failed;
-    }
-    study_file_close(f);
-    return status;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the runs of a study come from: which study it is, the files that they read, which part of
-// the study they are, and whether the file of a part is there already.
+// What the runs of a study come from: which study it is, the files that they read, and which part
+// of the study they are.
 //
 // Which study it is, is a text with a line for each thing that must not change. A line starts with
 // what a message calls the thing and a tab. Equal texts mean the same runs, except for the files
@@ -17,20 +17,18 @@
 int origin_study(struct arena *a, const struct study_request *q, size_t n_value, const char **out,
                  struct error *e);
 
-// The text of a journal: `study`, and the part. NULL: no memory.
-const char *origin_journal(struct arena *a, const struct study_request *q, const char *study);
+// The head of a journal: which values a run has. NULL: no memory.
+const char *origin_journal(struct arena *a, const struct study_table *t);
 
-// Appends to the text *accepted a line for each difference that a user may accept: "NAME: OLD".
-// Errors: STATUS_INPUT with the name of another difference, as runs would not have the same places
-// or numbers; STATUS_SYSTEM (no memory).
-int origin_accept(struct arena *a, const char *old, const char *new, const char **accepted,
-                  struct error *e);
+// Appends to the text `to` those lines of another that it does not have; NULL: no memory.
+const char *origin_join_lines(struct arena *a, const char *to, const char *lines);
 
 // What a message calls the first difference between two such texts: *length bytes.
 const char *origin_difference(const char *old, const char *new, int *length);
 
-// What the runs come from, once they are done, without the members `study` and `accepted`. Texts
-// and arrays are from the arena of the manifest. Errors: STATUS_SYSTEM (no memory).
+// What the runs come from, once they are done, without the members `study` and `key`. The program
+// is added to `programs`. Texts and arrays are from the arena of the manifest. Errors:
+// STATUS_SYSTEM (no memory).
 int origin_describe(const struct study_request *q, const struct manifest *m,
                     struct study_origin *out, struct error *e);
 
@@ -44,11 +42,5 @@ int origin_part(const struct plan *p, const struct manifest *m, struct study_par
 // STATUS_SYSTEM (no memory).
 int origin_compare(struct manifest *m, const char *study, const struct study_origin *o,
                    struct error *e);
-
-// Sets *found where the file of the request is the finished part that it asks for, and *n_failed,
-// the number of its failed runs. Errors: STATUS_INPUT (the file is something else, or the study has
-// changed since), STATUS_SYSTEM (no memory).
-int origin_find_part(const struct study_request *q, struct manifest *m, const char *study,
-                     bool *found, long *n_failed, struct error *e);
 
 #endif

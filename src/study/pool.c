@@ -24,6 +24,7 @@ struct pool {
     const struct study_request *request;
     const struct plan *plan;
     struct journal *journal;
+    struct keys *keys;
     struct manifest *manifest;
     struct record_cache *records;
     struct study_progress progress;
@@ -32,12 +33,14 @@ struct pool {
     long left;    // runs that no thread has taken yet
     int most;     // that one takes at once
     int tick;
+    long collapsed;  // the value of a run that says whether it has collapsed; -1: none
 
     struct lengths lengths;           // the calling thread measures them
     bool weighed;                     // they are summed:
     double length_done, length_left;  // of the runs of this start, of those still to be done
     off_t kept;                       // end of the runs that the journal had before
     double start;                     // wall time [s]
+    double started;                   // the same since 1970
 };
 
 // The runs that a thread works on.
@@ -51,13 +54,26 @@ struct batch {
 struct view {
     struct pool *pool;
     struct workers *workers;
+    const struct batch *batch;       // the runs of the thread
+    double start;                    // of the runs [s of the thread]
     long entry;                      // the run whose histories are written
     struct history_writer *history;  // NULL: there are none
 };
 
+// Of the calling thread, so that a run is not longer where others run beside it.
+static double thread_seconds(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 static int poll_trial(void *context, double time, struct error *e) {
     const struct view *v = context;
-    (void)time;
+    const double limit = v->pool->request->seconds_max;
+    if (limit > 0.0 && thread_seconds() - v->start > limit) {
+        return error_set(e, STATUS_FAILED, "the limit of %g s was reached at t = %.6g", limit,
+                         time);
+    }
     return workers_stopped(v->workers) ? error_set(e, STATUS_SYSTEM, "the study has ended")
                                        : STATUS_OK;
 }
@@ -65,13 +81,16 @@ static int poll_trial(void *context, double time, struct error *e) {
 static int enter_files(void *context, const struct deck_path *files, struct error *e) {
     const struct view *v = context;
     struct pool *p = v->pool;
+    const long n_file = p->manifest->n_file;
     int status = STATUS_OK;
     workers_lock(v->workers);
     for (; files && status == STATUS_OK; files = files->next) {
-        const struct manifest_file *added;
-        status = manifest_check(p->manifest, files, &added, e);
-        if (status == STATUS_OK && added) {
-            status = journal_add_file(p->journal, added->name, &added->sum, e);
+        const struct manifest_file *entry;
+        status = manifest_check(p->manifest, files, &entry, e);
+    }
+    if (p->manifest->n_file > n_file) {
+        for (int i = 0; i < v->batch->n; i++) {
+            keys_forget(p->keys, v->batch->trial[i].entry);
         }
     }
     workers_unlock(v->workers);
@@ -128,10 +147,14 @@ static long take(void *context, void *scratch) {
 
 static int work(void *context, struct workers *w, long first, void *scratch, struct error *e) {
     struct pool *p = context;
-    struct view view = {.pool = p, .workers = w, .entry = first};
     struct batch *b = scratch;
-    struct trial_watch watch = {
-        .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
+    struct view view = {
+        .pool = p, .workers = w, .batch = b, .start = thread_seconds(), .entry = first};
+    struct trial_watch watch = {.files = enter_files,
+                                .poll = poll_trial,
+                                .context = &view,
+                                .steps_max = p->request->steps_max,
+                                .records = p->records};
     if (p->journal->chain) {
         view.history = malloc(sizeof *view.history);
         if (!view.history) {
@@ -149,9 +172,9 @@ static int work(void *context, struct workers *w, long first, void *scratch, str
 // Of the runs that fail, the one of the lowest number is named, whichever ends first.
 static void count(struct pool *p, long run, const struct study_outcome *outcome) {
     struct study_progress *to = &p->progress;
-    to->n_done++;
+    to->n_done = p->journal->n_done;
+    to->n_failed = p->journal->n_failed;
     if (outcome->status == STUDY_FAILED) {
-        to->n_failed++;
         if (!to->failure[0] || run < p->failed) {
             struct plan_text t;
             p->failed = run;
@@ -176,7 +199,8 @@ static int enter_run(struct pool *p, const struct trial *t, struct error *e) {
         *e = t->error;
         return t->status;
     }
-    const int status = journal_add_run(p->journal, t->entry, &t->outcome, t->value, e);
+    const bool collapsed = p->collapsed >= 0 && t->value[p->collapsed] > 0.0;  // NaN is not
+    const int status = journal_add_run(p->journal, t->entry, &t->outcome, collapsed, t->value, e);
     if (status == STATUS_OK) {
         count(p, t->run, &t->outcome);
         const double length = p->weighed ? length_of(p, t->entry) : 0.0;
@@ -202,6 +226,20 @@ static int enter(void *context, long first, const void *scratch, struct error *e
     return status;
 }
 
+// Tells `jostle status` how far the study is. Called under the lock.
+static int add_state(struct pool *p, double seconds_left, bool ended, struct error *e) {
+    const struct journal *j = p->journal;
+    const struct journal_state state = {.n_run = p->plan->n_mine,
+                                        .n_done = j->n_done,
+                                        .n_failed = j->n_failed,
+                                        .n_collapsed = j->n_collapsed,
+                                        .ended = ended,
+                                        .time = wall_date(),
+                                        .started = p->started,
+                                        .seconds_left = seconds_left};
+    return journal_add_state(p->journal, &state, e);
+}
+
 // What the calling thread does meanwhile.
 static int watch(void *context, struct workers *w, long n_job, struct error *e) {
     struct pool *p = context;
@@ -216,7 +254,7 @@ static int watch(void *context, struct workers *w, long n_job, struct error *e) 
         const int64_t at = p->journal->offset[i];
         if (at == 0) {
             p->length_left += length_of(p, i);
-        } else if (at >= p->kept) {
+        } else if (at >= p->kept) {  // of this start
             p->length_done += length_of(p, i);
         }
     }
@@ -224,27 +262,37 @@ static int watch(void *context, struct workers *w, long n_job, struct error *e) 
     struct study_progress now = p->progress;
     now.seconds_left = seconds_left(p);
     workers_unlock(w);
-    const int status = q->poll ? q->poll(q->context, &now, e) : STATUS_OK;
-    return status == STATUS_OK && ++p->tick % SYNC_TICKS == 0 ? journal_sync(p->journal, e)
-                                                              : status;
+    int status = q->poll ? q->poll(q->context, &now, e) : STATUS_OK;
+    if (status == STATUS_OK && ++p->tick % SYNC_TICKS == 0) {
+        workers_lock(w);
+        status = add_state(p, now.seconds_left, false, e);
+        workers_unlock(w);
+        status = status == STATUS_OK ? journal_sync(p->journal, e) : status;
+    }
+    return status;
 }
 
 int pool_run(const struct study_request *q, const struct plan *plan, struct journal *journal,
-             struct manifest *manifest, struct study_progress *progress, struct error *e) {
+             struct keys *keys, struct manifest *manifest, struct study_progress *progress,
+             struct error *e) {
     struct pool p = {.request = q,
                      .plan = plan,
                      .journal = journal,
+                     .keys = keys,
                      .manifest = manifest,
+                     .collapsed = study_table_collapsed(plan->table),
                      .records = record_cache_create(RECORD_CACHE_BYTES),
                      .progress = *progress,
                      .kept = journal->end,
-                     .start = wall_seconds()};
+                     .start = wall_seconds(),
+                     .started = wall_date()};
     int status = p.records ? lengths_init(&p.lengths, plan, e) : error_no_memory(e);
     const long missing = plan->n_mine - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
     p.left = missing;
-    p.most = trial_most(plan);
+    // In lockstep a run would have the time of the others, too.
+    p.most = q->seconds_max > 0.0 || q->steps_max > 0 ? 1 : trial_most(plan);
     const size_t values = (size_t)p.most * plan->table->n_value;
     const struct workers_request request = {.n_thread = n_thread,
                                             .scratch =
@@ -254,7 +302,12 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
                                             .enter = enter,
                                             .poll = watch,
                                             .context = &p};
+    status = status == STATUS_OK && n_thread > 0 ? add_state(&p, 0.0, false, e) : status;
     status = status == STATUS_OK && n_thread > 0 ? workers_run(&request, e) : status;
+    if (status != STATUS_OK && n_thread > 0) {
+        struct error ignored;  // whoever looks finds the time instead
+        add_state(&p, seconds_left(&p), true, &ignored);
+    }
     lengths_close(&p.lengths);
     record_cache_free(p.records);
     *progress = p.progress;

@@ -13,6 +13,7 @@
 // Runs until all runs are in the journal. Errors as of study_run; what is finished is in the
 // journal.
 int pool_run(const struct study_request *q, const struct plan *plan, struct journal *journal,
-             struct manifest *manifest, struct study_progress *p, struct error *e);
+             struct keys *keys, struct manifest *manifest, struct study_progress *p,
+             struct error *e);
 
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study from its deck to its file: plan, journal, pool, result.
+// A study from its deck to its file: plan, keys, finished runs, pool, result.
 #include "jostle/study.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/wall.h"
@@ -9,179 +10,110 @@
 #include "motion/record_cache.h"
 #include "study/history.h"
 #include "study/journal.h"
+#include "study/keys.h"
 #include "study/manifest.h"
 #include "study/origin.h"
 #include "study/plan.h"
 #include "study/pool.h"
 #include "study/survey.h"
+#include "study/take.h"
 #include "study/trial.h"
 
 struct study {
     const struct study_request *request;
+    struct result_options result;  // of the request; a file that grows is replaced
     struct plan plan;
     struct manifest manifest;
+    struct keys keys;
     struct journal journal;
+    struct take_file *file;  // (n_file) finished runs: run i is row -offset[i] - 1 of all of them
+    int n_file;
+    int64_t n_row;                   // rows of the files
+    long n_taken;                    // runs that are taken from them
+    struct study_content content;    // of the result file
     struct study_origin origin;      // of the runs
     struct study_part part;          // if that is what is run
     struct study_progress progress;  // when all runs are done
-    struct record_cache *records;    // for the models of runs with histories
+    struct record_cache *records;    // for models that are built besides the runs
     double start;                    // wall time [s]
 };
-
-static int expect_file(void *context, const char *name, const struct checksum *sum,
-                       struct error *e) {
-    struct study *s = context;
-    return manifest_expect(&s->manifest, name, sum, e);
-}
-
-// Goes on as the user wants it although something has changed, and notes what.
-static int accept_changes(struct study *s, const char *head, struct error *e) {
-    struct arena *a = s->manifest.arena;
-    const char *accepted = s->origin.accepted;
-    int status = origin_accept(a, s->journal.head, head, &accepted, e);
-    if (status == STATUS_INPUT) {
-        const struct error cause = *e;
-        return error_set(e, STATUS_INPUT,
-                         "%s holds runs of a study of another shape: %s has changed; --restart "
-                         "begins anew",
-                         s->journal.path, cause.message);
-    }
-    for (const struct manifest_file *f = s->manifest.file; f && accepted; f = f->next) {
-        accepted = f->changed ? arena_format(a, "%s%s\n", accepted, f->name) : accepted;
-    }
-    if (status != STATUS_OK || !accepted) {
-        return status != STATUS_OK ? status : error_no_memory(e);
-    }
-    if (strcmp(accepted, s->origin.accepted) != 0) {
-        s->origin.accepted = accepted;
-        status = journal_accept(&s->journal, head, accepted, e);
-    }
-    // After the note, so that no kill between leaves the changed files without it.
-    for (struct manifest_file *f = s->manifest.file; f && status == STATUS_OK; f = f->next) {
-        if (f->changed) {
-            f->changed = false;
-            status = journal_add_file(&s->journal, f->name, &f->sum, e);
-        }
-    }
-    return status;
-}
-
-#define ACCEPT_OR_RESTART "--accept keeps its finished runs, --restart begins anew"
-
-static int check_changes(struct study *s, const char *head, struct error *e) {
-    if (strcmp(s->journal.head, head) != 0) {
-        int length;
-        const char *cause = origin_difference(s->journal.head, head, &length);
-        const char *accepted = "";
-        const int status = origin_accept(s->manifest.arena, s->journal.head, head, &accepted, e);
-        if (status == STATUS_SYSTEM) {
-            return status;
-        }
-        return error_set(e, STATUS_INPUT,
-                         "%s holds runs of this study, but %.*s has changed since; %s",
-                         s->journal.path, length, cause,
-                         status == STATUS_OK ? ACCEPT_OR_RESTART : "--restart begins anew");
-    }
-    int status = manifest_unchanged(&s->manifest, e);
-    if (status == STATUS_INPUT) {
-        const struct error cause = *e;
-        return error_set(e, STATUS_INPUT, "%s; " ACCEPT_OR_RESTART, cause.message);
-    }
-    return status;
-}
 
 // A run whose histories are read.
 struct recording {
     struct study *study;
     long run;                          // of the journal
-    const struct result_place *place;  // in the result file; NULL: it is not written
+    const struct result_place *place;  // in the result file
 };
 
-static int fits(void *context, const struct model *m, struct study_outcome *outcome,
-                struct error *e) {
-    const struct recording *r = context;
-    bool same = true;
-    (void)outcome;
-    const int status = history_fits(&r->study->journal, r->run, m, &same, e);
-    if (status == STATUS_OK && !same) {
-        journal_forget(&r->study->journal, r->run);
-    }
-    return status;
-}
-
-// Changes that were accepted may give other rows, as a longer record does: such a run is run again,
-// as its histories would not fit the file. So is one whose deck is wrong now.
-static int forget_misfits(struct study *s, struct error *e) {
-    const struct trial_watch watch = {.records = s->records};
-    int status = STATUS_OK;
-    for (long i = 0; i < s->plan.n_mine && status == STATUS_OK; i++) {
-        struct recording recording = {s, i, NULL};
-        struct study_outcome outcome = {.status = STUDY_DONE};
-        if (s->journal.offset[i] != 0 && s->journal.chain[i].n > 0) {
-            status = trial_build(&s->plan, study_shard_run(&s->plan.shard, i), &watch, fits,
-                                 &recording, &outcome, e);
-        }
-        if (status == STATUS_OK && outcome.status == STUDY_FAILED) {
-            journal_forget(&s->journal, i);
-        }
-    }
-    return status;
+static const char *noun(const struct study *s) {
+    return s->request->shard.n > 0 ? "part of the study" : "study";
 }
 
 // Goes on with the runs of the open journal, or begins it anew.
 static int resume(struct study *s, struct error *e) {
-    const enum study_journal wanted = s->request->journal;
-    const char *head = origin_journal(s->manifest.arena, s->request, s->origin.study);
+    struct journal *j = &s->journal;
+    const char *head = origin_journal(s->manifest.arena, s->plan.table);
     if (!head) {
         return error_no_memory(e);
     }
-    if (wanted == STUDY_RESTART || journal_is_new(&s->journal, head)) {
-        return journal_reset(&s->journal, head, e);
+    if (s->request->journal == STUDY_RESTART || journal_is_new(j, head)) {
+        return journal_reset(j, head, e);
     }
-    if (!s->journal.head) {
+    if (!j->head) {
         return error_set(e, STATUS_INPUT,
                          "%s is damaged and may hold finished runs; --restart discards them",
-                         s->journal.path);
+                         j->path);
     }
-    if (!s->journal.head[0]) {
+    if (!j->head[0]) {
         return error_set(e, STATUS_INPUT,
                          "%s was written by another version of jostle, or on another kind of "
                          "machine; --restart begins anew",
-                         s->journal.path);
+                         j->path);
     }
-    int status = journal_load(&s->journal, expect_file, s, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (strcmp(j->head, head) != 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s holds runs of a study with other buildings, contacts or links; "
+                         "--restart discards them",
+                         j->path);
     }
-    s->origin.accepted = s->journal.accepted;
-    if (wanted != STUDY_ACCEPT) {
-        status = check_changes(s, head, e);
-        status = status == STATUS_OK ? journal_go_on(&s->journal, e) : status;
-    } else {
-        status = journal_go_on(&s->journal, e);
-        status = status == STATUS_OK ? accept_changes(s, head, e) : status;
+    const int status = journal_load(j, e);
+    if (status == STATUS_OK && j->n_foreign > 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s holds %ld finished runs that this %s does not have, as the deck or a "
+                         "file has changed; --restart discards them",
+                         j->path, j->n_foreign, noun(s));
     }
-    const bool may_misfit = s->journal.chain && s->origin.accepted[0];
-    return status == STATUS_OK && may_misfit ? forget_misfits(s, e) : status;
+    return status == STATUS_OK ? journal_go_on(j, e) : status;
 }
 
 static int open_journal(struct study *s, struct error *e) {
-    const char *path = arena_format(s->manifest.arena, "%s.runs", s->request->result.path);
+    const char *path = arena_format(s->manifest.arena, "%s.runs", s->result.path);
     if (!path) {
         return error_no_memory(e);
     }
-    int status = journal_open(&s->journal, path, s->plan.n_mine, s->plan.table->n_value, e);
+    int status = journal_open(&s->journal, path, &s->keys, s->plan.table->n_value, e);
     if (status != STATUS_OK) {
         return status;
     }
     if (s->plan.first->output.of_runs) {
         status = journal_want_histories(&s->journal, history_shape(s->plan.first), e);
     }
-    status = status == STATUS_OK ? resume(s, e) : status;
-    if (status != STATUS_OK) {
-        journal_close(&s->journal);
+    s->journal.retry = s->request->retry;
+    return status == STATUS_OK ? resume(s, e) : status;
+}
+
+// Reads run `run` from row number `row`, from 1, of all files together.
+static int read_taken(struct study *s, long run, int64_t row, struct study_outcome *outcome,
+                      double *value, struct error *e) {
+    int k = 0;
+    long i = (long)row - 1;
+    for (; i >= s->file[k].view->n_run; k++) {
+        i -= s->file[k].view->n_run;
     }
-    return status;
+    const int status = take_row(&s->file[k], i, outcome, value, e);
+    return status == STATUS_OK && s->file[k].lacks && outcome->status == STUDY_DONE
+               ? take_fill(&s->file[k], &s->plan, run, s->records, value, e)
+               : status;
 }
 
 static int read_runs(void *context, long first, long n, struct study_outcome *outcome,
@@ -189,8 +121,10 @@ static int read_runs(void *context, long first, long n, struct study_outcome *ou
     struct study *s = context;
     int status = STATUS_OK;
     for (long i = 0; i < n && status == STATUS_OK; i++) {
-        status = journal_read(&s->journal, first + i, &outcome[i],
-                              value + (size_t)i * s->plan.table->n_value, e);
+        const int64_t at = s->journal.offset[first + i];
+        double *to = value + (size_t)i * s->plan.table->n_value;
+        status = at > 0 ? journal_read(&s->journal, first + i, &outcome[i], to, e)
+                        : read_taken(s, first + i, -at, &outcome[i], to, e);
     }
     return status;
 }
@@ -232,13 +166,13 @@ static int write_run(void *context, long run, const struct result_place *place, 
                        &outcome, e);
 }
 
-static int run_and_write(struct study *s, struct study_content *content, struct study_progress *p,
-                         struct error *e) {
+static int run_and_write(struct study *s, struct study_progress *p, struct error *e) {
+    struct study_content *content = &s->content;
     p->n_kept = s->journal.n_done;
     p->n_done = s->journal.n_done;
     p->n_failed = s->journal.n_failed;
     p->n_damaged = s->journal.n_damaged;
-    int status = pool_run(s->request, &s->plan, &s->journal, &s->manifest, p, e);
+    int status = pool_run(s->request, &s->plan, &s->journal, &s->keys, &s->manifest, p, e);
     struct error sync;
     int synced = journal_sync(&s->journal, &sync);
     if (status == STATUS_OK && synced != STATUS_OK) {
@@ -251,6 +185,7 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     content->n_kept = p->n_kept;
     content->n_thread = p->n_thread;
     content->seconds = wall_seconds() - s->start;
+    s->origin.key = s->keys.key;
     status = origin_describe(s->request, &s->manifest, &s->origin, e);
     if (status == STATUS_OK && s->request->shard.n > 0) {
         status = origin_part(&s->plan, &s->manifest, &s->part, e);
@@ -258,76 +193,187 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
         content->part = &s->part;
     }
     s->progress = *p;
-    return status == STATUS_OK ? study_file_write(content, &s->request->result, e) : status;
+    return status == STATUS_OK ? study_file_write(content, &s->result, e) : status;
 }
 
 static int run_study(struct study *s, struct study_progress *p, struct error *e) {
-    struct study_content content = {.first = s->plan.report,
-                                    .table = s->plan.table,
-                                    .sweeps = s->plan.first->deck->sweeps,
-                                    .origin = &s->origin,
-                                    .n_run = s->plan.n_mine,
-                                    .read = read_runs,
-                                    .context = s};
-    if (s->plan.first->output.of_runs) {
-        content.write_run = write_run;
-        s->records = record_cache_create(RECORD_CACHE_BYTES);
-        if (!s->records) {
-            return error_no_memory(e);
-        }
-    }
-    int status = study_file_check(&content, &s->request->result, e);
-    if (status == STATUS_OK) {
+    int status = study_file_check(&s->content, &s->result, e);
+    if (status == STATUS_OK && s->journal.n_done < s->plan.n_mine) {
         status = survey_shapes(&s->plan, e);
     }
-    if (status == STATUS_OK) {
-        status = open_journal(s, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    status = run_and_write(s, &content, p, e);
-    if (status == STATUS_OK) {
-        journal_remove(&s->journal);
-    } else {
-        p->n_left = journal_is_there(&s->journal) ? s->journal.n_done : 0;
-        // A journal without runs is not left behind.
-        if (s->journal.n_done == 0) {
-            journal_remove(&s->journal);
-        } else {
-            journal_close(&s->journal);
+    return status == STATUS_OK ? run_and_write(s, p, e) : status;
+}
+
+// Is the file just this study? Then there is nothing to be done.
+static bool is_same(const struct study *s, const struct study_view *v,
+                    const struct study_key *key) {
+    const struct study_shard *a = &v->part.shard, *b = &s->request->shard;
+    const size_t n = (size_t)s->keys.n;
+    for (long i = 0; i < s->keys.n; i++) {
+        if (!keys_is_known(&s->keys.key[i])) {
+            return false;
         }
+    }
+    return (size_t)v->n_run == n && a->number == b->number && a->n == b->n &&
+           memcmp(key, s->keys.key, n * sizeof *key) == 0 && v->origin.study &&
+           strcmp(v->origin.study, s->origin.study) == 0 &&
+           strcmp(v->title, s->plan.first->deck->title) == 0 &&
+           v->has_histories == s->plan.first->output.of_runs;
+}
+
+// What a file of finished runs has.
+struct stock {
+    bool same;               // it is the file of just this study
+    long n_other, n_failed;  // runs that this study does not have; that failed
+};
+
+// Takes the runs of the last file that this study has too.
+static int take_runs(struct study *s, struct stock *out, struct error *e) {
+    struct take_file *t = &s->file[s->n_file - 1];
+    struct study_key *key = NULL;
+    int *ending = NULL;
+    int status = study_file_keys(t->file, &key, e);
+    if (status == STATUS_OK && !key) {
+        status = error_set(e, STATUS_INPUT,
+                           "%s does not have the keys of its runs: an earlier version wrote it",
+                           t->view->path);
+    }
+    status = status == STATUS_OK ? study_file_endings(t->file, &ending, e) : status;
+    *out = (struct stock){.same = status == STATUS_OK && is_same(s, t->view, key)};
+    for (long i = 0; i < t->view->n_run && status == STATUS_OK; i++) {
+        const int how = ending[i] & STUDY_STATUS;
+        out->n_failed += how == STUDY_FAILED;
+        if (how == STUDY_MISSING || (how == STUDY_FAILED && s->request->retry)) {
+            out->same = false;
+            continue;
+        }
+        const bool found = t->item ? journal_take(&s->journal, &key[i], s->n_row + i + 1, how,
+                                                  (ending[i] & STUDY_COLLAPSED) != 0)
+                                   : keys_find(&s->keys, &key[i]) >= 0;
+        out->n_other += !found;
+    }
+    s->n_row += t->view->n_run;
+    free(key);
+    free(ending);
+    return status;
+}
+
+// Opens a file of finished runs as the last one. Those with histories come from the journal only.
+static int open_file(struct study *s, const char *path, struct error *e) {
+    struct take_file *t = &s->file[s->n_file++];
+    const int status = take_open(t, path, e);
+    return status == STATUS_OK && !s->plan.first->output.of_runs
+               ? take_map(t, s->plan.table, s->plan.first->deck->sweeps, e)
+               : status;
+}
+
+// The result file that is there may be replaced if this study has all of its runs.
+static int take_old(struct study *s, struct stock *out, struct error *e) {
+    const char *path = s->result.path;
+    int status = open_file(s, path, e);
+    status = status == STATUS_OK ? take_runs(s, out, e) : status;
+    const struct error cause = *e;
+    if (status == STATUS_INPUT) {
+        return error_set(e, status, "%s; --force overwrites it", cause.message);
+    }
+    if (status == STATUS_OK && out->n_other > 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s holds %ld finished runs that this %s does not have, as the deck or a "
+                         "file has changed; --force overwrites it, -o NAME.h5 --take %s keeps it",
+                         path, out->n_other, noun(s), path);
+    }
+    if (status == STATUS_OK && !s->plan.first->output.of_runs) {
+        s->result.existing = RESULT_REPLACE;
     }
     return status;
 }
 
-// Runs it, unless it is a part that is done.
-static int find_or_run(struct study *s, struct study_progress *p, struct error *e) {
-    bool found = false;
-    int status =
-        origin_study(s->manifest.arena, s->request, s->plan.table->n_value, &s->origin.study, e);
-    if (status == STATUS_OK) {
-        status =
-            origin_find_part(s->request, &s->manifest, s->origin.study, &found, &p->n_failed, e);
+static int take_all(struct study *s, bool has_old, struct stock *old, struct error *e) {
+    const struct study_request *q = s->request;
+    s->file = calloc((size_t)q->n_take + 1, sizeof *s->file);
+    if (!s->file) {
+        return error_no_memory(e);
     }
-    if (status == STATUS_OK && found) {
+    int status = has_old ? take_old(s, old, e) : STATUS_OK;
+    for (int k = 0; k < q->n_take && status == STATUS_OK && !old->same; k++) {
+        struct stock stock;
+        if (s->plan.first->output.of_runs) {
+            return error_set(e, STATUS_INPUT,
+                             "%s: runs with output -histories cannot be taken from a file",
+                             q->take[k]);
+        }
+        status = open_file(s, q->take[k], e);
+        status = status == STATUS_OK ? take_runs(s, &stock, e) : status;
+    }
+    return status;
+}
+
+static int take_and_run(struct study *s, bool has_old, struct study_progress *p, struct error *e) {
+    const long n_kept = s->journal.n_done;
+    struct stock old = {.same = false};
+    int status = take_all(s, has_old, &old, e);
+    s->n_taken = s->journal.n_done - n_kept;
+    if (status == STATUS_OK && old.same) {
         p->n_kept = p->n_done = p->n_run;
-        return STATUS_OK;
+        p->n_failed = old.n_failed;
+    } else if (status == STATUS_OK) {
+        status = run_study(s, p, e);
     }
-    return status == STATUS_OK ? run_study(s, p, e) : status;
+    if (status != STATUS_OK && s->journal.n_done > s->n_taken) {
+        p->n_left = journal_is_there(&s->journal) ? s->journal.n_done - s->n_taken : 0;
+        journal_close(&s->journal);
+    } else {  // a journal without runs is not left behind
+        journal_remove(&s->journal);
+    }
+    return status;
+}
+
+static int prepare_and_run(struct study *s, struct study_progress *p, struct error *e) {
+    const struct study_request *q = s->request;
+    const bool has_old = q->journal == STUDY_RESUME && q->result.existing == RESULT_KEEP &&
+                         study_file_is_study(q->result.path);
+    int status = has_old ? STATUS_OK : study_file_check(&s->content, &s->result, e);
+    s->records = record_cache_create(RECORD_CACHE_BYTES);
+    if (status == STATUS_OK && !s->records) {
+        status = error_no_memory(e);
+    }
+    if (status == STATUS_OK) {
+        status = origin_study(s->manifest.arena, q, s->plan.table->n_value, &s->origin.study, e);
+    }
+    if (status == STATUS_OK) {
+        status = keys_make(&s->keys, q, &s->plan, &s->manifest, e);
+    }
+    status = status == STATUS_OK ? open_journal(s, e) : status;
+    return status == STATUS_OK ? take_and_run(s, has_old, p, e) : status;
 }
 
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e) {
-    struct study s = {.request = q, .origin = {.accepted = ""}, .start = wall_seconds()};
+    struct study s = {.request = q,
+                      .result = q->result,
+                      .journal = {.file = -1},
+                      .origin = {.programs = ""},
+                      .start = wall_seconds()};
     *p = (struct study_progress){.n_run = study_shard_size(&q->shard, q->first->deck->n_run)};
     int status = plan_init(&s.plan, q, e);
     if (status != STATUS_OK) {
         return status;
     }
+    s.content = (struct study_content){.first = s.plan.report,
+                                       .table = s.plan.table,
+                                       .sweeps = q->first->deck->sweeps,
+                                       .origin = &s.origin,
+                                       .n_run = s.plan.n_mine,
+                                       .read = read_runs,
+                                       .write_run = q->first->output.of_runs ? write_run : NULL,
+                                       .context = &s};
     status = manifest_init(&s.manifest, q->first->deck->path, e);
-    if (status == STATUS_OK) {
-        status = find_or_run(&s, p, e);
+    status = status == STATUS_OK ? prepare_and_run(&s, p, e) : status;
+    journal_close(&s.journal);
+    for (int k = 0; k < s.n_file; k++) {
+        take_close(&s.file[k]);
     }
+    free(s.file);
+    keys_close(&s.keys);
     manifest_close(&s.manifest);
     record_cache_free(s.records);
     plan_close(&s.plan);

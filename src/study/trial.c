@@ -12,8 +12,7 @@ void trial_fail(struct study_outcome *outcome, const char *message) {
     snprintf(outcome->message, sizeof outcome->message, "%s", message);
 }
 
-static int open_deck(const struct plan *p, long run, int *choice, struct deck **out,
-                     struct error *e) {
+int trial_open(const struct plan *p, long run, int *choice, struct deck **out, struct error *e) {
     const struct deck *first = p->first->deck;
     int status = deck_open_text(first->path, first->text, p->define, p->n_define, out, e);
     if (status == STATUS_OK) {
@@ -68,7 +67,7 @@ int trial_build(const struct plan *p, long run, const struct trial_watch *watch,
     struct deck *deck;
     struct model *m;
     *outcome = (struct study_outcome){.status = STUDY_DONE};
-    int status = open_deck(p, run, choice, &deck, e);
+    int status = trial_open(p, run, choice, &deck, e);
     if (status != STATUS_OK) {
         return status;
     }
@@ -128,8 +127,10 @@ int trial_most(const struct plan *p) {
 }
 
 void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {
-    const struct observer observer = {
-        .row = watch->row, .poll = watch->poll, .context = watch->context};
+    const struct observer observer = {.row = watch->row,
+                                      .poll = watch->poll,
+                                      .context = watch->context,
+                                      .steps_max = watch->steps_max};
     struct deck *deck[ENSEMBLE_MAX] = {NULL};
     struct ensemble_member member[ENSEMBLE_MAX];
     struct trial *built[ENSEMBLE_MAX];
@@ -142,7 +143,7 @@ void trial_run(const struct plan *p, struct trial *trial, int n, const struct tr
         for (size_t k = 0; k < p->table->n_value; k++) {
             t->value[k] = NAN;
         }
-        t->status = open_deck(p, t->run, choice, &deck[i], &t->error);
+        t->status = trial_open(p, t->run, choice, &deck[i], &t->error);
         if (t->status == STATUS_OK) {
             t->status = build(p, t->run, watch, deck[i], &m, &t->outcome, &t->error);
         }

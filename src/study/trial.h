@@ -20,8 +20,13 @@ struct trial_watch {
     int (*row)(void *context, const struct row_view *row, struct error *e);
     int (*end)(void *context, const struct results *r, struct error *e);
     void *context;
+    long steps_max;                // of a run; 0: no limit
     struct record_cache *records;  // that all trials share
 };
+
+// Opens the deck of run `run` with the values of its sweeps. `choice` has room for
+// STUDY_SWEEPS_MAX, and must last as long as the deck. Errors: STATUS_SYSTEM.
+int trial_open(const struct plan *p, long run, int *choice, struct deck **out, struct error *e);
 
 // Notes that a run failed, and why.
 void trial_fail(struct study_outcome *outcome, const char *message);

@@ -11,6 +11,15 @@
 static const char bilinear[] = "storey B1:all bilinear -yield 4MN -hardening 0.05\n"
                                "storey B2:all bilinear -yield 2.5MN -hardening 0.05\n";
 
+// One that rests on friction pendulums; and damping that follows the tangents of yielding storeys.
+#define ISOLATOR "isolator B1:1 fps -radius 2m -mu 6% -mu-slow 3% -rate 30s/m\n"
+#define TANGENT(name) "damping " name " rayleigh -alpha 0 -beta 2ms -tangent\n"
+#define TANGENTS                                                                                   \
+    TANGENT("B1")                                                                                  \
+    TANGENT("B2")                                                                                  \
+    "storey B1:all bilinear -yield 4MN -hardening 0.05\n"                                          \
+    "storey B2:all bilinear -yield 2.5MN -hardening 0.05\n"
+
 // Storeys of other laws with the same yield shear.
 #define STOREYS(law, options)                                                                      \
     "storey B1:all " law " -yield 4MN -hardening 0.05" options "\nstorey B2:all " law              \
@@ -73,6 +82,9 @@ const struct bench_case bench_cases[] = {
     {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
      1e-3, 40.0, bench_analysis, 0.0, 90.0},
     {"pair, full matrices", 0, 0, NEAR JANKOWSKI, WALLS, 1e-3, 40.0, bench_analysis, 0.0, 120.0},
+    {"pair, isolator", 0, 0, NEAR JANKOWSKI, ISOLATOR, 1e-3, 40.0, bench_analysis, 0.0, 500.0},
+    {"pair, tangent damping", 0, 0, NEAR JANKOWSKI, TANGENTS, 1e-3, 40.0, bench_analysis, 0.0,
+     1000.0},
     {"pair, frames", 0, 0, NEAR JANKOWSKI, FRAMES, 1e-3, 40.0, bench_analysis, 0.0, 150.0},
     {"pair, frames with hinges", 0, 0, NEAR JANKOWSKI, FRAMES HINGES("B1") HINGES("B2"), 1e-3, 40.0,
      bench_analysis, 0.0, 5000.0},
@@ -143,6 +155,8 @@ const struct bench_case bench_counted[] = {
     {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
      1e-3, 5.0, bench_analysis, 0.0, 0.0},
     {"pair, full matrices", 0, 0, NEAR JANKOWSKI, WALLS, 1e-3, 5.0, bench_analysis, 0.0, 0.0},
+    {"pair, isolator", 0, 0, NEAR JANKOWSKI, ISOLATOR, 1e-3, 5.0, bench_analysis, 0.0, 0.0},
+    {"pair, tangent damping", 0, 0, NEAR JANKOWSKI, TANGENTS, 1e-3, 5.0, bench_analysis, 0.0, 0.0},
     {"pair, spring link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -stiffness 50MN/m\n", 1e-3, 5.0,
      bench_analysis, 0.0, 0.0},
     {"row 10x10", 10, 10, NEAR JANKOWSKI, NULL, 1e-3, 4.0, bench_analysis, 0.0, 0.0},

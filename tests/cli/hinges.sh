@@ -19,6 +19,10 @@ duration 8
 END
 run "$jostle" check portal.deck
 expect "check counts the hinges" '[ $status -eq 0 ] && grep -q "frame: 1 x 1 from 2 columns and 1 beams, 2 hinges" "$out"'
+expect "and says which storeys they are in" 'grep -qE "^ +1 +50 +13752.6 +3.5 +hinges$" "$out"'
+sed 's/^building.*/& -stiffness 1e3/; s/^damping/storey A:1 bilinear -yield 10 -hardening 0.01\n&/' portal.deck >both.deck
+run "$jostle" check both.deck
+expect "beside a law of the storey" 'grep -qE "^ +1 +50 +14752.6 +3.5 +bilinear, hinges$" "$out"'
 run "$jostle" run portal.deck -o portal.h5
 expect "the summary has plastic rotations and ductilities" '[ $status -eq 0 ] && grep -q "^largest of          plastic                ductility" "$out" && grep -qE "^A columns +0\.0[0-9]+ column_1_[12] +[0-9.]+ column_1_[12]" "$out"'
 run "$jostle" show portal.h5 --tsv

@@ -50,7 +50,7 @@ appears study.h5.runs
 sleep 0.2
 kill -s ABRT $child
 wait $child
-expect "closed streams do not turn messages into the journal" '[ "$(head -c 8 study.h5.runs | tr "\n" .)" = jostle6. ]'
+expect "closed streams do not turn messages into the journal" '[ "$(head -c 8 study.h5.runs | tr "\n" .)" = jostle7. ]'
 rm -f study.h5.runs
 
 # As a damaged HDF5 file may end it; under the sanitizers the signal is theirs.

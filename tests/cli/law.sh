@@ -184,3 +184,33 @@ fi
 run env PATH=/nowhere "$jostle" law $jankowski --plot lost.png --script scripts
 expect "without gnuplot the status is 3" '[ $status -eq 3 ] && said "cannot run gnuplot" && [ ! -e lost.png ] && [ ! -s "$out" ]'
 expect "but the script is there" '[ -s scripts/impact.gp ] && [ -s scripts/impact.dat ]'
+
+# A measured peak force, from which k follows: of a linear spring k = (F / v)^2 / m*.
+law linear -m1 204kg -m2 146.5kg -v 0.3 --peak 12kN --tsv
+expect "--peak finds the stiffness of a spring" '[ $status -eq 0 ] && near $(value k) $(awk "BEGIN { printf \"%.15g\", (12000 / 0.3) ^ 2 / (204 * 146.5 / 350.5) }") 1e-6 && near $(value peak_force) 12000 1e-9'
+law jankowski -e 0.65 $bodies --peak 692516.74166N --compare "hunt-crossley -e 0.5" --tsv
+expect "--peak finds the k of every law" 'near $(value k) 2.75e9 1e-8 && near $(value peak_force 3) 692516.74166 1e-9'
+law bilinear -m1 1 -v 1 --peak 3
+expect "--peak needs a law with -k" '[ $status -eq 2 ] && grep -q "has no -k that --peak could find" "$err"'
+law linear -k 3 -m1 1 -v 1 --peak 3
+expect "--peak and -k cannot be combined" '[ $status -eq 2 ] && grep -q -- "-k cannot be given: --peak finds it" "$err"'
+law linear -m1 1 -v 1 --peak 3m
+expect "--peak is a force" '[ $status -eq 2 ] && grep -q "must be a force above 0" "$err"'
+law linear -m1 1 -v 1 --peak 3 --fit some.txt
+expect "--peak and --fit cannot be combined" '[ $status -eq 2 ] && grep -q "not with --fit" "$err"'
+
+# Lists. The force of Hertz's spring grows with v^1.2 and with k^0.4.
+law hertz -k 2.75e9N/m^1.5 -m1 25t -m2 40t --over v=0.1,20cm/s,0.4m/s --tsv
+expect "--over prints a line for each velocity" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 4 ] && awk -F "\t" "NR > 1 { r = \$4 / \$2 ^ 1.2; if (f && (r / f > 1 + 1e-9 || r / f < 1 - 1e-9)) exit 1; f = r } END { exit NR != 4 }" "$out"'
+law hertz -k 1 $bodies --over k=1e9:9e9:5 --tsv
+expect "--over takes a range of stiffnesses in place of -k" '[ "$(cut -f 2 "$out" | tr "\n" " ")" = "k [N/m^1.5] 1000000000 3000000000 5000000000 7000000000 9000000000 " ] && awk -F "\t" "NR > 1 { r = \$3 / \$2 ^ 0.4; if (f && (r / f > 1 + 1e-9 || r / f < 1 - 1e-9)) exit 1; f = r }" "$out"'
+law jankowski -k 2.75e9N/m^1.5 -calibrate $bodies --over e=0.4,0.8 --compare hunt-crossley --tsv
+expect "--over of e calibrates each law again" 'awk -F "\t" "NR > 1 && (\$7 / \$2 > 1 + 1e-9 || \$7 / \$2 < 1 - 1e-9) { exit 1 } END { exit NR != 5 }" "$out"'
+law hertz $bodies --over q=3
+expect "--over takes v, e or k" '[ $status -eq 2 ] && grep -q "takes v, e or k" "$err"'
+law hertz -k 1e9 -m1 25t -m2 40t --over v=3,-1
+expect "a wrong value of a list has its place" '[ $status -eq 2 ] && grep -q "v is -1 m/s; it must be > 0" "$err"'
+if type gnuplot >/dev/null 2>&1; then
+    law hertz -m1 25t -m2 40t -v 0.5 --over k=1e9:9e9:9 --plot over.svg --script .
+    expect "--plot draws the forces of a list" '[ $status -eq 0 ] && grep -q "impact stiffness" over.svg && grep -q "force0 using" over.gp'
+fi

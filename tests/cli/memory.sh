@@ -48,3 +48,5 @@ sweep none show pair.h5
 sweep none show study.h5
 sweep new.h5 run pair.deck -q -o new.h5
 sweep whole.h5 merge one.h5 two.h5 -q -o whole.h5
+"$jostle" run -q pair.deck -D gap=8mm -o other.h5
+sweep none compare pair.h5 other.h5

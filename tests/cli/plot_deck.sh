@@ -67,6 +67,20 @@ expect "a title is shown as it is, and gnuplot executes nothing" 'grep -q "^set 
 sed 's/^contact W:2 body:1 .*/contact F:4 body:1 -gap 7mm -law linear -k 1e6/' all.deck >beyond.deck
 drawn beyond.deck
 expect "a contact beyond a neighbour has its gap beside it" '[ $status -eq 0 ] && texts | grep -qx 0.007 && [ "$(levels contacts | cut -d " " -f 11-12)" = "12 5" ]'
+cat >hinges.deck <<'END'
+units kN m s
+building A -floors 1 -mass 10t -height 4m
+frame A -bays 6m -modulus 30GPa -columns-inextensible
+columns A:1 -I 0.01
+beams A:1 -I 0.01
+hinges A:1 beams bilinear -yield 10kN*m -hardening 1% -stiffness 10MN*m
+hinges A bases bilinear -yield 10kN*m -hardening 1% -stiffness 10MN*m
+initial A:1 -displacement 1mm
+duration 1
+step fixed 1ms
+END
+drawn hinges.deck
+expect "hinges are beside the ends of members" '[ $status -eq 0 ] && [ "$(levels hinges)" = "0.48 0.48 4 4" ]'
 drawn all.deck -D gap=70mm
 expect "-D replaces a parameter" '[ $status -eq 0 ] && texts | grep -qx "0.03 to 0.07"'
 

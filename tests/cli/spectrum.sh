@@ -64,7 +64,7 @@ wrong "a folder is no record" "is a directory" .
 wrong "an option needs its value" "option '-dt' needs a value" centro.AT2 -dt
 wrong "damping in per cent needs its sign" "a damping ratio is 5; it must be >= 0 and < 1" centro.AT2 --damping 5
 wrong "a negative damping is refused" "a damping ratio is -0.1" centro.AT2 --damping -0.1
-wrong "channels are counted from 1" "--channel takes a number from 1, not '0'" centro.AT2 --channel 0
+wrong "channels are counted from 1" "--channel takes a number from 1 to 2147483647, not '0'" centro.AT2 --channel 0
 wrong "a file of one has none to choose" "a file of format peer has one channel" centro.AT2 --channel 1
 wrong "a list has no empty places" "not '0.1,,0.2'" centro.AT2 --damping 0.1,,0.2
 wrong "there are at most 7 dampings" "at most 7 are taken" centro.AT2 --damping 0,.1,.2,.3,.4,.5,.6,.7

@@ -80,6 +80,12 @@ END
 run "$jostle" run yielding.deck -q
 run "$jostle" show yielding.h5 --long --edp residual-drift --edp residual-drift-ratio:A:1
 expect "residual drifts are of storeys that have yielded, and ratios of their heights" '[ $status -eq 0 ] && awk -F "\t" "\$2 == \"residual-drift\" { drift[\$1] = \$4 } \$2 == \"residual-drift-ratio:A:1\" { ratio[\$1] = \$4 } END { exit !(drift[\"0.1\"] < 1e-15 && drift[7] > 1e-3 && ratio[7] > 0.2499 * drift[7] && ratio[7] < 0.2501 * drift[7]) }" "$out"'
+run "$jostle" run yielding.deck -q -o strong.h5 -D im=7m/s^2
+"$jostle" show strong.h5 --tsv >strong.tsv
+for edp in ductility storey-hysteretic:A:1 deterioration damage; do
+    run "$jostle" show yielding.h5 --long --edp "$edp"
+    expect "$edp of a run of a study is that of the run alone" '[ $status -eq 0 ] && awk -F "\t" -v edp="$edp" "BEGIN { sub(\"storey-\", \"\", edp); sub(\":.*\", \"\", edp) } NR == FNR { if (\$1 == \"buildings\" && \$3 == edp && \$4 == 1) want = \$5; next } \$1 == 7 { got = \$4 } END { exit !(want != \"\" && got == want && (edp ~ /^d[ea]/ || got > 1)) }" strong.tsv "$out"'
+done
 run "$jostle" show yielding.h5
 expect "the largest one is shown" '[ $status -eq 0 ] && grep -qE "^A +residual_drift +1 .* 3 \(im 7\)$" "$out"'
 run "$jostle" show whole.h5

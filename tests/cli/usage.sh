@@ -72,8 +72,8 @@ fragility --method=ida --method=ida --method
 plot --against=pga --im=pga --im or --against
 spectrum --output=a.png -oa.png -o or --output
 END
-run "$jostle" run a.deck --accept -q --restart
-expect "of options that exclude each other both are named" '[ $status -eq 2 ] && said "--restart and --accept exclude each other"'
+run "$jostle" show a.h5 --json --tsv
+expect "of options that exclude each other both are named" '[ $status -eq 2 ] && said "--tsv and --json exclude each other"'
 run env POSIXLY_CORRECT=1 "$jostle" converge no_such_file --rtol 0
 expect "options may stand behind the deck, whatever POSIXLY_CORRECT says" '[ $status -eq 2 ] && said "--rtol takes a number from 1e-12 to 1"'
 run "$jostle" check -- -q

@@ -236,6 +236,67 @@ static void mirrored_drifts_give_mirrored_shears(void **state) {
     assert_int_equal(bad, 0);
 }
 
+// A law whose yields are exchanged gives mirrored shears. Drifts other than -capping of imk have
+// the size of the yield.
+static void exchanged_yields_mirror_the_shears(void **state) {
+    (void)state;
+    static const char *const law[][3] = {
+        {"bilinear", "yield 1.5e5 yield-negative 1e5 hardening 0.05",
+         "yield 1e5 yield-negative 1.5e5 hardening 0.05"},
+        {"clough", "yield 1.5e5 yield-negative 1e5 hardening 0.05",
+         "yield 1e5 yield-negative 1.5e5 hardening 0.05"},
+        {"takeda", "yield 1.5e5 yield-negative 1e5 hardening 0.05 beta 0.3",
+         "yield 1e5 yield-negative 1.5e5 hardening 0.05 beta 0.3"},
+        {"trilinear",
+         "crack 7.5e4 yield 1.5e5 yield-negative 1e5 cracked 0.3 hardening 0.02 takeda "
+         "pinch-drift 0.5 pinch-shear 0.4 damage-peak 0.02 damage-energy 0.03 damage-drift 0.1",
+         "crack 5e4 yield 1e5 yield-negative 1.5e5 cracked 0.3 hardening 0.02 takeda "
+         "pinch-drift 0.5 pinch-shear 0.4 damage-peak 0.02 damage-energy 0.03 damage-drift 0.1"},
+        {"trilinear", "crack 7.5e4 yield 1.5e5 yield-negative 1e5 cracked 0.3 hardening -0.02",
+         "crack 5e4 yield 1e5 yield-negative 1.5e5 cracked 0.3 hardening -0.02"},
+        {"multilinear", "yield 1.5e5 yield-negative 1e5 drift-2 0.03 shear-2 2.1e5 hardening 0.02",
+         "yield 1e5 yield-negative 1.5e5 drift-2 0.02 shear-2 1.4e5 hardening 0.02"},
+        {"multilinear",
+         "yield 1.5e5 yield-negative 1e5 drift-2 0.03 shear-2 2.1e5 hardening -0.02 cycle peak b "
+         "0.3",
+         "yield 1e5 yield-negative 1.5e5 drift-2 0.02 shear-2 1.4e5 hardening -0.02 cycle peak b "
+         "0.3"},
+    };
+    for (size_t k = 0; k < sizeof law / sizeof law[0]; k++) {
+        struct test_storey s = test_storey_of(law[k][0], STIFFNESS, law[k][1]);
+        struct test_storey mirror = test_storey_of(law[k][0], STIFFNESS, law[k][2]);
+        struct test_storey even = test_storey_of(law[k][0], STIFFNESS, law[k][1]);
+        unsigned seed = 17;
+        double apart = 0.0;
+        for (int i = 1; i <= LEGS; i++) {
+            const double d = target(&seed, i);
+            const double shear = test_storey_go(&s, d, 1);
+            assert_near(test_storey_go(&mirror, -d, 1), -shear, 1e-9 * YIELD);
+            apart = fmax(apart, fabs(test_storey_go(&even, -d, 1) + shear));
+        }
+        assert_true(apart > 0.2 * YIELD);
+    }
+}
+
+// Monotonic paths: the backbone of negative drifts is 2/3 of the other.
+static void the_negative_backbone_is_the_other_in_another_size(void **state) {
+    (void)state;
+    static const char *const law[][2] = {
+        {"trilinear", "crack 7.5e4 yield 1.5e5 yield-negative 1e5 cracked 0.3 hardening 0.02"},
+        {"multilinear", "yield 1.5e5 yield-negative 1e5 drift-2 0.03 shear-2 2.1e5 cycle peak"},
+        {"multilinear", "yield 1.5e5 yield-negative 1e5 drift-2 0.03 shear-2 2.1e5 hardening 0.02"},
+    };
+    for (size_t k = 0; k < sizeof law / sizeof law[0]; k++) {
+        for (double d = 0.0; d < 0.1; d += 0.0031) {
+            const struct test_storey s = test_storey_of(law[k][0], STIFFNESS, law[k][1]);
+            const struct storey_response right = test_storey_at(&s, d);
+            const struct storey_response left = test_storey_at(&s, -d / 1.5);
+            assert_near(left.shear, -right.shear / 1.5, 1e-9 * YIELD);
+            assert_close(left.tangent, right.tangent, 1e-12);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tangents_agree_with_differences),
@@ -243,6 +304,8 @@ int main(void) {
         cmocka_unit_test(the_number_of_steps_does_not_matter),
         cmocka_unit_test(cycles_make_no_energy),
         cmocka_unit_test(mirrored_drifts_give_mirrored_shears),
+        cmocka_unit_test(exchanged_yields_mirror_the_shears),
+        cmocka_unit_test(the_negative_backbone_is_the_other_in_another_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

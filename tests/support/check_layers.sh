@@ -19,7 +19,7 @@ level() {
     solve) echo 3 ;;
     result) echo 4 ;;
     study) echo 5 ;;
-    plot) echo 6 ;;
+    plot | export) echo 6 ;;
     command) echo 7 ;;
     main) echo 8 ;;
     *) echo "check_layers: no layer is known for '$1'" >&2 && exit 1 ;;
@@ -94,7 +94,7 @@ deck_group() {
     definition.*) echo 5 ;;
     sweep*.[ch] | bundle.c) echo 6 ;;
     statement.* | scan.c) echo 7 ;;
-    deck.c) echo 8 ;;
+    deck.c | key.c) echo 8 ;;
     *) echo "check_layers: no place is known for '$1'" >&2 && exit 1 ;;
     esac
 }

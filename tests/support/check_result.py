@@ -17,6 +17,7 @@ except ImportError:
 
 ROOT = ("format format_version title status program version deck_file deck parameters unit_force "
         "unit_length unit_time command_line created steps newton_iterations wall_seconds").split()
+YIELDING = "residual_drift ductility hysteretic deterioration damage".split()
 PEAKS = "displacement velocity acceleration drift storey_shear".split()
 ENERGY = "input kinetic strain damping hysteretic contact residual".split()
 CONTACT = "name left right law left_floor right_floor gap".split()
@@ -35,7 +36,7 @@ POWERS = {
     (1, -1, 0): "stiffness",
     (1, -1, 2): "mass effective_mass",
     (1, 0, 1): "impulse",
-    (1, 1, 0): "dissipated work moment M_i M_j moment_below moment_point moment_above "
+    (1, 1, 0): "dissipated hysteretic work moment M_i M_j moment_below moment_point moment_above "
                "rocking_moment",
 }
 POWERS = {name: powers for powers, names in POWERS.items() for name in names.split()}
@@ -94,7 +95,8 @@ class Checker:
             for key in ("mass", "stiffness", "height", "period"):
                 self.dataset(group, key, ["floor"])
             if "residual_drift" in group["envelope"]:
-                self.dataset(group["envelope"], "residual_drift", ["floor"])
+                for key in YIELDING:
+                    self.dataset(group["envelope"], key, ["floor"])
             for key in PEAKS:
                 peak = self.dataset(group["envelope"], key, ["floor"])
                 self.dataset(group["envelope"], key + "_time", ["floor"])

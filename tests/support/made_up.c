@@ -77,6 +77,10 @@ static void put_results(struct results *r, struct arena *a, int n_contact) {
     for (int i = 0; i < DOF; i++) {
         r->residual_drift[i] = 0.25 * i;
     }
+    r->storey_demand = arena_alloc(a, DOF, sizeof *r->storey_demand);
+    for (int i = 0; i < DOF * YIELD_QUANTITIES; i++) {
+        r->storey_demand[i / YIELD_QUANTITIES].value[i % YIELD_QUANTITIES] = i + 0.5;
+    }
     r->link = arena_alloc(a, 3, sizeof *r->link);
     r->impact = arena_alloc(a, 2, sizeof *r->impact);
     r->link[0] = (struct link_peak){7e5, 0.4, 0.003, 0.41, 900, 55, 2, 0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The journal of a study: what is entered is read back; a damaged byte costs the entry it stands
-// in, or, in that of a file, the runs that may have read the file, and never gives a wrong value.
+// in, and never gives a wrong value.
 #include <fcntl.h>
 #include <math.h>
 #include <stdint.h>
@@ -16,20 +16,27 @@
 
 enum { RUNS = 5, VALUES = 3 };
 static const char head[] = "the deck\t1\n";
-static const char file_path[] = "records/a.AT2";
-static const struct checksum file_sum = {
-    "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"};
+static struct keys keys;
 
 static double value_of(long run, int i) {
     return 100.0 * (double)run + i + 0.1;
 }
 
-static int note_file(void *context, const char *path, const struct checksum *sum, struct error *e) {
-    (void)e;
-    assert_string_equal(path, file_path);
-    assert_string_equal(sum->digits, file_sum.digits);
-    ++*(int *)context;
-    return STATUS_OK;
+static int make_keys(void **state) {
+    struct error e;
+    (void)state;
+    assert_int_equal(keys_open(&keys, RUNS, &e), STATUS_OK);
+    for (long run = 0; run < RUNS; run++) {
+        keys.key[run].byte[31] = (unsigned char)(run + 1);  // all in one place of the table
+    }
+    keys_index(&keys);
+    return 0;
+}
+
+static int free_keys(void **state) {
+    (void)state;
+    keys_close(&keys);
+    return 0;
 }
 
 // The runs in the order 3 1 0 2, of which run 1 failed; run 4 is missing.
@@ -39,10 +46,9 @@ static const char *write_journal(const char *name) {
     struct journal j;
     struct error e;
     unlink(path);
-    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
     assert_null(j.head);
     assert_int_equal(journal_reset(&j, head, &e), STATUS_OK);
-    assert_int_equal(journal_add_file(&j, file_path, &file_sum, &e), STATUS_OK);
     for (int k = 0; k < 4; k++) {
         double value[VALUES];
         struct study_outcome outcome = {.status = order[k] == 1 ? STUDY_FAILED : STUDY_DONE};
@@ -50,7 +56,7 @@ static const char *write_journal(const char *name) {
         for (int i = 0; i < VALUES; i++) {
             value[i] = value_of(order[k], i);
         }
-        assert_int_equal(journal_add_run(&j, order[k], &outcome, value, &e), STATUS_OK);
+        assert_int_equal(journal_add_run(&j, order[k], &outcome, false, value, &e), STATUS_OK);
     }
     assert_int_equal(journal_sync(&j, &e), STATUS_OK);
     journal_close(&j);
@@ -80,11 +86,10 @@ static void check_runs(struct journal *j) {
 }
 
 // Opens and loads a journal; the number of runs in it, -1: it is refused.
-static long load_and_count(const char *path, int *n_file, long *n_damaged) {
+static long load_and_count(const char *path, long *n_damaged) {
     struct journal j;
     struct error e;
-    *n_file = 0;
-    if (journal_open(&j, path, RUNS, VALUES, &e) != STATUS_OK) {
+    if (journal_open(&j, path, &keys, VALUES, &e) != STATUS_OK) {
         assert_non_null(strstr(e.message, "not the journal of a study"));
         return -1;
     }
@@ -93,7 +98,7 @@ static long load_and_count(const char *path, int *n_file, long *n_damaged) {
     const size_t whole = 8 + 8 + strlen(head) + 8;  // magic word, start of the entry, its checksum
     assert_true(journal_is_new(&j, head) == (size < (off_t)whole));
     if (j.head && strcmp(j.head, head) == 0) {
-        assert_int_equal(journal_load(&j, note_file, n_file, &e), STATUS_OK);
+        assert_int_equal(journal_load(&j, &e), STATUS_OK);
         check_runs(&j);
         n = j.n_done;
         *n_damaged = j.n_damaged;
@@ -102,38 +107,35 @@ static long load_and_count(const char *path, int *n_file, long *n_damaged) {
     return n;
 }
 
-static long load(const char *path, int *n_file) {
+static long load(const char *path) {
     long n_damaged = 0;
-    const long n = load_and_count(path, n_file, &n_damaged);
+    const long n = load_and_count(path, &n_damaged);
     assert_int_equal(n_damaged, 0);
     return n;
 }
 
 static void what_is_entered_is_read_back(void **state) {
     (void)state;
-    int n_file;
     const char *path = write_journal("whole.runs");
-    assert_int_equal(load(path, &n_file), 4);
-    assert_int_equal(n_file, 1);
+    assert_int_equal(load(path), 4);
 }
 
 static void a_run_more_goes_behind_the_others(void **state) {
     (void)state;
-    int n_file = 0;
     struct journal j;
     struct error e;
     const double value[VALUES] = {value_of(0, 0), value_of(0, 1), value_of(0, 2)};
     const char *path = write_journal("more.runs");
     assert_int_equal(truncate(path, (off_t)200), 0);
-    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
-    assert_int_equal(journal_load(&j, note_file, &n_file, &e), STATUS_OK);
+    assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_load(&j, &e), STATUS_OK);
     const long before = j.n_done;
     assert_int_equal(j.offset[0], 0);
     assert_int_equal(
-        journal_add_run(&j, 0, &(struct study_outcome){.status = STUDY_DONE}, value, &e),
+        journal_add_run(&j, 0, &(struct study_outcome){.status = STUDY_DONE}, false, value, &e),
         STATUS_OK);
     journal_close(&j);
-    assert_int_equal(load(path, &n_file), before + 1);
+    assert_int_equal(load(path), before + 1);
 }
 
 static void write_bytes(const char *path, const char *bytes, size_t n) {
@@ -146,21 +148,20 @@ static void write_bytes(const char *path, const char *bytes, size_t n) {
 static void a_file_cut_anywhere_keeps_the_entries_before_the_cut(void **state) {
     (void)state;
     size_t size;
-    int n_file;
     const char *text = support_read(write_journal("cut.runs"), &size);
     const char *path = support_path("short.runs");
     long last = 0;
     for (size_t n = 0; n <= size; n++) {
         write_bytes(path, text, n);
-        const long kept = load(path, &n_file);
+        const long kept = load(path);
         assert_true(kept >= last && kept <= last + 1);
         last = kept;
     }
     assert_int_equal(last, 4);
 }
 
-// Where the entry of the file and those of the runs start, and the last one ends.
-enum { ENTRIES = 5 };
+// Where the entries of the runs start, and the last one ends.
+enum { ENTRIES = 4 };
 
 static void find_entries(const char *text, size_t size, size_t start[ENTRIES + 1]) {
     size_t at = 8;
@@ -180,7 +181,6 @@ static void find_entries(const char *text, size_t size, size_t start[ENTRIES + 1
 static void a_flipped_byte_costs_its_entry(void **state) {
     (void)state;
     size_t size, start[ENTRIES + 1];
-    int n_file;
     char *text = (char *)support_read(write_journal("flip.runs"), &size);
     const char *path = support_path("flipped.runs");
     find_entries(text, size, start);
@@ -188,9 +188,9 @@ static void a_flipped_byte_costs_its_entry(void **state) {
         long n_damaged = 0;
         text[at] ^= 0x10;
         write_bytes(path, text, size);
-        const long kept = load_and_count(path, &n_file, &n_damaged);
+        const long kept = load_and_count(path, &n_damaged);
         assert_int_equal(kept, at < 8          ? -1
-                               : at < start[1] ? 0  // of the head, or of the file
+                               : at < start[0] ? 0  // of the head
                                                : 3);
         // With a length that is too long the last entry looks as if it had not all been written.
         const size_t last = start[ENTRIES - 1];
@@ -199,7 +199,7 @@ static void a_flipped_byte_costs_its_entry(void **state) {
         }
         // The next one finds the same, although it may have been cut behind the last entry.
         n_damaged = 0;
-        assert_int_equal(load_and_count(path, &n_file, &n_damaged), kept);
+        assert_int_equal(load_and_count(path, &n_damaged), kept);
         text[at] ^= 0x10;
     }
 }
@@ -207,7 +207,6 @@ static void a_flipped_byte_costs_its_entry(void **state) {
 static void bytes_that_are_gone_or_too_many_cost_their_entry(void **state) {
     (void)state;
     size_t size, start[ENTRIES + 1];
-    int n_file;
     const char *text = support_read(write_journal("moved.runs"), &size);
     const char *path = support_path("shifted.runs");
     char *moved = malloc(size + 100);
@@ -217,12 +216,12 @@ static void bytes_that_are_gone_or_too_many_cost_their_entry(void **state) {
         memcpy(moved, text, at);
         memcpy(moved + at, text + at + 3, size - at - 3);
         write_bytes(path, moved, size - 3);
-        const long kept = load_and_count(path, &n_file, &n_damaged);
+        const long kept = load_and_count(path, &n_damaged);
         assert_true(kept >= 2 && n_damaged == 1);  // three bytes may be of two entries
         memset(moved + at, 'r', 100);
         memcpy(moved + at + 100, text + at, size - at);
         write_bytes(path, moved, size + 100);
-        assert_true(load_and_count(path, &n_file, &n_damaged) >= 3 && n_damaged == 1);
+        assert_true(load_and_count(path, &n_damaged) >= 3 && n_damaged == 1);
     }
     free(moved);
 }
@@ -231,7 +230,6 @@ static void a_long_stretch_without_an_entry_is_passed_over(void **state) {
     (void)state;
     enum { STRETCH = 3000001 };
     size_t size, start[ENTRIES + 1];
-    int n_file;
     long n_damaged = 0;
     const char *text = support_read(write_journal("long.runs"), &size);
     const char *path = support_path("stretched.runs");
@@ -240,7 +238,7 @@ static void a_long_stretch_without_an_entry_is_passed_over(void **state) {
     memcpy(bytes, text, start[2]);
     memcpy(bytes + start[2] + STRETCH, text + start[2], size - start[2]);
     write_bytes(path, bytes, size + STRETCH);
-    assert_int_equal(load_and_count(path, &n_file, &n_damaged), 4);
+    assert_int_equal(load_and_count(path, &n_damaged), 4);
     assert_int_equal(n_damaged, 1);
     free(bytes);
 }
@@ -249,46 +247,16 @@ static void a_long_stretch_without_an_entry_is_passed_over(void **state) {
 static void a_last_entry_that_claims_more_than_there_can_be_is_damaged(void **state) {
     (void)state;
     size_t size, start[ENTRIES + 1];
-    int n_file;
     long n_damaged = 0;
     char *text = (char *)support_read(write_journal("claims.runs"), &size);
     const char *path = support_path("claimed.runs");
     find_entries(text, size, start);
     text[start[ENTRIES - 1] + 6] ^= 1;
     write_bytes(path, text, size);
-    const long kept = load_and_count(path, &n_file, &n_damaged);
+    const long kept = load_and_count(path, &n_damaged);
     assert_int_equal(n_damaged, 1);
     write_bytes(path, text, start[ENTRIES - 1]);
-    assert_int_equal(load_and_count(path, &n_file, &n_damaged), kept);
-}
-
-// A file whose entry is lost may have changed: the runs that may have read it are made again, and
-// those that are entered then are kept.
-static void runs_behind_a_lost_file_are_lost_and_stay_so(void **state) {
-    (void)state;
-    size_t size, start[ENTRIES + 1];
-    int n_file = 0;
-    struct journal j;
-    struct error e;
-    char *text = (char *)support_read(write_journal("lost.runs"), &size);
-    const char *path = support_path("refound.runs");
-    const double value[VALUES] = {value_of(2, 0), value_of(2, 1), value_of(2, 2)};
-    find_entries(text, size, start);
-    text[start[1] - 1] ^= 1;
-    write_bytes(path, text, size);
-    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
-    assert_int_equal(journal_load(&j, note_file, &n_file, &e), STATUS_OK);
-    assert_int_equal(n_file, 0);
-    assert_int_equal(j.n_done, 0);
-    assert_int_equal(journal_add_file(&j, file_path, &file_sum, &e), STATUS_OK);
-    assert_int_equal(
-        journal_add_run(&j, 2, &(struct study_outcome){.status = STUDY_DONE}, value, &e),
-        STATUS_OK);
-    journal_close(&j);
-    long n_damaged = 0;
-    assert_int_equal(load_and_count(path, &n_file, &n_damaged), 1);
-    assert_int_equal(n_file, 1);
-    assert_int_equal(n_damaged, 1);
+    assert_int_equal(load_and_count(path, &n_damaged), kept);
 }
 
 // As a machine would write it whose numbers start with their highest byte.
@@ -306,7 +274,7 @@ static void a_journal_from_a_machine_with_another_order_of_bytes_is_not_read(voi
     const off_t size = lseek(file, 0, SEEK_END);
     struct journal j;
     struct error e;
-    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
     assert_string_equal(j.head, "");  // which is the head of no study
     journal_close(&j);
     assert_int_equal(lseek(file, 0, SEEK_END), size);
@@ -318,11 +286,11 @@ static void a_journal_is_open_once(void **state) {
     struct journal j, other;
     struct error e;
     const char *path = write_journal("locked.runs");
-    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
-    assert_int_equal(journal_open(&other, path, RUNS, VALUES, &e), STATUS_SYSTEM);
+    assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_open(&other, path, &keys, VALUES, &e), STATUS_SYSTEM);
     assert_non_null(strstr(e.message, "another run is writing it"));
     journal_close(&j);
-    assert_int_equal(journal_open(&other, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_open(&other, path, &keys, VALUES, &e), STATUS_OK);
     journal_remove(&other);
     assert_int_not_equal(access(path, F_OK), 0);
 }
@@ -334,7 +302,7 @@ static void come_and_go(const char *path) {
     struct journal j;
     struct error e;
     for (int i = 0; i < TURNS; i++) {
-        if (journal_open(&j, path, RUNS, VALUES, &e) == STATUS_OK) {
+        if (journal_open(&j, path, &keys, VALUES, &e) == STATUS_OK) {
             journal_remove(&j);
         }
     }
@@ -353,7 +321,7 @@ static void a_journal_that_is_open_has_its_name_though_others_end(void **state) 
     for (int i = 0; i < TURNS || n_open == 0; i++) {
         struct journal j;
         struct error e;
-        if (journal_open(&j, path, RUNS, VALUES, &e) == STATUS_OK) {
+        if (journal_open(&j, path, &keys, VALUES, &e) == STATUS_OK) {
             n_open++;
             n_lost += !file_is_named(j.file, path);
             journal_remove(&j);
@@ -370,11 +338,11 @@ static void a_journal_removes_nothing_but_itself(void **state) {
     struct journal j, other;
     struct error e;
     const char *path = write_journal("moved.runs");
-    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
     assert_true(journal_is_there(&j));
     assert_int_equal(rename(path, support_path("elsewhere.runs")), 0);
     assert_false(journal_is_there(&j));
-    assert_int_equal(journal_open(&other, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_open(&other, path, &keys, VALUES, &e), STATUS_OK);
     journal_remove(&j);
     assert_true(journal_is_there(&other));
     journal_remove(&other);
@@ -389,11 +357,10 @@ int main(void) {
         cmocka_unit_test(bytes_that_are_gone_or_too_many_cost_their_entry),
         cmocka_unit_test(a_long_stretch_without_an_entry_is_passed_over),
         cmocka_unit_test(a_last_entry_that_claims_more_than_there_can_be_is_damaged),
-        cmocka_unit_test(runs_behind_a_lost_file_are_lost_and_stay_so),
         cmocka_unit_test(a_journal_from_a_machine_with_another_order_of_bytes_is_not_read),
         cmocka_unit_test(a_journal_is_open_once),
         cmocka_unit_test(a_journal_that_is_open_has_its_name_though_others_end),
         cmocka_unit_test(a_journal_removes_nothing_but_itself),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, make_keys, free_keys);
 }

@@ -13,10 +13,23 @@
 enum { RUNS = 5, VALUES = 3, FAILED = 1 };
 static const char head[] = "the deck\t1\n";
 
-static int no_file(void *context, const char *path, const struct checksum *sum, struct error *e) {
-    (void)context, (void)path, (void)sum, (void)e;
-    fail();
-    return STATUS_OK;
+static struct keys keys;
+
+static int make_keys(void **state) {
+    struct error e;
+    (void)state;
+    assert_int_equal(keys_open(&keys, RUNS, &e), STATUS_OK);
+    for (long run = 0; run < RUNS; run++) {
+        keys.key[run].byte[0] = (unsigned char)(run + 1);
+    }
+    keys_index(&keys);
+    return 0;
+}
+
+static int free_keys(void **state) {
+    (void)state;
+    keys_close(&keys);
+    return 0;
 }
 
 static void write_bytes(const char *path, const char *bytes, size_t n) {
@@ -40,7 +53,7 @@ static size_t block_size(long run, long index) {
 
 static void open_with_histories(struct journal *j, const char *path, uint64_t shape) {
     struct error e;
-    assert_int_equal(journal_open(j, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_open(j, path, &keys, VALUES, &e), STATUS_OK);
     if (shape != 0) {
         assert_int_equal(journal_want_histories(j, shape, &e), STATUS_OK);
     }
@@ -50,7 +63,7 @@ static void add_done(struct journal *j, long run) {
     struct error e;
     const double value[VALUES] = {1.0, 2.0, (double)run};
     assert_int_equal(
-        journal_add_run(j, run, &(struct study_outcome){.status = STUDY_DONE}, value, &e),
+        journal_add_run(j, run, &(struct study_outcome){.status = STUDY_DONE}, false, value, &e),
         STATUS_OK);
 }
 
@@ -104,7 +117,7 @@ static long load_histories(const char *path, uint64_t shape) {
     struct journal j;
     struct error e;
     open_with_histories(&j, path, shape);
-    assert_int_equal(journal_load(&j, no_file, NULL, &e), STATUS_OK);
+    assert_int_equal(journal_load(&j, &e), STATUS_OK);
     for (long run = 0; run < RUNS; run++) {
         if (j.offset[run] != 0 && j.chain && run != FAILED) {
             check_blocks(&j, run);
@@ -144,10 +157,10 @@ static void a_run_that_failed_needs_no_histories(void **state) {
     struct error e;
     const double value[VALUES] = {0.0};
     open_with_histories(&j, path, SHAPE);
-    assert_int_equal(journal_load(&j, no_file, NULL, &e), STATUS_OK);
-    assert_int_equal(
-        journal_add_run(&j, FAILED, &(struct study_outcome){.status = STUDY_FAILED}, value, &e),
-        STATUS_OK);
+    assert_int_equal(journal_load(&j, &e), STATUS_OK);
+    assert_int_equal(journal_add_run(&j, FAILED, &(struct study_outcome){.status = STUDY_FAILED},
+                                     false, value, &e),
+                     STATUS_OK);
     journal_close(&j);
     assert_int_equal(load_histories(path, SHAPE), 3);
 }
@@ -189,5 +202,5 @@ int main(void) {
         cmocka_unit_test(a_flipped_byte_of_histories_costs_their_run),
         cmocka_unit_test(histories_that_are_cut_cost_their_run),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, make_keys, free_keys);
 }

@@ -310,31 +310,31 @@ static void a_record_that_changes_in_mid_study_ends_it(void **state) {
 
 // --- signals -------------------------------------------------------------------------------------
 
-static int nothing(void *context, const char *path, const struct checksum *sum, struct error *e) {
-    (void)context, (void)path, (void)sum, (void)e;
-    return STATUS_OK;
-}
-
 // Enters a run and reads it again, from a journal that is opened twice.
 static void use_journal(const char *path) {
     static const char head[] = "the deck\t1\n";
     const struct study_outcome outcome = {.status = STUDY_DONE};
     struct study_outcome found;
     struct journal j;
+    struct keys keys;
     struct error e;
     double value = 1.5;
-    assert_int_equal(journal_open(&j, path, 1, 1, &e), STATUS_OK);
+    assert_int_equal(keys_open(&keys, 1, &e), STATUS_OK);
+    keys.key[0].byte[0] = 1;
+    keys_index(&keys);
+    assert_int_equal(journal_open(&j, path, &keys, 1, &e), STATUS_OK);
     assert_int_equal(journal_reset(&j, head, &e), STATUS_OK);
-    assert_int_equal(journal_add_run(&j, 0, &outcome, &value, &e), STATUS_OK);
+    assert_int_equal(journal_add_run(&j, 0, &outcome, false, &value, &e), STATUS_OK);
     assert_int_equal(journal_sync(&j, &e), STATUS_OK);
     journal_close(&j);
-    assert_int_equal(journal_open(&j, path, 1, 1, &e), STATUS_OK);
+    assert_int_equal(journal_open(&j, path, &keys, 1, &e), STATUS_OK);
     assert_string_equal(j.head, head);
-    assert_int_equal(journal_load(&j, nothing, NULL, &e), STATUS_OK);
+    assert_int_equal(journal_load(&j, &e), STATUS_OK);
     value = 0;
     assert_int_equal(journal_read(&j, 0, &found, &value, &e), STATUS_OK);
     assert_true(value == 1.5);
     journal_remove(&j);
+    keys_close(&keys);
 }
 
 static int write_nothing(void *context, const struct figure_files *to, struct error *e) {

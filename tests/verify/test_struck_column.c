@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "model/link_end.h"
+#include "model/struck_column.h"
 #include "support/analysis.h"
 #include "support/support.h"
 
@@ -173,6 +175,9 @@ static void columns_that_are_struck_together_add_up(void **state) {
     const double k = 3.0 * 64e6 * 27.0 / (pow(0.75, 3.0) * pow(2.25, 3.0));
     assert_close(c->stiffness, k, 1e-14);
     assert_close(c->dashpot, 0.1 * sqrt(k * 600.0), 1e-14);
+    const struct link *spring = &two->link[two->n_link - 1];
+    const struct contact_response r = spring->law->force(spring->constant, NULL, 1e-3, 2.0);
+    assert_close(r.force, 1e-3 * k + 2.0 * c->dashpot, 1e-14);
     assert_close(c->weight, 0.15625, 1e-14);
     assert_close(two->displacement[4], 0.15625e-3, 1e-14);
     assert_close(two->mass[4], 600.0, 0.0);
@@ -198,10 +203,69 @@ static void a_load_at_the_point_is_shared_by_both_ends(void **state) {
         const struct struck_column *c = m->column;
         assert_close(c->stiffness, rows[i].stiffness, 1e-9);
         for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
-            assert_close(c->force[q][0] / c->stiffness, rows[i].force[q], 1e-12);
+            assert_close(c->force[q * c->n_dof] / c->stiffness, rows[i].force[q], 1e-12);
         }
         model_free(m);
     }
+}
+
+// A foundation carries the column along, without a force in it.
+static void on_a_foundation_it_moves_with_the_slab(void **state) {
+    (void)state;
+    static const char *const section[] = {"-EI 6e7", "-line 1"};
+    for (int k = 0; k < 2; k++) {
+        for (int floor = 1; floor <= 2; floor++) {
+            const double level = floor == 1 ? 1.0 : 4.5;
+            struct model *m = analysis_model(
+                "units N m s\nbuilding B -floors 2 -mass 60t -height 3.4m 3.1m\n"
+                "frame B -bays 6 -modulus 30e9\ncolumns B:1:2 -I 2e-3 -A 0.1\nbeams B:1:2 -I 3e-3\n"
+                "column B@%gm -name c %s -mass 600\n"
+                "foundation B -mass 100t -inertia 1e6 -sway 4e8 -rocking 2e10\n"
+                "duration 1\nstep fixed 1ms\n",
+                level, section[k]);
+            const double sway = 2e-3, roof = 5e-3;  // displacements of the slab and by rocking
+            const double u[] = {sway + roof * 3.4 / 6.5, sway + roof, sway, roof,
+                                sway + roof * level / 6.5};
+            const struct link *spring = &m->link[0];
+            assert_near(link_at(spring, 0, u), u[4], 1e-15);
+            for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+                assert_near(struck_column_force(m->column, q, u, 0), 0.0, 1e-9 * 6e7 * 1e-3);
+            }
+            model_free(m);
+        }
+    }
+}
+
+static const char two_buildings[] =
+    "units kN m s\nbuilding A -floors 3 -mass 90t -stiffness 60MN/m -height 4.25m\n"
+    "building B -floors 4 -mass 120t -stiffness 110MN/m -height 3.25m\n"
+    "damping A rayleigh 5%\ndamping B rayleigh 5%\n";
+static const char shaken[] = "ground record input/records/ELCENTRO_1940_NS.AT2 -scale 2\n"
+                             "duration 6\nstep fixed 0.5ms\n";
+
+static void columns_by_level_are_those_written_out_by_hand(void **state) {
+    (void)state;
+    static const char section[] = "-E 30GPa -I 0.002m^4 -mass 600kg -n 3 -damping 2%";
+    static const char law[] = "-gap 8mm -law jankowski -k 1e9N/m^1.5 -e 0.6";
+    struct analysis a[2] = {
+        analysis_of("%scolumn B -name b %s\ncolumn A:1:2 -name a %s\n"
+                    "contact A B -by-level -name c %s\n%s",
+                    two_buildings, section, section, law, shaken),
+        analysis_of("%scolumn A@3.25m -name a@3.25m %s\ncolumn B@4.25m -name b@4.25m %s\n"
+                    "column A@6.5m -name a@6.5m %s\ncolumn B@8.5m -name b@8.5m %s\n"
+                    "contact A@3.25m B:1 -name c:1 %s\ncontact A:1 B@4.25m -name c:2 %s\n"
+                    "contact A@6.5m B:2 -name c:3 %s\ncontact A:2 B@8.5m -name c:4 %s\n"
+                    "contact A@9.75m B:3 -name c:5 %s\ncontact A:3 B:4 -name c:6 %s\n%s",
+                    two_buildings, section, section, section, section, law, law, law, law, law, law,
+                    shaken),
+    };
+    assert_int_equal(a[0].model->n_column, 4);
+    assert_int_equal(a[0].model->n_contact, 6);
+    assert_true(a[0].results->link[1].impacts > 0);
+    assert_string_equal(a[0].model->column[3].name, a[1].model->column[3].name);
+    analysis_assert_same(a[0].model, a[0].results, a[1].results);
+    analysis_free(&a[0]);
+    analysis_free(&a[1]);
 }
 
 int main(void) {
@@ -210,6 +274,8 @@ int main(void) {
         cmocka_unit_test(the_column_may_be_on_the_left),
         cmocka_unit_test(columns_that_are_struck_together_add_up),
         cmocka_unit_test(a_load_at_the_point_is_shared_by_both_ends),
+        cmocka_unit_test(on_a_foundation_it_moves_with_the_slab),
+        cmocka_unit_test(columns_by_level_are_those_written_out_by_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

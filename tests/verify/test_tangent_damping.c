@@ -114,6 +114,28 @@ static void storeys_beside_a_matrix_are_stiffer_storeys(void **state) {
 static const char slider[] = "isolator A:1 fps -radius 1 -mu 6% -mu-slow 3% -rate 30\n"
                              "storey A:2:3 bilinear -yield 300kN -hardening 0\n";
 
+static void assert_dampers_take(const struct analysis *a, double least) {
+    for (long r = 1; r < a->rows.n; r++) {
+        const double *e = a->rows.energy + (r - 1) * ENERGY_COUNT;
+        assert_true(e[ENERGY_COUNT + ENERGY_DAMPING] >= e[ENERGY_DAMPING] - least);
+    }
+}
+
+// The hinges of all members soften so fast that the tangent of the frame is indefinite.
+static void a_frame_that_softens_takes_energy_only(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(
+        "units kN m s\nbuilding A -floors 2 -mass 60t -height 3.5m\n"
+        "frame A -bays 6m -modulus 200GPa -columns-inextensible\n"
+        "columns A:1:2 -I 2e-4\nbeams A:1:2 -I 2.5e-4\n"
+        "hinges A:1:2 columns imk -yield 150kN*m -hardening 0.02 -capping 0.01 -post-capping -0.3 "
+        "-stiffness 100MN*m\n" DAMPING RECORD "step fixed 1ms\noutput -every 1\n");
+    const double flow = analysis_flow(&a);
+    assert_true(a.results->residual_peak < 1e-9 * flow);
+    assert_dampers_take(&a, 1e-7 * flow);
+    analysis_free(&a);
+}
+
 // Laws that soften, slide and strike; rows are so many that the account is seen in all steps.
 static void the_account_is_closed(void **state) {
     (void)state;
@@ -137,10 +159,7 @@ static void the_account_is_closed(void **state) {
             assert_true(a.results->n_impact > 0);
             assert_true(a.results->residual_peak < 1e-9 * flow);
             // Dashpots on tangents that are not negative take energy only.
-            for (long r = 1; r < a.rows.n; r++) {
-                const double *e = a.rows.energy + (r - 1) * ENERGY_COUNT;
-                assert_true(e[ENERGY_COUNT + ENERGY_DAMPING] >= e[ENERGY_DAMPING] - 1e-5 * flow);
-            }
+            assert_dampers_take(&a, 1e-5 * flow);
             analysis_free(&a);
         }
     }
@@ -174,13 +193,52 @@ static void elastic_buildings_have_one_stiffness(void **state) {
     analysis_free(&b);
 }
 
+// Modes without damping add nothing, but they have a full matrix: so the solver goes another way.
+static void chains_have_the_motion_of_full_matrices(void **state) {
+    (void)state;
+    static const char *const yields[] = {
+        "isolator A:1 fps -radius 2m -mu 6% -mu-slow 3% -rate 30s/m\ndamping A rayleigh 5%\n",
+        "storey A:all bilinear -yield 0.4MN -hardening 0.05\ndamping A rayleigh 5% -tangent\n",
+        "storey A:2:3 clough -yield 0.4MN -hardening 0.05\n"
+        "isolator A:1 fps -radius 2m -mu 6% -mu-slow 3% -rate 30s/m\ndamping A rayleigh 5% "
+        "-tangent\n",
+    };
+    for (int k = 0; k < 3; k++) {
+        struct analysis chain, full, *of[] = {&chain, &full};
+        for (int i = 0; i < 2; i++) {
+            *of[i] = analysis_of(
+                "building A -floors 3 -mass 100t -stiffness 80MN/m\n"
+                "building B -floors 2 -mass 100t -stiffness 60MN/m\n"
+                "contact A B -gap 10mm -law kelvin-voigt -k 100MN/m -e 0.65\n%s%s" RECORD
+                "step fixed 2ms\nnewton -tolerance 1e-13\n",
+                yields[k], i > 0 ? "damping A modal 0%\n" : "");
+        }
+        assert_null(chain.model->building->damping_full);
+        assert_non_null(full.model->building->damping_full);
+        assert_true(chain.results->n_impact > 0);
+        assert_int_equal(chain.results->n_impact, full.results->n_impact);
+        for (int i = 0; i < chain.model->n_dof; i++) {
+            for (int q = 0; q < PEAK_COUNT; q++) {
+                assert_close(chain.results->peak[q][i], full.results->peak[q][i], 1e-9);
+            }
+        }
+        for (int q = 0; q < ENERGY_RESIDUAL; q++) {
+            assert_close(chain.results->energy[q], full.results->energy[q], 1e-9);
+        }
+        analysis_free(&chain);
+        analysis_free(&full);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_storey_follows_a_hand_made_integration),
         cmocka_unit_test(storeys_beside_a_matrix_are_stiffer_storeys),
+        cmocka_unit_test(a_frame_that_softens_takes_energy_only),
         cmocka_unit_test(the_account_is_closed),
         cmocka_unit_test(adaptive_steps_agree_with_fixed_ones),
         cmocka_unit_test(elastic_buildings_have_one_stiffness),
+        cmocka_unit_test(chains_have_the_motion_of_full_matrices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

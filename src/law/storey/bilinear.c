@@ -66,6 +66,14 @@ static double bilinear_stored(const double *c, const double *h, double drift) {
     return (c[BACK] * drift * drift + c[SPRING] * elastic * elastic) / 2.0;
 }
 
+static void bilinear_describe(const double *c, struct storey_figures *out) {
+    for (int i = 0; i < 2; i++) {
+        const double drift = c[STRENGTH + i] / c[SPRING];
+        out->yield[i] = drift;
+        out->strength[i] = (c[BACK] + c[SPRING]) * drift;
+    }
+}
+
 const struct storey_law storey_bilinear = {
     .name = "bilinear",
     .summary = "bilinear with kinematic hardening; elastic-plastic with -hardening 0",
@@ -87,4 +95,5 @@ const struct storey_law storey_bilinear = {
     .respond = bilinear_respond,
     .branch = bilinear_branch,
     .stored = bilinear_stored,
+    .describe = bilinear_describe,
 };

@@ -219,6 +219,11 @@ static double bouc_wen_stored(const double *c, const double *h, double drift) {
     return (c[WEN_BACK] * drift * drift + c[WEN_STRENGTH] / c[WEN_PER_DRIFT] * z * z) / 2.0;
 }
 
+static void bouc_wen_describe(const double *c, struct storey_figures *out) {
+    const double drift = 1.0 / c[WEN_PER_DRIFT];
+    yield_describe(drift, c[WEN_BACK] * drift + c[WEN_STRENGTH], out);
+}
+
 const struct storey_law storey_bouc_wen = {
     .name = "bouc-wen",
     .summary = "smooth yielding; degradation and pinching",
@@ -249,4 +254,5 @@ const struct storey_law storey_bouc_wen = {
     .prepare = bouc_wen_prepare,
     .respond = bouc_wen_respond,
     .stored = bouc_wen_stored,
+    .describe = bouc_wen_describe,
 };

@@ -45,4 +45,5 @@ const struct storey_law storey_clough = {
     .prepare = clough_prepare,
     .respond = peak_oriented_respond,
     .stored = peak_oriented_stored,
+    .describe = peak_oriented_describe,
 };

@@ -62,6 +62,10 @@ static double flag_stored(const double *c, const double *h, double drift) {
     return (c[BACK] * size * size + c[SPRING] * elastic * elastic) / 2.0 + c[SPRING] * c[IN] * p;
 }
 
+static void flag_describe(const double *c, struct storey_figures *out) {
+    yield_describe(c[OUT], (c[BACK] + c[SPRING]) * c[OUT], out);
+}
+
 const struct storey_law storey_flag = {
     .name = "flag",
     .summary = "self-centring: returns to drift 0 along a flag-shaped loop",
@@ -82,4 +86,5 @@ const struct storey_law storey_flag = {
     .prepare = flag_prepare,
     .respond = flag_respond,
     .stored = flag_stored,
+    .describe = flag_describe,
 };

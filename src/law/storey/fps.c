@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "law/lists.h"
+#include "law/yield.h"
 
 enum { WEIGHT, RADIUS, MU, MU_SLOW, RATE, N_ROW };
 enum {
@@ -94,6 +95,12 @@ static double fps_stored(const double *c, const double *h, double drift) {
     return (c[BACK] * drift * drift + c[SPRING] * elastic * elastic) / 2.0;
 }
 
+// The bearing slides fast.
+static void fps_describe(const double *c, struct storey_figures *out) {
+    const double drift = c[STRENGTH] / c[SPRING];
+    yield_describe(drift, c[BACK] * drift + c[STRENGTH], out);
+}
+
 const struct storey_law storey_fps = {
     .name = "fps",
     .summary = "friction pendulum; its friction grows with the velocity",
@@ -105,8 +112,7 @@ const struct storey_law storey_fps = {
         "Typical of PTFE on steel: mu 0.04 to 0.12, mu-slow 0.3 to 0.6 mu, rate 20 to 100 s/m. "
         "The weight is constant: the law has neither uplift nor overturning moments. Friction is "
         "the same in both directions and does not warm up. jostle law storey moves slowly: it "
-        "shows "
-        "mu-slow. A building with such storeys is solved with full matrices",
+        "shows mu-slow",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
@@ -115,4 +121,5 @@ const struct storey_law storey_fps = {
     .respond = fps_respond,
     .respond_at_rate = fps_respond_at_rate,
     .stored = fps_stored,
+    .describe = fps_describe,
 };

@@ -224,6 +224,28 @@ static double imk_stored(const double *c, const double *h, double drift) {
     return loading_stored(&imk_rule, c, h, drift);
 }
 
+static void imk_describe(const double *c, struct storey_figures *out) {
+    for (int i = 0; i < 2; i++) {
+        const double *side = c + (i == 0 ? IMK_RIGHT : IMK_LEFT);
+        out->yield[i] = side[IMK_YIELD] / c[LOADING_STIFFNESS];
+        out->strength[i] = side[IMK_YIELD];
+        out->ultimate[i] = side[IMK_ULTIMATE];
+    }
+    for (int m = 0; m < IMK_MODES; m++) {
+        out->capacity = fmin(out->capacity, c[IMK_CAPACITY + m]);
+    }
+}
+
+// That of the excursions, the present one too.
+static double imk_consumed(const double *c, const double *h) {
+    if (h[LOADING_SIDE] == 0.0) {
+        return 0.0;
+    }
+    const double shear = h[LOADING_SHEAR];
+    const double present = h[LOADING_WORK] - shear * shear / (2.0 * h[LOADING_SLOPE]);
+    return h[IMK_SUM] + (present > c[IMK_NOISE] ? present : 0.0);
+}
+
 const struct storey_law storey_imk = {
     .name = "imk",
     .summary = "Ibarra, Medina & Krawinkler: capping, residual strength, cyclic deterioration",
@@ -254,4 +276,6 @@ const struct storey_law storey_imk = {
     .prepare = imk_prepare,
     .respond = imk_respond,
     .stored = imk_stored,
+    .describe = imk_describe,
+    .consumed = imk_consumed,
 };

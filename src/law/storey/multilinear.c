@@ -24,6 +24,7 @@ enum {
     HARDENING = SHEAR + N_MORE,
     CYCLE,
     EXPONENT,
+    YIELD_NEGATIVE,
     N_ROW
 };
 enum { KINEMATIC, PEAK };
@@ -58,6 +59,7 @@ static const struct row rows[N_ROW] = {
                "how the storey unloads and reloads"},
     [EXPONENT] = {"b", ROW_NUMBER, 0, OF_NONE, &yield_hardening_range, 0.0,
                   "peak: exponent of the unloading stiffness"},
+    [YIELD_NEGATIVE] = YIELD_NEGATIVE_ROW,
 };
 
 // Slopes of lines `i` and `i` + 1 over the initial stiffness.
@@ -123,6 +125,7 @@ static int multilinear_prepare(const double *value, double stiffness, double *co
     constant[POINTS_EXPONENT] = value[EXPONENT];
     constant[CYCLE_OF] = value[CYCLE];
     constant[LAST_SLOPE] = value[HARDENING] * stiffness;
+    points_resize(constant, value[YIELD_NEGATIVE] / value[YIELD]);
     return status;
 }
 
@@ -139,8 +142,8 @@ static struct storey_response multilinear_kinematic(const double *c, const doubl
     struct storey_response r = {c[LAST_SLOPE] * drift, c[LAST_SLOPE]};
     bool elastic = true;
     for (int i = 0; i < n; i++) {
-        const double spring = multilinear_spring(c, i), most = c[POINTS_DRIFT + i];
-        const double trial = drift - h[i];
+        const double spring = multilinear_spring(c, i), trial = drift - h[i];
+        const double most = points_size(c, trial < 0.0) * c[POINTS_DRIFT + i];
         const bool yields = fabs(trial) > most;
         const double stretch = yields ? copysign(most, trial) : trial;
         r.shear += spring * stretch;
@@ -177,6 +180,10 @@ static double multilinear_stored(const double *c, const double *h, double drift)
                                     : loading_stored(&points_rule, c, h, drift);
 }
 
+static void multilinear_describe(const double *c, struct storey_figures *out) {
+    points_describe(c, 0, out);
+}
+
 const struct storey_law storey_multilinear = {
     .name = "multilinear",
     .summary = "backbone through 2 to 6 points; kinematic or peak-oriented",
@@ -188,7 +195,8 @@ const struct storey_law storey_multilinear = {
     .remarks = "For pushover curves. Slopes must fall from line to line. peak may lose strength: "
                "behind a falling line the next may be flatter, so that the storey keeps a residual "
                "strength. A kinematic storey may have a falling last line, which has no end: it "
-               "pushes the storey over",
+               "pushes the storey over. With yield-negative the backbone of negative drifts has "
+               "drifts and shears multiplied by yield-negative / yield",
     .example = "-yield 400kN -drift-2 20mm -shear-2 700kN -drift-3 50mm -shear-3 800kN",
     .row = rows,
     .n_row = N_ROW,
@@ -198,4 +206,5 @@ const struct storey_law storey_multilinear = {
     .prepare = multilinear_prepare,
     .respond = multilinear_respond,
     .stored = multilinear_stored,
+    .describe = multilinear_describe,
 };

@@ -226,6 +226,10 @@ static double ramberg_osgood_stored(const double *c, const double *h, double dri
     return c[STRENGTH] / c[PER_DRIFT] * (twice + upper.of[2]) / 2.0;
 }
 
+static void ramberg_osgood_describe(const double *c, struct storey_figures *out) {
+    yield_describe(1.0 / c[PER_DRIFT], c[STRENGTH], out);
+}
+
 const struct storey_law storey_ramberg_osgood = {
     .name = "ramberg-osgood",
     .summary = "smooth yielding without a limit of the strength; Masing's loops",
@@ -244,4 +248,5 @@ const struct storey_law storey_ramberg_osgood = {
     .prepare = ramberg_osgood_prepare,
     .respond = ramberg_osgood_respond,
     .stored = ramberg_osgood_stored,
+    .describe = ramberg_osgood_describe,
 };

@@ -79,6 +79,11 @@ static double slip_stored(const double *c, const double *h, double drift) {
     return back * drift / 2.0 + hook * hook / (2.0 * c[SPRING]);
 }
 
+static void slip_describe(const double *c, struct storey_figures *out) {
+    const double drift = c[GAP] + c[STRENGTH] / c[SPRING];
+    yield_describe(drift, c[BACK] * drift + c[STRENGTH], out);
+}
+
 const struct storey_law storey_slip = {
     .name = "slip",
     .summary = "catches after a slack that grows as the storey yields; weak between",
@@ -102,4 +107,5 @@ const struct storey_law storey_slip = {
     .prepare = slip_prepare,
     .respond = slip_respond,
     .stored = slip_stored,
+    .describe = slip_describe,
 };

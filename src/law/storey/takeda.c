@@ -55,4 +55,5 @@ const struct storey_law storey_takeda = {
     .prepare = takeda_prepare,
     .respond = peak_oriented_respond,
     .stored = peak_oriented_stored,
+    .describe = peak_oriented_describe,
 };

@@ -22,6 +22,7 @@ enum {
     DAMAGE_ENERGY,
     DAMAGE_DRIFT,
     EVERY,
+    YIELD_NEGATIVE,
     N_ROW
 };
 
@@ -57,6 +58,7 @@ static const struct row rows[N_ROW] = {
                       "drift up to which the area of the backbones counts for damage-energy"},
     [EVERY] = {"damage-every", ROW_FLAG, 0, OF_NONE, NULL, NAN,
                "damage-peak counts at every zero shear, as in OpenSees"},
+    [YIELD_NEGATIVE] = YIELD_NEGATIVE_ROW,
 };
 
 static int trilinear_check(const double *value, struct error *e) {
@@ -93,6 +95,7 @@ static int trilinear_prepare(const double *value, double stiffness, double *cons
     if (status != STATUS_OK) {
         return status;
     }
+    points_resize(constant, value[YIELD_NEGATIVE] / value[YIELD]);
     const double area =
         isnan(value[DAMAGE_DRIFT]) ? NAN : points_area(constant, value[DAMAGE_DRIFT]);
     constant[POINTS_ORIGIN] = !isnan(value[ORIGIN]);
@@ -100,8 +103,7 @@ static int trilinear_prepare(const double *value, double stiffness, double *cons
     constant[POINTS_PINCH_DRIFT] = value[PINCH_DRIFT];
     constant[POINTS_PINCH_SHEAR] = value[PINCH_SHEAR];
     constant[POINTS_DAMAGE_PEAK] = value[DAMAGE_PEAK];
-    constant[POINTS_DAMAGE_ENERGY] =
-        value[DAMAGE_ENERGY] > 0.0 ? value[DAMAGE_ENERGY] / (2.0 * area) : 0.0;
+    constant[POINTS_DAMAGE_ENERGY] = value[DAMAGE_ENERGY] > 0.0 ? value[DAMAGE_ENERGY] / area : 0.0;
     constant[POINTS_EVERY] = !isnan(value[EVERY]);
     return STATUS_OK;
 }
@@ -113,6 +115,10 @@ static struct storey_response trilinear_respond(const double *c, const double *h
 
 static double trilinear_stored(const double *c, const double *h, double drift) {
     return loading_stored(&points_rule, c, h, drift);
+}
+
+static void trilinear_describe(const double *c, struct storey_figures *out) {
+    points_describe(c, 1, out);
 }
 
 const struct storey_law storey_trilinear = {
@@ -128,7 +134,10 @@ const struct storey_law storey_trilinear = {
                "reinforced walls and members that fail in shear. Typical for reinforced concrete: "
                "cracked 0.2 to 0.5, hardening 0.01 to 0.05, takeda with b 0.3 to 0.5, pinch-drift "
                "0.5 and pinch-shear 0.25 with strong pinching. A negative hardening leads to zero "
-               "shear. Damage moves the target out; it does not lower the backbone",
+               "shear. Damage moves the target out; it does not lower the backbone. With "
+               "yield-negative the "
+               "backbone of negative drifts has drifts and shears multiplied by yield-negative / "
+               "yield, cracking too",
     .example = "-crack 250kN -yield 600kN -cracked 0.3 -hardening 0.03 -takeda "
                "-pinch-drift 0.5 -pinch-shear 0.3",
     .row = rows,
@@ -139,4 +148,5 @@ const struct storey_law storey_trilinear = {
     .prepare = trilinear_prepare,
     .respond = trilinear_respond,
     .stored = trilinear_stored,
+    .describe = trilinear_describe,
 };

@@ -2,6 +2,7 @@
 #include "model/builder.h"
 #include "model/law_choice.h"
 #include "model/pairs.h"
+#include "model/struck_column.h"
 
 enum { GAP, LAW, NAME, MEFF, OVERLAP, BY_LEVEL, DEPTH, N_ROW };
 
@@ -52,6 +53,9 @@ static void append(struct builder *b, const struct pairs *p, const struct argume
     const char *name = pairs_name(b, &own[NAME], &good);
     const double *gap = builder_spread(b, &own[GAP], p->n, "contacts");
     for (int k = 0; good && gap && k < p->n; k++) {
+        for (int i = 0; i < 2; i++) {
+            struck_column_strike(b, p->building[i], p->floor[i][k], p->level[i][k]);
+        }
         struct link_draft *d =
             pairs_append(b, p, k, name, own[NAME].given ? own[NAME].word : p->word);
         if (!d) {

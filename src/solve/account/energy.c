@@ -30,6 +30,7 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct energy_account, damping),
     FIELD_VALUE(struct energy_account, contact),
     FIELD_ARRAY(struct energy_account, storey_2x, FIELD_FLOORS),
+    FIELD_ARRAY(struct energy_account, storey_own, FIELD_FLOORS),
     FIELD_VALUE(struct energy_account, storey),
     FIELD_VALUE(struct energy_account, stored_start),
 };

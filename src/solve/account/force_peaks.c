@@ -11,6 +11,7 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct force_peaks, n),
     FIELD_VALUE(struct force_peaks, time),
     FIELD_ARRAY(struct force_peaks, action, FIELD_FORCE_STATES),
+    FIELD_PART(struct force_peaks, yielding, yielding_fields),
 };
 const struct fields force_peaks_fields = FIELDS(list);
 
@@ -29,7 +30,7 @@ bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct resu
     p->bow = lanes_array(a, p->n_action);
     p->turned =
         arena_alloc(a, m->n_force > 0 ? (size_t)p->n_action * FORCES_BATCH : 0, sizeof *p->turned);
-    return fields_alloc(&force_peaks_fields, m, p, a);
+    return yielding_alloc(&p->yielding, m, a) && fields_alloc(&force_peaks_fields, m, p, a);
 }
 
 #define LANES_OF(x, i) (*(const lanes *)((x) + (i)))
@@ -57,14 +58,17 @@ LANES_INLINE void force_peaks_bend(const struct force_peaks *p) {
 
 // Where action j of building g stands in a state.
 static inline int force_peaks_place(const struct force_peaks *p, const struct building *g, int j) {
-    return j < g->n_dof ? g->first + j : p->model->chain.n + g->first_hinge + j - g->n_dof;
+    const int hinge = j - g->n_dof;
+    return hinge < 0            ? g->first + j
+           : hinge < g->n_hinge ? p->model->chain.n + g->first_hinge + hinge
+                                : g->struck[hinge - g->n_hinge];
 }
 
 // Turns the actions of building g so that the values of one stand side by side.
 static void force_peaks_turn(const struct force_peaks *p, const struct building *g) {
     for (int k = 0; k < p->n; k++) {
         const double *action = p->action + (ptrdiff_t)k * p->n_action;
-        for (int j = 0; j < g->n_dof + g->n_hinge; j++) {
+        for (int j = 0; j < building_n_action(g); j++) {
             p->turned[j * FORCES_BATCH + k] = action[force_peaks_place(p, g, j)];
         }
     }
@@ -75,7 +79,7 @@ LANES_INLINE void force_peaks_compute(const struct force_peaks *p, const struct 
                                       int i) {
     const ptrdiff_t stride = lanes_whole(g->n_force);
     double force[FORCES_BATCH] = {0.0};
-    for (int j = 0; j < g->n_dof + g->n_hinge; j++) {
+    for (int j = 0; j < building_n_action(g); j++) {
         const double by_action = g->force_by_action[j * stride + i];
         const double *action = p->turned + (ptrdiff_t)j * FORCES_BATCH;
         LANES_LOOP
@@ -95,7 +99,7 @@ LANES_INLINE void force_peaks_bound(const struct force_peaks *p, const struct bu
     const double *first = p->action, *bow = p->bow;
     const double *last = first + (ptrdiff_t)(p->n - 1) * p->n_action;
     lanes start = {0.0}, end = {0.0}, reach = {0.0};
-    for (int j = 0; j < g->n_dof + g->n_hinge; j++) {
+    for (int j = 0; j < building_n_action(g); j++) {
         const lanes row = LANES_OF(g->force_by_action + j * stride, i);
         const int at = force_peaks_place(p, g, j);
         start += row * first[at];

@@ -9,12 +9,14 @@
 #ifndef JOSTLE_FORCE_PEAKS_H
 #define JOSTLE_FORCE_PEAKS_H
 
+#include "solve/account/yielding.h"
 #include "solve/state.h"
 
 struct force_peaks {
     const struct model *model;
-    struct results *results;  // borrowed
-    int n;                    // states in the batch
+    struct results *results;   // borrowed
+    struct yielding yielding;  // which is noted at the same states
+    int n;                     // states in the batch
     double time[FORCES_BATCH];
     int n_action;    // of a state: model.chain.n drifts, then departures
     double *action;  // (FORCES_BATCH, n_action)
@@ -27,6 +29,11 @@ extern const struct fields force_peaks_fields;
 bool force_peaks_alloc(struct force_peaks *p, const struct model *m, struct results *r,
                        struct arena *a);
 
+// Are there forces or laws that must be noted?
+static inline bool force_peaks_due(const struct force_peaks *p) {
+    return p->model->n_force > 0 || p->yielding.n > 0;
+}
+
 // Takes the states of the batch into the extremes, and empties it.
 void force_peaks_flush(struct force_peaks *p);
 
@@ -34,6 +41,12 @@ void force_peaks_flush(struct force_peaks *p);
 static inline void force_peaks_note(struct force_peaks *p, const struct state *s) {
     const struct model *m = p->model;
     const struct chain *c = &m->chain;
+    if (p->yielding.n > 0) {
+        yielding_note(&p->yielding, s);
+    }
+    if (m->n_force == 0) {
+        return;
+    }
     double *action = p->action + (ptrdiff_t)p->n * p->n_action;
     for (int i = 0; i < c->n; i++) {
         action[i] = s->u[i] - c->joint[i] * s->u[i - 1];

@@ -20,6 +20,8 @@ static const struct fields_row list[] = {
     FIELD_ARRAYS(struct results, founded_time, FIELD_FLOORS),
     FIELD_ARRAY(struct results, drift_rate, FIELD_FLOORS),
     FIELD_ARRAY(struct results, residual_drift, FIELD_FLOORS),
+    FIELD_ARRAY(struct results, storey_demand, FIELD_FLOORS),
+    FIELD_ARRAY(struct results, hinge_demand, FIELD_HINGES),
     FIELD_ARRAY(struct results, deepest, FIELD_LINKS),
     FIELD_ARRAY(struct results, deepest_time, FIELD_LINKS),
     FIELD_ARRAY(struct results, force_max, FIELD_FORCES),

@@ -14,7 +14,7 @@
 // vector.
 static bool gaps_continue(const struct model *m, const struct gap_run *r, int k) {
     const struct link *l = &m->link[k];
-    bool follows = !r->row && link_is_plain(l);
+    bool follows = !r->row && link_is_plain(l) && k != m->n_contact;
     for (int side = 0; side < 2; side++) {
         const int first = side == 0 ? r->left : r->right, end = state_end(l, m, side);
         follows = follows && l->building[side] == r->building[side] &&
@@ -25,19 +25,30 @@ static bool gaps_continue(const struct model *m, const struct gap_run *r, int k)
 
 static void gaps_find_runs(struct gaps *g) {
     const struct model *m = g->model;
+    int n_gap = 0;
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        g->gap[k] = l->gap;
+        struct gap_run *r = g->n_run > 0 ? &g->run[g->n_run - 1] : NULL;
         g->limit[k] = -INFINITY;
-        if (g->n_run == 0 || !gaps_continue(m, &g->run[g->n_run - 1], k)) {
-            g->run[g->n_run++] = (struct gap_run){.first = k,
-                                                  .left = state_end(l, m, 0),
-                                                  .right = state_end(l, m, 1),
-                                                  .building = {l->building[0], l->building[1]},
-                                                  .row = link_is_plain(l) ? NULL : l};
+        if (!r || !gaps_continue(m, r, k)) {
+            n_gap = lanes_whole(n_gap);
+            r = &g->run[g->n_run++];
+            *r = (struct gap_run){.first = k,
+                                  .left = state_end(l, m, 0),
+                                  .right = state_end(l, m, 1),
+                                  .building = {l->building[0], l->building[1]},
+                                  .gap = n_gap,
+                                  .row = link_is_plain(l) ? NULL : l};
         }
-        g->run[g->n_run - 1].n++;
+        for (int side = 0; l->moving_ground && side < 2; side++) {
+            r->ground[side] = m->building[l->building[side]].ground;
+        }
+        r->n++;
         g->run_of[k] = g->n_run - 1;
+        g->gap[n_gap++] = l->gap;
+        for (int i = n_gap; i < lanes_whole(n_gap); i++) {
+            g->gap[i] = INFINITY;
+        }
     }
 }
 
@@ -65,7 +76,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, 
     size_t n_building = (size_t)m->n_body;
     *g = (struct gaps){
         .model = m,
-        .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),
+        .gap = arena_alloc(a, n_link, LANES_WIDTH * sizeof *g->gap),
         .limit = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->limit),
         .nearest = r->deepest,
         .time = r->deepest_time,
@@ -93,7 +104,7 @@ static inline bool gaps_update_run(const struct gaps *g, const struct gap_run *r
                                    const double *restrict u, double *restrict delta) {
     const double *restrict left = u + r->left;
     const double *restrict right = u + r->right;
-    const double *restrict gap = g->gap + r->first;
+    const double *restrict gap = g->gap + r->gap;
     const double *restrict limit = g->limit + r->first;
     double *restrict d = delta + r->first;
     int64_t sign = 0;

@@ -14,12 +14,14 @@ struct gap_run {
     int first, n;
     int left, right;         // ends of link `first` among the arrays of struct chain
     int building[2];         // WALL
+    int ground[2];           // under its ends; equal where the grounds do not move them apart
+    int gap;                 // where its gaps are among those of all runs
     const struct link *row;  // borrowed: the link with a row; NULL: all ends are floors
 };
 
 struct gaps {
     const struct model *model;  // borrowed
-    double *gap;                // [L] (n_link)
+    double *gap;                // [L] of each run in whole lanes, infinite where it has no link
     double *limit;  // [L] (n_link) a link beyond this may close or is nearer than ever: infinite
                     // for links that act, else 0 or its largest penetration, the lesser
     double *nearest, *time;  // borrowed: results.deepest, results.deepest_time

@@ -63,6 +63,7 @@ static bool dp_alloc(struct run *r, struct arena *a) {
     *p = (struct dp){.model = m,
                      .results = r->results,
                      .impacts = &r->impacts,
+                     .yielding = &r->forces.yielding,
                      .floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow),
                      .system.forcing.model = m,
                      .last_link = -1};
@@ -282,6 +283,9 @@ static int dp_arrive(struct dp *p, struct error *e) {
     dp_swap_ends(p);
     p->h = 0.0;
     dp_rates_commit(p);
+    if (p->yielding->n > 0) {
+        yielding_note(p->yielding, &p->now);
+    }
     if (turns) {
         p->now.time = dp_step_limit(p);
         if (forcing_turn(&p->system.forcing, p->now.time)) {

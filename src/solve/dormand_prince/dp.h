@@ -80,7 +80,7 @@ struct dp_rates {
     struct dp_link_rates *link;    // (n_live)
     // [F L/T] of loads, of full dampings and on storeys that are not elastic; not where nothing is
     // special
-    double input, damping, storey;
+    double input, damping, storey, *power;  // power: (n_dof) on each storey with a history
 };
 
 enum dp_event_kind {
@@ -142,6 +142,7 @@ struct dp {
     const struct model *model;       // borrowed
     struct results *results;         // borrowed
     struct impact_log *impacts;      // borrowed
+    struct yielding *yielding;       // borrowed
     const struct dp_floors *floors;  // for the vectors of the processor at hand
     struct dp_system system;
     struct energy_account before, energy;  // up to the start and to the end of the step

@@ -224,6 +224,12 @@ void dp_account_step(struct dp *p) {
         p->energy.contact += share.work;
     }
     dp_integrate(p, time, &p->energy);
+    for (int n = 0; n < p->system.n_inelastic; n++) {
+        const int i = p->system.inelastic[n];
+        for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
+            p->energy.storey_own[i] += time[s] * p->stage[s].power[i];
+        }
+    }
     for (int k = 0, n = p->deepens ? p->model->n_contact : 0; k < n; k++) {
         if (p->reach[k] > p->results->deepest[k] && !p->now.link[k].closed) {
             const struct motion m = dp_motion_link(p, k);

@@ -247,6 +247,9 @@ static void dp_members(struct dp *p, const struct building *g) {
         for (int i = g->first; i < g->first + g->n_dof; i++) {
             drift[i] = dp_drift(p, 0, i, x[k]);
         }
+        for (int i = 0; i < g->n_struck; i++) {
+            drift[g->struck[i]] = x[k][g->struck[i]];
+        }
         forces_at(g, drift + g->first, next->storey_history, f[k]);
     }
     for (int i = 0; i < g->n_force; i++) {
@@ -313,8 +316,8 @@ void dp_peaks_step(struct dp *p) {
             }
         }
     }
-    for (int k = 0; m->chain.full_damping && k < m->n_body; k++) {
-        if (m->building[k].n_part > 0) {  // which has a full damping matrix
+    for (int k = 0; m->chain.parts && k < m->n_body; k++) {
+        if (m->building[k].n_part > 0) {
             dp_part_shears(p, &m->building[k]);
         }
     }

@@ -54,6 +54,7 @@ static const struct fields_row rates_list[] = {
     FIELD_VALUE(struct dp_rates, input),
     FIELD_VALUE(struct dp_rates, damping),
     FIELD_VALUE(struct dp_rates, storey),
+    FIELD_ARRAY(struct dp_rates, power, FIELD_FLOORS),
 };
 const struct fields dp_rates_fields = FIELDS(rates_list);
 
@@ -145,7 +146,8 @@ void dp_rates_start(struct dp *p) {
             dp_start_floor(p, k, i);
         }
     }
-    s->special = m->n_ground > 1 || m->chain.full_damping || s->n_inelastic > 0 || m->n_load > 0;
+    s->special = m->n_ground > 1 || m->chain.full_damping || m->chain.parts || s->n_inelastic > 0 ||
+                 m->n_load > 0;
     for (int k = 0; k < m->n_link; k++) {
         s->phase[k] = dp_start_phase(p, k);
         s->creeps |= m->link[k].law->creep != NULL;
@@ -209,7 +211,8 @@ static void dp_part_rates(const struct dp *p, const struct building *g, struct d
 static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
     const struct dp_system *s = &p->system;
     const double shear = dp_rates_shear(p, i, dp_drift(p, 0, i, r->u));
-    r->storey += shear * dp_drift(p, 0, i, r->v);
+    r->power[i] = shear * dp_drift(p, 0, i, r->v);
+    r->storey += r->power[i];
     if (s->calls[i]) {
         r->a[i] -= shear * s->mobility[i];
     }

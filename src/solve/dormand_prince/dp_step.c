@@ -57,13 +57,14 @@ LANES static void dp_differences(const struct gaps *g, const double *restrict u,
                                  double *restrict rate) {
     for (int i = 0; i < g->n_run; i++) {
         const struct gap_run *r = &g->run[i];
+        const double *gap = g->gap + r->gap;
         if (r->row) {
-            delta[r->first] = link_across(r->row, u) - g->gap[r->first];
+            delta[r->first] = link_across(r->row, u) - gap[0];
             rate[r->first] = link_across(r->row, v);
             continue;
         }
         for (int j = 0; j < r->n; j++) {
-            delta[r->first + j] = u[r->left + j] - u[r->right + j] - g->gap[r->first + j];
+            delta[r->first + j] = u[r->left + j] - u[r->right + j] - gap[j];
             rate[r->first + j] = v[r->left + j] - v[r->right + j];
         }
     }

@@ -25,10 +25,11 @@ enum { HALF_FLOORS_ABOVE = 16, HALF_FLOORS_MOST = 26 };
 enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
 
 bool ensemble_suits(const struct model *m) {
-    bool suits = !m->adaptive && !m->chain.full_damping && m->n_ground == 1 && m->n_load == 0 &&
-                 m->n_link == m->n_contact && m->n_dof <= FLOORS_MOST;
+    bool suits = !m->adaptive && !m->chain.full_damping && !m->chain.parts && m->n_ground == 1 &&
+                 m->n_load == 0 && m->n_link == m->n_contact && m->n_dof <= FLOORS_MOST;
     for (int i = 0; suits && i < m->n_dof; i++) {
-        suits = m->storey[i].law->branch && m->storey[i].pdelta == 0.0;
+        suits = m->storey[i].law->branch && m->storey[i].pdelta == 0.0 &&
+                !yielding_differs(&m->storey[i]);
     }
     for (int k = 0; suits && k < m->n_link; k++) {
         suits = !m->link[k].law->rebound && link_is_plain(&m->link[k]);
@@ -100,27 +101,23 @@ static void ensemble_balance(struct lockstep *l) {
     struct energy_sums sums[WIDE_RUNS];
     l->lanes.steps->catch_up(&l->lanes);
     ensemble_lanes_sum(&l->lanes, sums);
-    for (int k = 0; k < l->n; k++) {
+    EACH_RUN(k, l->in_lanes) {
         struct run *r = &l->slot[k].run;
-        if (l->slot[k].mode == SLOT_IN_LANES) {
-            if (ensemble_has(l->lanes.contacts->active, k)) {
-                r->energy.contact = l->lanes.contacts->work[k];
-            }
-            energy_close(&r->energy, &sums[k], r->results->energy);
-            int status = analysis_note_energies(r);
-            if (status != STATUS_OK) {
-                ensemble_lockstep_end(l, k, status);
-            }
+        if (ensemble_has(l->lanes.contacts->active, k)) {
+            r->energy.contact = l->lanes.contacts->work[k];
+        }
+        energy_close(&r->energy, &sums[k], r->results->energy);
+        int status = analysis_note_energies(r);
+        if (status != STATUS_OK) {
+            ensemble_lockstep_end(l, k, status);
         }
     }
 }
 
 static void ensemble_poll(struct lockstep *l, double time) {
     const struct observer *o = l->observer;
-    for (int k = 0; o && o->poll && k < l->n; k++) {
-        struct slot *slot = &l->slot[k];
-        int status =
-            slot->mode == SLOT_IN_LANES ? o->poll(o->context, time, &slot->member->error) : 0;
+    EACH_RUN(k, o && o->poll ? l->in_lanes : 0U) {
+        int status = o->poll(o->context, time, &l->slot[k].member->error);
         if (status != STATUS_OK) {
             ensemble_lockstep_end(l, k, status);
         }
@@ -129,12 +126,8 @@ static void ensemble_poll(struct lockstep *l, double time) {
 
 // Step n of runs that are alone, some of which enter their lanes then.
 static void ensemble_step_alone(struct lockstep *l, long n) {
-    for (int k = 0; l->n_alone > 0 && k < l->n; k++) {
-        struct slot *slot = &l->slot[k];
-        if (slot->mode != SLOT_ALONE && slot->mode != SLOT_STAYS_ALONE) {
-            continue;
-        }
-        int status = analysis_step(&slot->run, n);
+    EACH_RUN(k, l->alone) {
+        int status = analysis_step(&l->slot[k].run, n);
         if (status == STATUS_OK) {
             ensemble_lockstep_enter(l, k, n);
         } else {
@@ -150,25 +143,25 @@ static void ensemble_end_due(struct lockstep *l, long n) {
         return;
     }
     l->due = LONG_MAX;
-    for (int k = 0; k < l->n; k++) {
-        struct slot *slot = &l->slot[k];
-        const long last = slot->run.model->n_step;
-        if (slot->mode != SLOT_ENDED && last - 1 > n) {
+    EACH_RUN(k, l->in_lanes | l->alone) {
+        struct run *r = &l->slot[k].run;
+        const long last = r->model->n_step;
+        if (last - 1 > n) {
             l->due = number_least(l->due, last - 1);
-        } else if (slot->mode != SLOT_ENDED) {
-            if (slot->mode == SLOT_IN_LANES) {
-                ensemble_lockstep_leave(l, k, n);
-            }
-            ensemble_lanes_merge(&l->lanes, k, slot->run.results);
-            ensemble_lockstep_end(l, k, analysis_step(&slot->run, last));
+            continue;
         }
+        if (ensemble_has(l->in_lanes, k)) {
+            ensemble_lockstep_leave(l, k, n);
+        }
+        ensemble_lanes_merge(&l->lanes, k, r->results);
+        ensemble_lockstep_end(l, k, analysis_step(r, last));
     }
 }
 
 static void ensemble_lockstep(struct lockstep *l) {
     const double dt = l->slot[0].run.model->dt;
     ensemble_end_due(l, 0);
-    for (long n = 1; l->n_in_lanes + l->n_alone > 0; n++) {
+    for (long n = 1; l->in_lanes | l->alone; n++) {
         if (n > l->known) {
             ensemble_compute_grounds(l, n);
             if (n % POLL_STEPS == 1) {
@@ -176,7 +169,7 @@ static void ensemble_lockstep(struct lockstep *l) {
             }
         }
         n = ensemble_lockstep_advance(l, n);
-        if (n % l->every == 0 && l->n_in_lanes > 0) {
+        if (n % l->every == 0 && l->in_lanes) {
             ensemble_balance(l);
         }
         ensemble_step_alone(l, n);
@@ -194,14 +187,13 @@ static void ensemble_start(struct lockstep *l, struct ensemble_member *member) {
     while (!ensemble_same_ground(l->slot[slot->ground].run.model->ground, m->ground)) {
         slot->ground++;
     }
-    slot->mode = SLOT_STAYS_ALONE;
-    l->n_alone++;
+    l->alone |= 1U << k;
     int status = analysis_begin(&slot->run, m, l->observer, &member->error);
     if (status != STATUS_OK) {
         ensemble_lockstep_end(l, k, status);
     } else if (work_factor(&slot->run.work, m->dt) == STATUS_OK &&
                ensemble_lanes_fill(&l->lanes, k, &slot->run)) {
-        slot->mode = SLOT_ALONE;
+        l->fits |= 1U << k;
         ensemble_lockstep_enter(l, k, 0);
     }
 }

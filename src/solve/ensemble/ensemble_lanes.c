@@ -240,7 +240,6 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
     }
     t->steps += n_step;
     t->iterations += n_step;
-    e->active[lane] = 0;
 }
 
 // Adds what is stored below a floor on a line, and the work that has gone there, as energy_sums_of

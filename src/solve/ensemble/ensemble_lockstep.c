@@ -17,22 +17,24 @@ static void lockstep_set(unsigned *runs, int k, bool value) {
     *runs = (*runs & ~(1U << k)) | (unsigned)value << k;
 }
 
-static void lockstep_forget(struct lockstep *l, int k) {
-    lockstep_set(&l->live, k, false);
-    lockstep_set(&l->acting, k, false);
-    lockstep_set(&l->wanted, k, false);
+// Takes run k out of its lane.
+static void lockstep_free_lane(struct lockstep *l, int k) {
+    unsigned *const of[] = {&l->in_lanes, &l->live, &l->acting, &l->wanted};
+    for (int i = 0; i < 4; i++) {
+        lockstep_set(of[i], k, false);
+    }
+    l->lanes.active[k] = 0;
 }
 
 void ensemble_lockstep_enter(struct lockstep *l, int k, long n) {
     struct slot *slot = &l->slot[k];
     struct run *r = &slot->run;
-    if (slot->mode == SLOT_ALONE && work_factor(&r->work, r->model->dt) == STATUS_OK &&
+    if (ensemble_has(l->fits, k) && work_factor(&r->work, r->model->dt) == STATUS_OK &&
         flight_is_on_lines(&r->flight, r->next, r->now) && ensemble_lanes_enter(&l->lanes, k, r)) {
         run_forget_events(r);
-        slot->mode = SLOT_IN_LANES;
         slot->entered = n;
-        l->n_in_lanes++;
-        l->n_alone--;
+        lockstep_set(&l->in_lanes, k, true);
+        lockstep_set(&l->alone, k, false);
         lockstep_set(&l->live, k, r->now->n_live > 0);
     }
 }
@@ -42,19 +44,15 @@ void ensemble_lockstep_leave(struct lockstep *l, int k, long n) {
     ensemble_contacts_leave(&l->lanes, k, &slot->run);
     ensemble_lanes_leave(&l->lanes, k, &slot->run, model_time(slot->run.model, n),
                          n - slot->entered);
-    slot->mode = SLOT_ALONE;
-    l->n_in_lanes--;
-    l->n_alone++;
-    lockstep_forget(l, k);
+    lockstep_free_lane(l, k);
+    lockstep_set(&l->alone, k, true);
 }
 
 void ensemble_lockstep_end(struct lockstep *l, int k, int status) {
     struct slot *slot = &l->slot[k];
     ensemble_contacts_leave(&l->lanes, k, &slot->run);
-    *(slot->mode == SLOT_IN_LANES ? &l->n_in_lanes : &l->n_alone) -= 1;
-    slot->mode = SLOT_ENDED;
-    l->lanes.active[k] = 0;
-    lockstep_forget(l, k);
+    lockstep_free_lane(l, k);
+    lockstep_set(&l->alone, k, false);
     slot->member->status = analysis_end(&slot->run, status, &slot->member->results);
 }
 
@@ -243,9 +241,9 @@ static void lockstep_finish(struct lockstep *l, long n) {
             lockstep_give_up(l, k, n);
         }
     }
-    for (int k = 0; k < l->n; k++) {
+    EACH_RUN(k, l->in_lanes) {
         const struct ensemble_works *w = l->lanes.works;
-        if (l->lanes.active[k] && (w->beyond[k] | w->left[k]) < 0) {
+        if ((w->beyond[k] | w->left[k]) < 0) {
             lockstep_give_up(l, k, n);
         }
     }
@@ -293,9 +291,8 @@ long ensemble_lockstep_advance(struct lockstep *l, long n) {
     struct ensemble_lanes *e = &l->lanes;
     const bool live = l->live != 0;
     const long row = (n + l->every - 1) / l->every * l->every;
-    const long last =
-        l->n_alone > 0 || live ? n : number_least(number_least(l->known, l->due), row);
-    if (l->n_in_lanes == 0) {
+    const long last = l->alone || live ? n : number_least(number_least(l->known, l->due), row);
+    if (!l->in_lanes) {
         return last;
     }
     const wide *base = e->base + (n + ENSEMBLE_STRETCH - 1 - l->known);

@@ -334,21 +334,13 @@ void ensemble_contacts_commit(struct ensemble_lanes *e, double time, double h);
 
 // From step to step: in ensemble_lockstep.c, and the first in ensemble.c.
 
-enum slot_mode {
-    SLOT_IN_LANES,     // in the lanes
-    SLOT_ALONE,        // in a struct run, for a step
-    SLOT_STAYS_ALONE,  // in a struct run for good
-    SLOT_ENDED,        // after its last step, or with an error
-};
-
 // A run in lockstep with others, and its lane.
 struct slot {
     struct run run;
     struct ensemble_member *member;  // borrowed
-    enum slot_mode mode;
-    int ground;            // the first run whose ground moves as that of this one
-    long entered;          // the step after which it entered its lane
-    struct totals before;  // a step in which its links act
+    int ground;                      // the first run whose ground moves as that of this one
+    long entered;                    // the step after which it entered its lane
+    struct totals before;            // a step in which its links act
 };
 
 struct lockstep {
@@ -356,8 +348,11 @@ struct lockstep {
     const struct observer *observer;  // borrowed
     int n;
     struct slot slot[ENSEMBLE_MAX];  // (n) slot k has lane k
-    int n_in_lanes, n_alone;
-    // Bits of runs in lanes:
+    // Runs, a bit each:
+    unsigned in_lanes;
+    unsigned alone;  // in a struct run. Runs in neither way have ended
+    unsigned fits;   // these may enter their lanes
+    // Of those in lanes:
     unsigned live;    // their committed states have live links,
     unsigned acting;  // links act in the step under way outside of the lanes,
     unsigned wanted;  // and their forces are still to be solved for

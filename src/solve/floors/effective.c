@@ -46,15 +46,12 @@ static void alloc_one(struct effective *e, const struct building *building, enum
     e->stride = lanes_whole(building->n_dof);
     e->inverse = lanes_array(a, e->stride * e->stride);
     e->damping = padded(building->damping_full, building->n_dof, e->stride, a);
-    e->parts = padded(building->part_stiffness, building->n_dof, e->stride, a);
+    e->parts = e->damping ? padded(building->part_stiffness, building->n_dof, e->stride, a) : NULL;
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     e->reach = arena_alloc(a, n, sizeof *e->reach);
     if (e->tangent) {
         memcpy(e->tangent, building->spring, n * sizeof *e->tangent);
-    }
-    if (e->tangent && building->n_part > 0) {
-        memcpy(e->tangent + n, building->part_stiffness, n * n * sizeof *e->tangent);
-        memcpy(e->tangent + n + n * n, building->part_dashpot, n * n * sizeof *e->tangent);
+        parts_initial(building, e->tangent + n);
     }
 }
 
@@ -120,12 +117,27 @@ static double right_of(const struct effective *e, double b, int i) {
     return i + 1 < e->building->n_dof ? -b * e->tangent[i + 1] : 0.0;
 }
 
-static int factor_tridiagonal(struct effective *e, double b, double g) {
+// b times the tangent of the parts by the drift of storey i, and g times that by its rate, where
+// they couple no storeys.
+static double of_diagonal_parts(const struct effective *e, double b, double g, int i) {
+    const int n = e->building->n_dof;
+    return i < n ? b * e->tangent[n + i] + g * e->tangent[2 * n + i] : 0.0;
+}
+
+// Most buildings have no parts: for these, the compiler makes a loop without them.
+LANES_INLINE int factor_chain(struct effective *e, double b, double g, bool with_parts) {
     const struct building *building = e->building;
-    double carried = 0.0;
+    double carried = 0.0, own = with_parts ? of_diagonal_parts(e, b, g, 0) : 0.0;
     for (int i = 0; i < building->n_dof; i++) {
-        double d = diagonal(e, b, i) + g * building->damping_diagonal[i] - carried;
+        double d = diagonal(e, b, i) + g * building->damping_diagonal[i];
         double off = right_of(e, b, i) + g * building->damping_off[i];
+        if (with_parts) {
+            const double above = of_diagonal_parts(e, b, g, i + 1);
+            d += own + above;
+            off -= above;
+            own = above;
+        }
+        d -= carried;
         if (!(d > 0.0)) {
             return STATUS_RETRY;
         }
@@ -137,6 +149,10 @@ static int factor_tridiagonal(struct effective *e, double b, double g) {
     memset(e->ready, 0, (size_t)building->n_dof * sizeof *e->ready);
     e->n_ready = 0;
     return STATUS_OK;
+}
+
+static int factor_tridiagonal(struct effective *e, double b, double g) {
+    return e->building->n_part > 0 ? factor_chain(e, b, g, true) : factor_chain(e, b, g, false);
 }
 
 // b times the tangents of the parts by drifts and g times those by rates, on floors i and j.

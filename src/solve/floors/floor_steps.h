@@ -140,11 +140,11 @@ LANES_INLINE void floors_hand_over(const struct floor_block *b, double *q) {
     *(lanes_wide *)q = LANES_AT(q, b->end - b->first);
 }
 
-// Penetrations of a vector of contacts of a group, from number i on.
-LANES_INLINE void floors_delta(const struct gap_group *g, ptrdiff_t i, const double *gap,
+// Penetrations of a vector of contacts of a run, from number i on.
+LANES_INLINE void floors_delta(const struct gaps *g, const struct gap_run *r, ptrdiff_t i,
                                const double *u, const double *ground, floor_lanes *delta) {
-    const int left = g->ground[0], right = g->ground[1];
-    *delta = FLOORS_AT(u + g->dof[0], i) - FLOORS_AT(u + g->dof[1], i) - FLOORS_AT(gap, i);
+    const int left = r->ground[0], right = r->ground[1];
+    *delta = FLOORS_AT(u + r->left, i) - FLOORS_AT(u + r->right, i) - FLOORS_AT(g->gap + r->gap, i);
     if (left != right) {
         *delta += ground[left] - ground[right];
     }
@@ -155,32 +155,31 @@ struct floors_approach {
     floor_bits closed, nearer;  // closed, and closed or nearer than ever
 };
 
-// That of some groups of contacts.
-LANES_INLINE void floors_approach(const struct flight *f, int from, int to, const double *u,
+// That of some runs of contacts.
+LANES_INLINE void floors_approach(const struct gaps *g, int from, int to, const double *u,
                                   const double *ground, struct floors_approach *near) {
-    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *limit = f->work->gaps.limit;
-    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
-        EACH_OF_LANES(j) {
-            const ptrdiff_t i = j * FLOORS_VECTOR;
-            floor_lanes d;
-            floors_delta(g, i, gap, u, ground, &d);
-            near->closed |= (floor_bits)(0.0 - d);
-            near->nearer |= (floor_bits)(FLOORS_AT(limit + g->contact, i) - d);
+    for (const struct gap_run *r = g->run + from; r < g->run + to; r++) {
+        for (ptrdiff_t first = 0; first < r->n; first += LANES_WIDTH) {
+            EACH_OF_LANES(j) {
+                const ptrdiff_t i = first + j * FLOORS_VECTOR;
+                floor_lanes d;
+                floors_delta(g, r, i, u, ground, &d);
+                near->closed |= (floor_bits)(0.0 - d);
+                near->nearer |= (floor_bits)(FLOORS_AT(g->limit + r->first, i) - d);
+            }
         }
     }
 }
 
-// Notes the penetrations of `s` that are larger than ever.
-LANES_INLINE void floors_note(const struct flight *f, const struct state *s) {
-    const double *gap = f->gap;
-    struct gaps *gaps = &f->work->gaps;
-    for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++, gap += LANES_WIDTH) {
-        for (int i = 0; i < LANES_WIDTH; i += FLOORS_VECTOR) {
+// Notes the penetrations of `s` that are larger than ever, in runs below `end`.
+LANES_INLINE void floors_note(struct gaps *g, int end, const struct state *s) {
+    for (const struct gap_run *r = g->run; r < g->run + end; r++) {
+        for (int i = 0; i < r->n; i += FLOORS_VECTOR) {
             floor_lanes d;
-            floors_delta(g, i, gap, s->u, s->ground_u, &d);
-            const floor_bits larger = (floor_bits)(FLOORS_AT(gaps->nearest + g->contact, i) - d);
-            for (int k = 0; floors_any(&larger) && k < FLOORS_VECTOR; k++) {
-                gaps_note(gaps, g->contact + i + k, d[k], s->time);
+            floors_delta(g, r, i, s->u, s->ground_u, &d);
+            const floor_bits larger = (floor_bits)(FLOORS_AT(g->nearest + r->first, i) - d);
+            for (int k = 0; floors_any(&larger) && k < FLOORS_VECTOR && i + k < r->n; k++) {
+                gaps_note(g, r->first + i + k, d[k], s->time);
             }
         }
     }
@@ -202,7 +201,7 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
     if (w->model->chain.full_damping && w->floors.account.due) {
         floors_full_work(w, next, now);
     }
-    for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
+    for (int i = 0, run = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
         const struct span s = floors_span(b, few);
         double *q = f && f->n_link == 0 ? w->floors.correction : w->correction + s.first;
@@ -223,9 +222,9 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
             floors_hand_over(b, q);
         }
         if (f) {
-            floors_approach(f, group, f->group_end[i], pass.next.u, next->ground_u, &near);
+            floors_approach(&w->gaps, run, f->run_end[i], pass.next.u, next->ground_u, &near);
             ends |= near.closed;
-            group = f->group_end[i];
+            run = f->run_end[i];
         }
         if (f && floors_any(&ends)) {
             break;
@@ -238,7 +237,7 @@ LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
     }
     const bool taken = !floors_any(&ends);
     if (f && taken && floors_any(&near.nearer)) {
-        floors_note(f, next);
+        floors_note(&w->gaps, f->run_end[w->floors.n_block - 1], next);
     }
     return taken;
 }
@@ -291,43 +290,26 @@ LANES_INLINE ptrdiff_t floors_few(const struct model *m) {
     return state_is_uniform(m) && m->chain.n <= 2 * LANES_WIDTH ? m->chain.n : 0;
 }
 
-static const struct floors_lines elastic = {0};
+// A function for each number of few floors, which is a constant there, and for all others.
+#define FLOORS_BY_FEW(m, function, ...)                                                            \
+    (floors_few(m) == LANES_WIDTH       ? function(__VA_ARGS__, LANES_WIDTH)                       \
+     : floors_few(m) == 2 * LANES_WIDTH ? function(__VA_ARGS__, 2L * LANES_WIDTH)                  \
+                                        : function(__VA_ARGS__, 0))
 
-LANES_INLINE long floors_fly_on(const struct flight *f, const struct floors_lines *lines,
-                                struct state **now, struct state **next, long n, long end) {
-    switch (floors_few(f->model)) {
-        case LANES_WIDTH:
-            return floors_fly_from(f, lines, now, next, n, end, LANES_WIDTH);
-        case 2 * LANES_WIDTH:
-            return floors_fly_from(f, lines, now, next, n, end, 2L * LANES_WIDTH);
-        default:
-            return floors_fly_from(f, lines, now, next, n, end, 0);
-    }
-}
+static const struct floors_lines elastic = {0};
 
 FLOORS_CLONES static long floor_steps_fly(const struct flight *f, struct state **now,
                                           struct state **next, long n, long end) {
     const struct floors_lines lines = {f->back, f->spring, f->rest, f->limit, NULL};
-    return f->on_lines ? floors_fly_on(f, &lines, now, next, n, end)
-                       : floors_fly_on(f, &elastic, now, next, n, end);
-}
-
-LANES_INLINE bool floors_move_by(struct work *w, const struct floors_lines *lines,
-                                 const struct state *now, struct state *next) {
-    switch (floors_few(w->model)) {
-        case LANES_WIDTH:
-            return floors_step(w, NULL, lines, now, next, LANES_WIDTH);
-        case 2 * LANES_WIDTH:
-            return floors_step(w, NULL, lines, now, next, 2L * LANES_WIDTH);
-        default:
-            return floors_step(w, NULL, lines, now, next, 0);
-    }
+    return f->on_lines ? FLOORS_BY_FEW(f->model, floors_fly_from, f, &lines, now, next, n, end)
+                       : FLOORS_BY_FEW(f->model, floors_fly_from, f, &elastic, now, next, n, end);
 }
 
 FLOORS_CLONES static bool floor_steps_move(struct work *w, const struct state *now,
                                            struct state *next, const double *shear) {
     const struct floors_lines lines = {.given = shear};
-    return shear ? floors_move_by(w, &lines, now, next) : floors_move_by(w, &elastic, now, next);
+    return shear ? FLOORS_BY_FEW(w->model, floors_step, w, NULL, &lines, now, next)
+                 : FLOORS_BY_FEW(w->model, floors_step, w, NULL, &elastic, now, next);
 }
 
 FLOORS_CLONES static void floor_steps_correct(struct work *w, const struct state *now,

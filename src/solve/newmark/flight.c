@@ -17,34 +17,18 @@
 #include "solve/contact/sweep.h"
 #include "solve/forcing.h"
 
-// Groups the runs of contacts, a vector at a time, and assigns each group to the first block of
-// floors after which both its ends are known, in order.
-static void flight_group_contacts(struct flight *f) {
-    const struct model *m = f->model;
+// Finds the runs of contacts that can be checked after each block of floors, as both ends are
+// known.
+static void flight_find_runs(struct flight *f) {
+    const struct floor_block *block = f->work->floors.block;
     const struct gaps *gaps = &f->work->gaps;
-    const struct floors *floors = &f->work->floors;
-    int block = 0;
-    for (int i = 0, n; i < m->n_contact; f->n_group++, i += n) {
-        const struct gap_run *r = &gaps->run[gaps->run_of[i]];
-        const struct link *l = &m->link[i];
-        const int left = r->first + r->n - i;
-        const int last = l->building[0] > l->building[1] ? l->building[0] : l->building[1];
-        struct gap_group *g = &f->group[f->n_group];
-        n = left < LANES_WIDTH ? left : LANES_WIDTH;
-        *g = (struct gap_group){.contact = i};
-        for (int side = 0; side < 2; side++) {
-            g->dof[side] = state_end(l, m, side);
-            g->ground[side] = l->moving_ground ? m->building[l->building[side]].ground : 0;
+    for (int i = 0, k = 0; k < f->work->floors.n_block; k++) {
+        const int next = block[k].building + block[k].n_building;
+        while (i < gaps->n_run && gaps->run[i].first < f->model->n_contact &&
+               gaps->run[i].building[0] < next && gaps->run[i].building[1] < next) {
+            i++;
         }
-        for (int k = 0; k < LANES_WIDTH; k++) {
-            f->gap[f->n_group * LANES_WIDTH + k] = k < n ? gaps->gap[i + k] : INFINITY;
-        }
-        while (floors->block[block].building + floors->block[block].n_building <= last) {
-            f->group_end[block++] = f->n_group;
-        }
-    }
-    for (; block < floors->n_block; block++) {
-        f->group_end[block] = f->n_group;
+        f->run_end[k] = i;
     }
 }
 
@@ -57,9 +41,9 @@ enum { LINKS_MAX = 100 };
 // must be in one block, as they are solved for together. Limits of drift are seen as ends of lines.
 static bool flight_is_possible(const struct model *m, const struct floors *floors) {
     const int n_link = m->n_link - m->n_contact;
-    bool possible = (m->elastic || !m->chain.full_damping) && !m->storeys_differ &&
-                    n_link <= LINKS_MAX && (n_link == 0 || floors->n_block == 1) &&
-                    !(m->collapse && state_is_linear(m));
+    bool possible = (m->elastic || !(m->chain.full_damping || m->chain.parts)) &&
+                    !m->storeys_differ && n_link <= LINKS_MAX &&
+                    (n_link == 0 || floors->n_block == 1) && !(m->collapse && state_is_linear(m));
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         possible = possible && (l->bilateral ? bilateral_is_linear(l->law, l->constant)
@@ -116,14 +100,11 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
         .on_lines = !state_is_linear(m),
         .uniform = state_is_uniform(m),
     };
-    size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->n_link = f->possible ? m->n_link - m->n_contact : 0;
     f->transfer = arena_alloc(a, (size_t)f->n_link * (size_t)f->n_link, sizeof *f->transfer);
     f->order = arena_alloc(a, (size_t)f->n_link, sizeof *f->order);
     f->force = arena_alloc(a, (size_t)f->n_link, sizeof *f->force);
-    f->group = arena_alloc(a, n, sizeof *f->group);
-    f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
-    f->group_end = arena_alloc(a, (size_t)m->n_body, sizeof *f->group_end);
+    f->run_end = arena_alloc(a, (size_t)m->n_body, sizeof *f->run_end);
     f->back = lanes_array(a, m->n_dof);
     f->spring = lanes_array(a, m->n_dof);
     f->rest = lanes_array(a, m->n_dof);
@@ -132,7 +113,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct impact_log *impacts, 
         return false;
     }
     if (f->possible) {
-        flight_group_contacts(f);
+        flight_find_runs(f);
     }
     return true;
 }

@@ -9,13 +9,6 @@
 #include "solve/account/impacts.h"
 #include "solve/work.h"
 
-// Contacts of one run of gaps.h, LANES_WIDTH at most.
-struct gap_group {
-    int contact;    // the first
-    int dof[2];     // its ends; a wall is the zero behind the floors
-    int ground[2];  // under its ends; equal where the grounds do not move them apart
-};
-
 struct flight {
     const struct model *model;  // borrowed, as are the next two
     struct work *work;
@@ -27,10 +20,7 @@ struct flight {
 
     double *back, *spring, *rest, *limit;  // (n_dof) the storeys' branches: struct storey_branch
 
-    int n_group;
-    struct gap_group *group;  // (n_group)
-    double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
-    int *group_end;           // by block of floors: after it, groups below this can be checked
+    int *run_end;  // by block of floors: after it, runs of gaps.h below this can be checked
 
     int n_link;        // bilateral links, all linear
     double *transfer;  // (n_link, n_link) (I + D S)^-1, by columns

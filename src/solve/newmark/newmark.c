@@ -60,26 +60,42 @@ LANES static bool newmark_agrees(const struct work *w, const struct state *next,
     return beyond == 0;
 }
 
-// The same for a building with parts, whose shears depend on all its drifts and their rates.
+// The tangents of the shear of storey i by the drifts and the rates of storeys `first` to end - 1,
+// of the parts of a building: by_drift[first] and so on. All others are 0.
+struct newmark_row {
+    int first, end;
+    const double *by_drift, *by_rate;
+};
+
+static inline struct newmark_row newmark_row_of(const struct work *w, int k, int i) {
+    const struct building *g = &w->model->building[k];
+    const double *by_drift = w->effective[k].tangent + g->n_dof;
+    const ptrdiff_t half = (building_n_tangent(g) - g->n_dof) / 2;
+    const ptrdiff_t row = g->damping_full ? (ptrdiff_t)i * g->n_dof : 0;
+    const int first = g->damping_full ? 0 : i, end = g->damping_full ? g->n_dof : i + 1;
+    return (struct newmark_row){first, end, by_drift + row, by_drift + half + row};
+}
+
+// The same for a building with parts, whose shears depend on the drifts of others, and on rates.
 static bool newmark_parts_agree(const struct work *w, const struct state *next, int k) {
     const struct building *g = &w->model->building[k];
     const struct storeys *from = &w->storeys;
-    const int first = g->first, n = g->n_dof;
+    const int first = g->first;
     const double *tangent = w->effective[k].tangent;
-    const double *by_drift = tangent + n, *by_rate = by_drift + (size_t)n * (size_t)n;
     bool agree = true;
-    for (int i = 0; i < n; i++, by_drift += n, by_rate += n) {
+    for (int i = 0; i < g->n_dof; i++) {
+        const struct newmark_row row = newmark_row_of(w, k, i);
         double predicted = from->shear[first + i];
         double rounding = 0.0;
-        for (int j = 0; j < n; j++) {
+        for (int j = row.first; j < row.end; j++) {
             const int at = first + j;
-            const double stiffness = by_drift[j] + (j == i ? tangent[i] : 0.0);
+            const double stiffness = row.by_drift[j] + (j == i ? tangent[i] : 0.0);
             const double u = next->u[at], v = next->v[at];
             const double drift = next->drift[at], rate = next->rate[at];
             predicted +=
-                stiffness * (drift - from->drift[at]) + by_rate[j] * (rate - from->rate[at]);
+                stiffness * (drift - from->drift[at]) + row.by_rate[j] * (rate - from->rate[at]);
             rounding += fabs(stiffness) * (fabs(u - drift) + fabs(u) + fabs(from->drift[at])) +
-                        fabs(by_rate[j]) * (fabs(v - rate) + fabs(v) + fabs(from->rate[at]));
+                        fabs(row.by_rate[j]) * (fabs(v - rate) + fabs(v) + fabs(from->rate[at]));
         }
         const double shear = next->shear[first + i];
         agree = agree && fabs(shear - predicted) <=
@@ -93,12 +109,14 @@ static bool newmark_parts_agree(const struct work *w, const struct state *next, 
 static int newmark_linearise_parts(struct work *w, const struct state *now, const struct state *at,
                                    int k) {
     const struct building *g = &w->model->building[k];
-    const size_t n = (size_t)g->n_dof, size = 2 * n * n * sizeof(double);
-    double *by_drift = w->effective[k].tangent + n;
+    const size_t n = (size_t)(building_n_tangent(g) - g->n_dof), size = n * sizeof(double);
+    double *by_drift = w->effective[k].tangent + g->n_dof;
     double *memory = w->memory->part_tangent + g->part_tangent;
     memset(by_drift, 0, size);
-    const struct part_sums sums = {
-        .by_drift = by_drift, .by_rate = by_drift + n * n, .scratch = at->scratch};
+    const struct part_sums sums = {.diagonal = !g->damping_full,
+                                   .by_drift = by_drift,
+                                   .by_rate = by_drift + n / 2,
+                                   .scratch = at->scratch};
     parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first, &sums, NULL);
     const bool found = !isnan(by_drift[0]);
     w->lost = found ? w->lost : k;
@@ -130,21 +148,21 @@ static int newmark_linearise(struct work *w, const struct state *now, const stru
 }
 
 // Takes the shears of building k at a state to the trial, on the tangents it is factorised with.
-static void newmark_extrapolate(const struct work *w, const struct state *from, int k) {
+LANES static void newmark_extrapolate(const struct work *w, const struct state *from, int k) {
     const struct building *g = &w->model->building[k];
-    const struct storeys *trial = &w->storeys;
-    const int first = g->first, n = g->n_dof;
-    const double *tangent = w->effective[k].tangent;
-    const double *by_drift = tangent + n, *by_rate = by_drift + (ptrdiff_t)n * n;
-    for (int i = 0; i < n; i++) {
-        const int at = first + i;
-        double shear = from->shear[at] + tangent[i] * (trial->drift[at] - from->drift[at]);
-        for (int j = 0; j < (g->n_part > 0 ? n : 0); j++) {
-            const int other = first + j;
-            shear += by_drift[i * n + j] * (trial->drift[other] - from->drift[other]) +
-                     by_rate[i * n + j] * (trial->rate[other] - from->rate[other]);
+    const int first = g->first;
+    const double *tangent = w->effective[k].tangent, *trial = w->storeys.drift + first;
+    const double *shear = from->shear + first, *drift = from->drift + first;
+    double *restrict to = w->storeys.shear + first;
+    for (int i = 0; i < g->n_dof; i++) {
+        to[i] = shear[i] + tangent[i] * (trial[i] - drift[i]);
+    }
+    for (int i = 0; g->n_part > 0 && i < g->n_dof; i++) {
+        const struct newmark_row row = newmark_row_of(w, k, i);
+        for (int j = row.first; j < row.end; j++) {
+            to[i] += row.by_drift[j] * (trial[j] - drift[j]) +
+                     row.by_rate[j] * (w->storeys.rate[first + j] - from->rate[first + j]);
         }
-        trial->shear[at] = shear;
     }
 }
 
@@ -203,17 +221,6 @@ static int newmark_not_finite(const struct model *m, const struct state *s, stru
     return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g", s->time);
 }
 
-// The shears of building g at drifts near those of `now`, by the tangents it is factorised with.
-LANES static void newmark_predict_shears(const struct building *g, const double *tangent,
-                                         const struct state *now, struct state *next) {
-    const double *shear_0 = now->shear + g->first, *drift_0 = now->drift + g->first;
-    const double *restrict drift = next->drift + g->first;
-    double *restrict shear = next->shear + g->first;
-    for (int i = 0; i < g->n_dof; i++) {
-        shear[i] = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
-    }
-}
-
 // Drifts and shears at the trial. Storeys of straight lines most likely stay on theirs: the end of
 // the step tells. The tangents of smooth laws change in every step; those at the trial are close
 // enough to those at the end of most steps.
@@ -232,10 +239,8 @@ static int newmark_try(struct work *w, const struct state *now, const struct sta
             floors_trial(w, now, k);
             state_rates(&trial, g, w->v_trial);
         }
-        if (g->predictable && g->n_part > 0) {
+        if (g->predictable) {
             newmark_extrapolate(w, now, k);
-        } else if (g->predictable) {
-            newmark_predict_shears(g, w->effective[k].tangent, now, &trial);
         } else if (!g->elastic) {
             state_storeys(&trial, m, g, history, trial.storey_history);
         }

@@ -63,7 +63,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
         return false;
     }
     floors_account_to(&r->work, &r->energy, r->results);
-    floors_forces_to(&r->work, m->n_force > 0 ? &r->forces : NULL);
+    floors_forces_to(&r->work, force_peaks_due(&r->forces) ? &r->forces : NULL);
     return true;
 }
 
@@ -106,7 +106,7 @@ static int run_step_commit(struct run *r) {
     r->now = r->next;
     r->next = old;
     r->results->totals.steps++;
-    if (r->model->n_force > 0) {
+    if (force_peaks_due(&r->forces)) {
         force_peaks_note(&r->forces, r->now);
     }
     if (status == STATUS_OK && r->results->collapse.happened) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What jostle compare reads: histories of runs, and those beside them.
+#ifndef JOSTLE_COMPARE_H
+#define JOSTLE_COMPARE_H
+
+#include "command/option.h"
+#include "core/arena.h"
+#include "jostle/result.h"
+#include "study/comparison.h"
+
+extern const struct command command_compare;
+
+struct comparing {
+    const char *quantity;  // as asked for; NULL: all displacements
+    const char *measured;  // the file; NULL: none
+    struct arena *arena;
+    enum field field;
+    const char *owner;  // of the quantity; NULL: all
+    int floor;          // from 1; 0: all
+    struct unit_system units;
+    const char *title;
+    int n;
+    struct comparison_pair *pair;  // (n)
+};
+
+// Reads `quantity`. Returns EXIT_DONE or, after a message, the exit status.
+int compare_read_quantity(struct comparing *c);
+
+// The number of the field in field_names.
+int compare_index(enum field field);
+
+void compare_replace(char *text, char from, char to);
+
+// The histories of a run and those of another one, or of a file of columns; those of all runs and
+// the measured one. Errors: STATUS_INPUT, STATUS_SYSTEM.
+int compare_two(struct comparing *c, const char *path, const char *other, struct error *e);
+int compare_all(struct comparing *c, const struct words *run, struct error *e);
+
+#endif
