@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-// The pace is checked once in so many steps.
+// The pace is checked once in so many steps, but for the first of them: in a start from rest, steps
+// may be far shorter than later on.
 enum { PACE_STEPS = 20000 };
 
 // The equal parts may be this much longer than the error control asks for: less than 1 / SAFETY of
@@ -21,7 +22,7 @@ bool pace_is_slow(struct pace *p, const struct model *m, double time, double *st
     double way = time - p->time;
     p->time = time;
     *step = way / PACE_STEPS;
-    return way * ADAPTIVE_STEPS_MAX < PACE_STEPS * m->duration;
+    return p->tried > PACE_STEPS && way * ADAPTIVE_STEPS_MAX < PACE_STEPS * m->duration;
 }
 
 void pace_next(double time, double goal, double trial, double longest, double *h, double *end) {

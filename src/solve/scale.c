@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+// Share of the expected motion that counts as its size from the start.
+static const double EXPECTED = 1e-2;
+
 // A building that has hardly moved yet is measured by a hundredth of the largest motion of any:
 // otherwise the first touch of a building at rest would take steps without end.
 static const double SHARE = 1e-2;
@@ -40,7 +43,7 @@ void scale_expect(struct scales *s, const struct model *m) {
         time = fmin(time, 1.0 / m->building[k].omega[0]);
     }
     s->most_a = acceleration;
-    s->most_v = SCALE_EXPECTED * acceleration * time;
+    s->most_v = EXPECTED * acceleration * time;
     s->most_u = s->most_v * time;
 }
 

@@ -12,9 +12,6 @@
 // Of a length: what means nothing.
 static const double SCALE_ROUNDING = 64.0 * DBL_EPSILON;
 
-// Share of the expected motion that counts as its size from the start.
-static const double SCALE_EXPECTED = 1e-2;
-
 struct scales {
     double *over_u, *over_v;  // [1/L] [T/L] (n_dof) 1 over the sizes; 0: nothing moves
     double most_u, most_v;    // [L] [L/T] of any building so far

@@ -49,6 +49,25 @@ static void peaks_of_accelerations_are_those_of_forces(void **state) {
     }
 }
 
+// u = (v / omega) sin(omega t): the acceleration is largest, v omega, at a quarter of the period,
+// inside one of a few steps. With a second ground that hardly moves, other bounds tell that a peak
+// may be there.
+static void peaks_of_accelerations_between_steps_are_exact(void **state) {
+    (void)state;
+    static const char *const other[] = {
+        "", "building B -floors 1 -mass 1 -stiffness 100\n"
+            "ground sine -amplitude 1e-9 -frequency 1Hz -buildings B\n"};
+    for (int i = 0; i < 2; i++) {
+        struct analysis a = analysis_of(OSCILLATOR "initial A:1 -velocity 0.3\n%s"
+                                                   "step adaptive -tolerance 1e-7\nduration 0.3\n",
+                                        other[i]);
+        const double omega = 4.0 * acos(-1.0);
+        assert_close(a.results->peak[PEAK_ACCELERATION][0], 0.3 * omega, 1e-7);
+        assert_close(a.results->peak_time[PEAK_ACCELERATION][0], 0.125, 1e-4);
+        analysis_free(&a);
+    }
+}
+
 // A mass of 2 under 10 for half a second, after which it keeps its velocity; so says the impulse.
 static void a_load_that_ends_at_once_leaves_a_constant_velocity(void **state) {
     (void)state;
@@ -358,6 +377,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_free_vibration_follows_the_cosine_and_its_peaks_are_exact),
         cmocka_unit_test(peaks_of_accelerations_are_those_of_forces),
+        cmocka_unit_test(peaks_of_accelerations_between_steps_are_exact),
         cmocka_unit_test(a_load_that_ends_at_once_leaves_a_constant_velocity),
         cmocka_unit_test(error_and_energy_residual_go_with_the_tolerance),
         cmocka_unit_test(two_buildings_are_followed_to_less_than_a_micrometre),

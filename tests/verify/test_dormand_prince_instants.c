@@ -81,12 +81,32 @@ static void a_row_at_a_jump_but_for_rounding_shows_what_is_after_it(void **state
     }
 }
 
+// A mass under a constant force meets a stop with 1 m/s, and another one 1e-12 s later. Its
+// velocity turns between them. In so short a step displacements are rounded by more than they
+// change, so that velocities on the path between them are wrong: by 1e-8 here.
+static void a_step_between_events_at_one_instant_has_no_peaks_by_rounding(void **state) {
+    (void)state;
+    struct analysis a =
+        analysis_of("building A -floors 1 -mass 1 -stiffness 0\nload A:1 constant 1\n"
+                    "contact A:1 wall -gap 0.5 -law linear -k 1e10 -name one\n"
+                    "contact A:1 wall -gap ${0.5 + 1e-12} -law linear -k 1e9 -name two\n"
+                    "integrator dormand-prince\nstep adaptive -tolerance 1e-9\nduration 1.5\n");
+    // Energy: until the first stop pushes with 1 N, the velocity grows by 5e-11 of itself.
+    assert_close(a.results->peak[PEAK_VELOCITY][0], 1.0, 1e-10);
+    // Then v^2 = K x^2 - 2 x with both stops, but for the 1e-12 m between them.
+    const double k = 1.1e10, depth = (1.0 + sqrt(1.0 + k)) / k;
+    assert_close(a.results->peak[PEAK_DISPLACEMENT][0], 0.5 + depth, 1e-12);
+    assert_close(a.results->peak[PEAK_ACCELERATION][0], k * depth - 1.0, 1e-6);
+    analysis_free(&a);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_at_rest_that_touch_do_not_hit),
         cmocka_unit_test(bodies_that_turn_where_they_touch_do_not_stick),
         cmocka_unit_test(a_row_at_a_jump_shows_what_is_after_it),
         cmocka_unit_test(a_row_at_a_jump_but_for_rounding_shows_what_is_after_it),
+        cmocka_unit_test(a_step_between_events_at_one_instant_has_no_peaks_by_rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

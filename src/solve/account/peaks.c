@@ -79,8 +79,7 @@ void peaks_founded(struct results *r, const struct model *m, const struct state 
                            shear);
         for (int q = 0; q < 2; q++) {
             for (int i = 0; i < g->n_floor; i++) {
-                peak_larger(fabs(value[q][i]), s->time, &r->founded_peak[q][g->first + i],
-                            &r->founded_time[q][g->first + i]);
+                peaks_storey(r, founded_quantity[q], g->first + i, value[q][i], s->time);
             }
         }
     }

@@ -5,8 +5,6 @@
 #include <math.h>
 
 #include "core/arena.h"
-#include "law/bilateral.h"
-#include "model/foundation.h"
 #include "solve/dormand_prince/dp.h"
 #include "solve/forcing.h"
 #include "solve/run.h"
@@ -39,7 +37,6 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, grown),
     FIELD_VALUE(struct dp, jumped),
     FIELD_VALUE(struct dp, is_steep),
-    FIELD_VALUE(struct dp, slow),
     FIELD_VALUE(struct dp, pace),
     FIELD_VALUE(struct dp, event),
     FIELD_VALUE(struct dp, last_link),
@@ -96,7 +93,6 @@ static void dp_start(struct run *r) {
     dp_bind(&p->stage[0], &p->now);
     dp_bind(&p->stage[DP_LAST], &p->next);
     scale_expect(&p->scales, p->model);
-    p->slow = p->model->control.tolerance * p->scales.most_v / SCALE_EXPECTED;
     dp_rates_start(p);
     dp_rates_at(p, p->now.time, DP_ALL, &p->stage[0]);
     dp_step_gaps(p, &p->now, p->rate[0]);

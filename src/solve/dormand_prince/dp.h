@@ -6,6 +6,10 @@
 #ifndef JOSTLE_DP_H
 #define JOSTLE_DP_H
 
+#include <float.h>
+
+#include "law/bilateral.h"
+#include "model/foundation.h"
 #include "model/stability.h"
 #include "solve/account/impacts.h"
 #include "solve/contact/gaps.h"
@@ -163,7 +167,6 @@ struct dp {
     bool grown;            // motions have grown since the scales were made
     bool jumped;           // something has jumped at `now`, and no peaks have been taken since
     bool is_steep;         // a force may begin with an infinite slope at `now`
-    double slow;           // [L/T] below it, dampers with an infinite slope at v = 0 are linear
     struct pace pace;      // of all steps
 
     // Its event.
@@ -198,12 +201,50 @@ double dp_rates_shear(const struct dp *p, int i, double drift);
 // Brings the histories of `now` to its present drifts, penetrations and velocities.
 void dp_rates_commit(struct dp *p);
 
-// The response of link k at (d, v) on its branch; d and v may lie beyond it.
-struct contact_response dp_rates_response(const struct dp *p, int k, double d, double v);
-
-// Response and flow of live link number i, from r->creep; and the creep at place x of the step.
-void dp_rates_link(const struct dp *p, int i, double d, double v, struct dp_link_rates *r);
+// The creep of live link number i at place x of the step.
 double dp_rates_creep(const struct dp *p, int i, double x);
+
+// The response of a damper whose slope has no bound at v = 0.
+struct contact_response dp_rates_steep(const struct dp *p, const struct link *l, double d,
+                                       double v);
+
+// The response of link k at (d, v) on its branch; d and v may lie beyond it. In line, as is the
+// next function: each stage calls them for each link.
+static inline struct contact_response dp_rates_response(const struct dp *p, int k, double d,
+                                                        double v) {
+    const struct link *l = &p->model->link[k];
+    const double *history = p->now.link_history + l->history;
+    if (l->bilateral) {
+        return bilateral_is_steep(l->law, l->constant) ? dp_rates_steep(p, l, d, v)
+                                                       : l->law->force(l->constant, history, d, v);
+    }
+    int phase = p->system.phase[k];
+    double inside = d > 0.0 ? d : 0.0;
+    double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
+    struct contact_response r = l->law->force(l->constant, history, inside, seen);
+    if (seen != v) {
+        r.force += r.dfdv * v;
+    }
+    if (inside != d) {
+        r.force += r.dfdd * d;
+    }
+    return r;
+}
+
+// Response and flow of live link number i, from r->creep.
+static inline void dp_rates_link(const struct dp *p, int i, double d, double v,
+                                 struct dp_link_rates *r) {
+    const int k = p->now.live[i];
+    const struct link *l = &p->model->link[k];
+    if (l->law->creep) {
+        const double history[] = {0.0, r->creep, 0.0};
+        r->response = l->law->force(l->constant, history, d, v);
+        r->flow = l->law->creep(l->constant, r->response.force);
+    } else {
+        r->response = dp_rates_response(p, k, d, v);
+        r->flow = 0.0;
+    }
+}
 
 // Whose rates are asked for: those of one building, by its index, or of all.
 enum { DP_ALL = -1 };
@@ -259,6 +300,12 @@ static inline double dp_displacement(const struct dp *p, int what, int i, const 
 static inline double dp_drift(const struct dp *p, int what, int i, const double *x) {
     (void)what;
     return x[i] - p->model->chain.joint[i] * x[i - 1];
+}
+
+// The drift of the storey below floor i, without its foundation.
+static inline double dp_deformation(const struct dp *p, int what, int i, const double *x) {
+    (void)what;
+    return foundation_across(p->model, i, x);
 }
 
 // The motion of link k in the step.

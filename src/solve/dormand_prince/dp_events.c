@@ -16,7 +16,6 @@
 #include <math.h>
 
 #include "core/root.h"
-#include "model/foundation.h"
 #include "solve/dormand_prince/dp.h"
 
 enum { ITERATIONS_MAX = 60 };
@@ -251,12 +250,6 @@ static struct dp_event dp_storey_event(const struct dp *p, int i) {
         }
     }
     return nothing;
-}
-
-// The drift of a storey, without its foundation.
-static double dp_deformation(const struct dp *p, int what, int i, const double *x) {
-    (void)what;
-    return foundation_across(p->model, i, x);
 }
 
 // Where the drift of storey i reaches its limit, and passes it by less than rounding counts.

@@ -11,7 +11,6 @@
 
 #include "core/number.h"
 #include "model/forces.h"
-#include "model/foundation.h"
 #include "model/struck_column.h"
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
@@ -87,7 +86,7 @@ static bool dp_may_exceed(const struct dp *p, double peak, double rate0, double 
 }
 
 // The displacement or drift of floor i where it turns.
-static void dp_floor_turns(struct dp *p, enum peak q, int i, const struct motion *m) {
+static void dp_floor_turns(struct dp *p, int q, int i, const struct motion *m) {
     if (dp_may_exceed(p, p->results->peak[q][i], m->v[0], m->d[1], m->v[1])) {
         dp_note_turns(p, dp_note_floor, q, i, m);
     }
@@ -213,11 +212,6 @@ static double dp_linear_shear(const struct dp *p, int what, int i, const double 
     return sum;
 }
 
-static double dp_deformation(const struct dp *p, int what, int i, const double *x) {
-    (void)what;
-    return foundation_across(p->model, i, x);
-}
-
 // The storey shears of a building with parts, and the deformations on a foundation. Shears of parts
 // that yield are known at the end of the step only.
 static void dp_part_shears(struct dp *p, const struct building *g) {
@@ -285,9 +279,11 @@ static void dp_columns(struct dp *p) {
         const int k = m->n_link - m->n_column + i;
         const double spring =
             c->yields ? dp_rates_response(p, k, p->next.delta[k], 0.0).force : 0.0;
-        for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
             if (c->yields) {
-                dp_note_column(p, q, i, struck_column_force(c, q, p->next.u, spring), p->next.time);
+                const double force =
+                    struck_column_force(c, (enum column_force)q, p->next.u, spring);
+                dp_note_column(p, q, i, force, p->next.time);
             } else {
                 dp_follow(p, dp_column_force, dp_note_column, q, i);
             }
@@ -300,7 +296,6 @@ static void dp_rescale(struct dp *p) {
     if (p->grown) {
         p->grown = false;
         scale_update(&p->scales, p->model, p->results);
-        p->slow = fmax(p->slow, p->model->control.tolerance * p->scales.most_v);
     }
 }
 

@@ -13,7 +13,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "law/bilateral.h"
 #include "model/parts.h"
 #include "model/storey_force.h"
 #include "solve/dormand_prince/dp.h"
@@ -257,52 +256,19 @@ static void dp_load_rates(const struct dp *p, double t, int k, struct dp_rates *
 }
 
 // The force k d + f(v) of a damper whose slope has no bound at v = 0, with f(w) v / w in place of
-// f(v), w^2 = v^2 + s^2. The velocity s = p->slow is the tolerance times that of the motion, so
-// that a link which this lets creep moves by no more than the steps may be wrong. Without it steps
-// become shorter and shorter where the ends of such a damper move alike: the rate at which they do
-// so is f(v) / (m v).
-static struct contact_response dp_steep_response(const struct dp *p, const struct link *l,
-                                                 const double *history, double d, double v) {
-    const double w = hypot(v, p->slow), share = w > 0.0 ? v / w : 0.0;
+// f(v), w^2 = v^2 + s^2. The velocity s is that by which steps may be wrong. Without it steps
+// become shorter and shorter where the ends of such a damper move alike: the rate at which they
+// come to do so is f(v) / (m v).
+struct contact_response dp_rates_steep(const struct dp *p, const struct link *l, double d,
+                                       double v) {
+    const double *history = p->now.link_history + l->history;
+    const double least = p->model->control.tolerance * p->scales.most_v;
+    const double w = hypot(v, least), share = w > 0.0 ? v / w : 0.0;
     struct contact_response r = l->law->force(l->constant, history, d, w);
     const double spring = r.dfdd * d, damper = r.force - spring;
     r.force = spring + damper * share;
     r.dfdv = w > 0.0 ? share * share * r.dfdv + (1.0 - share * share) * damper / w : r.dfdv;
     return r;
-}
-
-// In line, as is the next function: each stage calls them for each link.
-inline struct contact_response dp_rates_response(const struct dp *p, int k, double d, double v) {
-    const struct link *l = &p->model->link[k];
-    const double *history = p->now.link_history + l->history;
-    if (l->bilateral) {
-        return bilateral_is_steep(l->law, l->constant) ? dp_steep_response(p, l, history, d, v)
-                                                       : l->law->force(l->constant, history, d, v);
-    }
-    int phase = p->system.phase[k];
-    double inside = d > 0.0 ? d : 0.0;
-    double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
-    struct contact_response r = l->law->force(l->constant, history, inside, seen);
-    if (seen != v) {
-        r.force += r.dfdv * v;
-    }
-    if (inside != d) {
-        r.force += r.dfdd * d;
-    }
-    return r;
-}
-
-inline void dp_rates_link(const struct dp *p, int i, double d, double v, struct dp_link_rates *r) {
-    const int k = p->now.live[i];
-    const struct link *l = &p->model->link[k];
-    if (l->law->creep) {
-        const double history[] = {0.0, r->creep, 0.0};
-        r->response = l->law->force(l->constant, history, d, v);
-        r->flow = l->law->creep(l->constant, r->response.force);
-    } else {
-        r->response = dp_rates_response(p, k, d, v);
-        r->flow = 0.0;
-    }
 }
 
 double dp_rates_creep(const struct dp *p, int i, double x) {

@@ -16,7 +16,6 @@
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "law/bilateral.h"
 #include "solve/dormand_prince/dp.h"
 
 static const double SAFETY = 0.9;
