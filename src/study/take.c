@@ -106,7 +106,7 @@ static int fill(void *context, const struct model *m, struct study_outcome *outc
                 struct error *e) {
     const struct filling *f = context;
     const struct study_table *t = f->from->table;
-    struct report *report;
+    struct report *report = NULL;
     double *all = malloc((t->n_value + 1) * sizeof *all);
     (void)outcome;
     int status = all ? report_create(m, NULL, NULL, "", &report, e) : error_no_memory(e);
