@@ -144,7 +144,8 @@ fi
 table=$root/tests/peers/export.tsv
 missing=
 for deck in "$root"/input/*.deck "$root"/tests/peers/models/*.deck; do
-    name=${deck##*/}
+    name=${deck#"$root"/input/}
+    name=${name#"$root"/tests/peers/}
     grep -q "^${name%.deck}	linear	" "$table" || missing="$missing $name"
 done
 expect "OpenSees has run every example" '[ -z "$missing" ]'

@@ -104,7 +104,8 @@ def compare(path, text, label):
             worst = f"{max(float(row[5]) for row in rows):.1e}"
             times = [float(row[7]) for row in rows if row[7] != "nan"]
             first = f"{min(times):.2f}" if times else "-"
-        row = [path.stem, label, str(n), worst, first, f"{own_time:.2f}", f"{other_time:.1f}", notes]
+        name = path.stem if path.parent.name == "input" else f"models/{path.stem}"
+        row = [name, label, str(n), worst, first, f"{own_time:.2f}", f"{other_time:.1f}", notes]
         print(*row, sep="\t", flush=True)
 
 
@@ -116,7 +117,7 @@ def reason(row):
         return row[7]
     if row[1] == "linear":
         return "rounding that impacts enlarge"
-    return "instant of closure: v0 of hysteresis damping, dashpots that begin there"
+    return "v0 or dashpots at the instant of closure, or errors that impacts enlarge"
 
 
 def write_page(rows):
