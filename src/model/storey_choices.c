@@ -8,10 +8,13 @@
 
 bool storey_choices_rows(struct builder *b, const struct row *row, int n_row,
                          const struct argument *given, int n, const char *owner, double **value) {
-    static double one = 1.0;  // of a flag
-    const struct argument raised = {.given = true, .n = 1, .number = &one};
-    bool good = true;
-    for (int r = 0; r < n_row; r++) {
+    double *flagged = arena_alloc(b->arena, 1, sizeof *flagged);
+    const struct argument raised = {.given = true, .n = 1, .number = flagged};
+    bool good = flagged != NULL;
+    if (good) {
+        *flagged = 1.0;
+    }
+    for (int r = 0; good && r < n_row; r++) {
         const bool flag = row[r].kind == ROW_FLAG && given[r].given;
         if (flag || given[r].n > 0) {
             value[r] = builder_spread(b, flag ? &raised : &given[r], n, owner);
