@@ -9,7 +9,7 @@
 
 JOSTLE_C_BEGIN
 
-enum { NUMERICS_VERSION = 9 };
+enum { NUMERICS_VERSION = 10 };
 
 JOSTLE_C_END
 
