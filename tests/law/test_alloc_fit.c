@@ -66,7 +66,8 @@ static int run_loops(void) {
                                        "-stiffness", "6e7",    "-amplitude", "0.02"};
     static const char *const compare[] = {"clough,takeda"};
     const struct law_storey_words words = {
-        {.word = word, .n_word = 9, .compare = compare, .n_compare = 1}, NULL};
+        .laws = {.word = word, .n_word = 9, .compare = compare, .n_compare = 1},
+        .kind = &law_storey_kinds[0]};
     struct law_storeys loops;
     const int status = law_storey_run(&words, &loops);
     if (status == EXIT_DONE) {
