@@ -90,9 +90,9 @@ const struct sweep *sweep_named(const struct sweep *s) {
     return s;
 }
 
-// The dimension of the paired sweep `s` in the first reading; NULL: `s` is not paired.
-static const struct sweep *dimension_of(const struct deck *first, const struct sweep *s) {
-    for (const struct sweep *of = first->sweeps; of; of = of->next) {
+// The dimension of the paired sweep `s` of an earlier reading; NULL: `s` is not paired.
+static const struct sweep *dimension_of(const struct deck *d, const struct sweep *s) {
+    for (const struct sweep *of = d->reader->bound; of; of = of->next) {
         for (const struct sweep *p = of->along; p; p = p->along) {
             if (p == s) {
                 return of;
@@ -115,12 +115,16 @@ static struct parameter chosen(const struct deck *d, const struct sweep *sweep) 
     return p;
 }
 
-// The sweep of this name if it has been fixed at one value since the first reading; NULL: it has
-// not.
+// The sweep of this name if it has been fixed at one value since the first reading, and not by a
+// -D of it or of the dimension of its pair; NULL: it has not.
 static const struct sweep *fixed_since(const struct deck *d, const char *name) {
     int choice;
     const struct sweep *from = sweep_bound(d, name, &choice);
-    return from && from->fixed && !deck_define_find(d, name) ? from : NULL;
+    if (!from || !from->fixed || deck_define_find(d, name)) {
+        return NULL;
+    }
+    const struct sweep *of = dimension_of(d, from);
+    return of && deck_define_find(d, of->name) ? NULL : from;
 }
 
 // Reads the values; false after having reported an error.
@@ -129,7 +133,7 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *own,
     const struct sweep *known = s->known ? s->known : fixed_since(d, s->word[1].text);
     if (known) {
         // Copies the sweep that the first reading found in these lines.
-        const struct sweep *of = dimension_of(d->reader->first_reading, known);
+        const struct sweep *of = dimension_of(d, known);
         *own = *known;
         own->next = own->along = NULL;
         q->name = s->word[1];

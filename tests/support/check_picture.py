@@ -206,6 +206,14 @@ def loops(runs):
             panels.append(Panel(("drift", r.unit("contacts/gap")),
                                 ("storey shear", r.unit("contacts/envelope/force")), curves,
                                 f"{side}, storey {storey + 1}"))
+    if "links/force" in r.f:
+        lost, force = r.f["links/envelope/dissipated"][:], r.f["links/envelope/force"][:]
+        i = max(range(lost.size), key=lambda k: (lost[k], force[k]))
+        curves = [Curve(run.f["links/deformation"][:, i], run.f["links/force"][:, i], thinned=True)
+                  for run in runs]
+        panels.append(Panel(("shortening", r.unit("contacts/gap")),
+                            ("link force", r.unit("contacts/envelope/force")), curves,
+                            r.f["links/name"][i].decode()))
     return panels, None
 
 
