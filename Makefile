@@ -14,6 +14,7 @@ ROUNDS = 3#           how often it runs
 FUZZ_SECONDS = 30#    for each reader
 TEST_SECONDS = 600#   limit for one test program
 EXCEPT = #            tests that make check builds but does not run, as patterns of make
+PYTHON  = python3#    of make opensees
 STATIC  = 1#          0: the program takes its libraries as shared ones even if it need not
 OBJCOPY = objcopy
 CORES  := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -271,7 +272,12 @@ check-format: setup-lint  ## fail if `make format` would change a file
 	@clang-format --dry-run --Werror $(FORMATTED)
 
 # --- documentation -------------------------------------------------------------------------------
-.PHONY: docs
+.PHONY: opensees docs
+opensees: $(PROGRAM)  ## the table of docs/opensees.md, by PYTHON=... that has OpenSeesPy
+	JOSTLE=$(PROGRAM) $(PYTHON) tests/peers/export.py >$(B)/export.tsv
+	@mv $(B)/export.tsv tests/peers/export.tsv
+	$(PYTHON) tests/peers/export.py --page
+
 docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
 	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg \
