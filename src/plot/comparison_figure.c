@@ -68,7 +68,7 @@ static void comparison_panel(const struct comparison_figure *f, const int *chose
                                         .dimension = dimension_time,
                                         .span = time,
                                         .kind = foot ? AXIS_FULL : AXIS_WITHOUT_NUMBERS},
-                                  .y = {.name = f->quantity,
+                                  .y = {.name = n > 1 ? "" : f->quantity,
                                         .dimension = f->dimension,
                                         .span = span_with_room(value, NAN)},
                                   .caption = f->measured ? NULL : p->name});
