@@ -51,12 +51,11 @@ static bool check_lent(struct deck *d, const struct law_choice *first, const str
             char has[64], needs[64];
             unit_text(&d->units, got, has, sizeof has);
             unit_text(&d->units, wanted, needs, sizeof needs);
-            deck_error(d, &c->given[r].key,
-                       "-%s of %s is in %s, that of %s in %s: give it options of its own, "
-                       "--compare \"%s -%s ...\"",
-                       row->key, first->law->name, has, c->law->name, needs, c->law->name,
-                       row->key);
-            return false;
+            return deck_error(d, &c->given[r].key,
+                              "-%s of %s is in %s, that of %s in %s: give it options of its own, "
+                              "--compare \"%s -%s ...\"",
+                              row->key, first->law->name, has, c->law->name, needs, c->law->name,
+                              row->key);
         }
     }
     return true;
@@ -196,8 +195,7 @@ static bool read_law(struct law_impacts *l, const struct law_words *words, struc
         return false;
     }
     if (words->peak > 0.0 && contact_law_row(law, "k") < 0) {
-        deck_error(d, &s->word[0], "the law %s has no -k that --peak could find", law->name);
-        return false;
+        return deck_error(d, &s->word[0], "the law %s has no -k that --peak could find", law->name);
     }
     law = words->fit || words->peak > 0.0 ? law_to_fit(d, s, law, words->fit != NULL) : law;
     const struct row_set set = {rows, first ? 0 : N_ROW, own};

@@ -47,9 +47,8 @@ static bool choose_found(struct deck *d, const struct statement *s, const struct
         const int r = storey_choice_row(law, find[i].text);
         const enum row_kind kind = r >= 0 ? law->row[r].kind : ROW_TEXT;
         if (kind != ROW_NUMBER && kind != ROW_LIST) {
-            deck_error(d, &find[i], "%s has no number -%s that could be found", law->name,
-                       find[i].text);
-            return false;
+            return deck_error(d, &find[i], "%s has no number -%s that could be found", law->name,
+                              find[i].text);
         }
         found[r] = true;
     }
@@ -78,9 +77,8 @@ static bool read_law(struct law_storeys *l, const struct law_words *words, struc
         return false;
     }
     if (law->respond_at_rate && l->kind->turns) {
-        deck_error(d, &s->word[0], "law %s depends on the velocity; it is for storeys only",
-                   law->name);
-        return false;
+        return deck_error(d, &s->word[0], "law %s depends on the velocity; it is for storeys only",
+                          law->name);
     }
     storey_choice_turn(law, turned);
     memcpy(row, rows, sizeof row);

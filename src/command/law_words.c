@@ -72,9 +72,8 @@ int law_words_open(const struct law_words *words, struct deck **deck, size_t *n_
 bool law_words_take_name(struct deck *d, struct statement *s) {
     if (s->n_plain != 2) {
         const struct word *w = &s->word[s->n_plain > 2 ? 2 : 0];
-        deck_error(d, w, s->n_plain > 2 ? "'%s' is not expected" : "%s needs the name of a law",
-                   w->text);
-        return false;
+        return deck_error(
+            d, w, s->n_plain > 2 ? "'%s' is not expected" : "%s needs the name of a law", w->text);
     }
     s->word++;
     s->n_word--;

@@ -48,22 +48,21 @@ bool builder_plain(struct builder *b, const struct statement *s, int least, int 
                    const char *usage) {
     assert(least <= most);
     if (s->n_plain - 1 < least) {
-        deck_error(b->deck, &s->word[0], "too few words; usage: %s %s", s->word[0].text, usage);
-        return false;
+        return deck_error(b->deck, &s->word[0], "too few words; usage: %s %s", s->word[0].text,
+                          usage);
     }
     if (s->n_plain - 1 > most) {
-        deck_error(b->deck, &s->word[most + 1], "unexpected word '%s'; usage: %s %s",
-                   s->word[most + 1].text, s->word[0].text, usage);
-        return false;
+        return deck_error(b->deck, &s->word[most + 1], "unexpected word '%s'; usage: %s %s",
+                          s->word[most + 1].text, s->word[0].text, usage);
     }
     return true;
 }
 
 bool builder_once(struct builder *b, struct word *mark, const struct statement *s) {
     if (mark->text) {
-        deck_error(b->deck, &s->word[0], "a second '%s'; the first is in %s", s->word[0].text,
-                   source_mention(b->deck, &mark->place, &s->word[0].place));
-        return false;
+        return deck_error(b->deck, &s->word[0], "a second '%s'; the first is in %s",
+                          s->word[0].text,
+                          source_mention(b->deck, &mark->place, &s->word[0].place));
     }
     *mark = s->word[0];
     return true;
@@ -184,14 +183,13 @@ static int parse_floor(struct builder *b, const struct word *w, const char **tex
 static bool take_floors(struct builder *b, const struct word *w, int first, int last, int *floor,
                         struct selection *out) {
     if (last < first) {
-        deck_error(b->deck, w, "floors %d:%d run backwards; write %d:%d", first, last, last, first);
-        return false;
+        return deck_error(b->deck, w, "floors %d:%d run backwards; write %d:%d", first, last, last,
+                          first);
     }
     for (int i = first; i <= last; i++) {
         for (int k = 0; k < out->n_floor; k++) {
             if (floor[k] == i) {
-                deck_error(b->deck, w, "floor %d is selected twice", i);
-                return false;
+                return deck_error(b->deck, w, "floor %d is selected twice", i);
             }
         }
         floor[out->n_floor++] = i;
@@ -259,8 +257,7 @@ bool builder_select(struct builder *b, const struct word *w, enum wall_use walls
     const char *colon = strchr(text, ':');
     size_t length = colon ? (size_t)(colon - text) : strlen(text);
     if (walls != WALL_REFUSED && length == strlen(wall) && strncmp(text, wall, length) == 0) {
-        deck_error(b->deck, w, "a wall has no floors; it faces those of the other side");
-        return false;
+        return deck_error(b->deck, w, "a wall has no floors; it faces those of the other side");
     }
     out->building = find_or_report(b, w, text, length, walls);
     if (out->building < 0) {

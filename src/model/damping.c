@@ -59,15 +59,14 @@ static bool rayleigh(struct builder *b, const struct building_draft *d,
     double wi = omega[q->mode[0] - 1];
     double wj = omega[q->mode[1] - 1];
     if (wi == 0.0 && d->n_floor == 1) {
-        deck_error(b->deck, &q->word, "building %s has stiffness 0: no frequency to fit damping to",
-                   d->name);
-        return false;
+        return deck_error(b->deck, &q->word,
+                          "building %s has stiffness 0: no frequency to fit damping to", d->name);
     }
     if (wi == 0.0 || wj == 0.0 || (wi == wj && q->mode[0] != q->mode[1])) {
-        deck_error(b->deck, &q->word,
-                   "modes %d and %d of building %s have no two frequencies to fit damping to",
-                   q->mode[0], q->mode[1], d->name);
-        return false;
+        return deck_error(
+            b->deck, &q->word,
+            "modes %d and %d of building %s have no two frequencies to fit damping to", q->mode[0],
+            q->mode[1], d->name);
     }
     if (d->n_floor == 1) {
         *a0 = 0.0;
@@ -97,10 +96,10 @@ static bool check_rigid_modes(struct builder *b, const struct building_draft *d,
                               const struct damping_draft *q, const double *omega) {
     for (int m = 0; m < d->n_floor; m++) {
         if (omega[m] == 0.0 && q->value[m] > 0.0) {
-            deck_error(b->deck, &q->word,
-                       "mode %d of building %s moves it as a rigid body; its ratio can only be 0",
-                       m + 1, d->name);
-            return false;
+            return deck_error(
+                b->deck, &q->word,
+                "mode %d of building %s moves it as a rigid body; its ratio can only be 0", m + 1,
+                d->name);
         }
     }
     return true;
@@ -134,11 +133,11 @@ static bool add_rayleigh(struct builder *b, const struct building_draft *d,
     s->a0 += a0;
     s->rayleigh = q;
     if (a1 != 0.0 && !q->storeys && d->isolated > 0 && d->n_floor == 1) {
-        deck_error(b->deck, &q->word,
-                   "the only storey of building %s is an isolator, which Rayleigh damping leaves "
-                   "out; name it with -storeys 1",
-                   d->name);
-        return false;
+        return deck_error(
+            b->deck, &q->word,
+            "the only storey of building %s is an isolator, which Rayleigh damping leaves "
+            "out; name it with -storeys 1",
+            d->name);
     }
     const struct proportional of = {a1, q, q->tangent.text && s->tangent};
     if (q->storeys || of.tangent) {

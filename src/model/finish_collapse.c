@@ -11,11 +11,11 @@
 static bool take(struct builder *b, const struct collapse_draft *c, int k, int i, double *limit) {
     const struct building_draft *d = builder_draft(b, k);
     if (c->is_ratio && !d->height) {
-        deck_error(b->deck, &c->word,
-                   "a limit of the drift ratio needs the storey heights of building %s; give "
-                   "building -height, or a limit of the drift",
-                   d->name);
-        return false;
+        return deck_error(
+            b->deck, &c->word,
+            "a limit of the drift ratio needs the storey heights of building %s; give "
+            "building -height, or a limit of the drift",
+            d->name);
     }
     const double drift = c->is_ratio ? c->limit * d->height[i] : c->limit;
     limit[i] = fmin(limit[i], drift);

@@ -26,12 +26,10 @@ bool frame_draft_choose(struct builder *b, const struct argument *a, const char 
     for (int i = 0; a->given && i < a->n; i++) {
         const double x = a->number[i];
         if (!(x >= 1.0 && x <= n && x == floor(x))) {
-            deck_error(b->deck, &a->word[i], "%s %.10g is not one of 1 to %d", what, x, n);
-            return false;
+            return deck_error(b->deck, &a->word[i], "%s %.10g is not one of 1 to %d", what, x, n);
         }
         if (chosen[(int)x - 1]) {
-            deck_error(b->deck, &a->word[i], "%s %.10g is selected twice", what, x);
-            return false;
+            return deck_error(b->deck, &a->word[i], "%s %.10g is selected twice", what, x);
         }
         chosen[(int)x - 1] = true;
     }
@@ -167,9 +165,8 @@ static bool has_columns(struct builder *b, const struct building_draft *d, int s
             return true;
         }
     }
-    deck_error(b->deck, &f->word, "the frame of building %s has no columns in storey %d", d->name,
-               storey);
-    return false;
+    return deck_error(b->deck, &f->word, "the frame of building %s has no columns in storey %d",
+                      d->name, storey);
 }
 
 // Warns about the first bay between two columns without a beam.
@@ -207,12 +204,11 @@ static bool take_points(struct builder *b, int index, struct plane_frame *f) {
         }
         if (k == f->n_member || f->n_hinge > 0) {
             const char *name = builder_draft(b, index)->name;
-            deck_error(b->deck, &d->word,
-                       f->n_hinge > 0
-                           ? "the frame of building %s has hinges: -line needs an elastic frame"
-                           : "the frame of building %s has no column in storey %d on line %d",
-                       name, c->floor, c->line);
-            return false;
+            return deck_error(
+                b->deck, &d->word,
+                f->n_hinge > 0 ? "the frame of building %s has hinges: -line needs an elastic frame"
+                               : "the frame of building %s has no column in storey %d on line %d",
+                name, c->floor, c->line);
         }
         c->point = f->n_point;
         f->point[f->n_point++] = (struct frame_point){k, c->below / c->height};

@@ -36,9 +36,9 @@ static bool calibrate_now(struct deck *d, struct law_choice *c) {
     }
     *zeta = c->law->exact(restitution->number[0]);
     if (isnan(*zeta)) {
-        deck_error(d, &restitution->word[0], "no damping is found with which %s delivers e = %.6g",
-                   c->law->name, restitution->number[0]);
-        return false;
+        return deck_error(d, &restitution->word[0],
+                          "no damping is found with which %s delivers e = %.6g", c->law->name,
+                          restitution->number[0]);
     }
     restitution->n = 0;
     struct argument *damping = &c->given[contact_law_row(c->law, "zeta")];
@@ -51,12 +51,11 @@ static bool calibrate_now(struct deck *d, struct law_choice *c) {
 static bool calibrate(struct deck *d, const struct word *flag, struct law_choice *c) {
     bool exact = c->law->traits & CONTACT_EXACT;
     if (!exact && !c->law->exact && !c->law->calibrate) {
-        deck_error(d, flag, "contact law %s takes no -e that could be calibrated", c->law->name);
-        return false;
+        return deck_error(d, flag, "contact law %s takes no -e that could be calibrated",
+                          c->law->name);
     }
     if (isnan(c->restitution)) {
-        deck_error(d, flag, "-calibrate needs -e: coefficient of restitution to deliver");
-        return false;
+        return deck_error(d, flag, "-calibrate needs -e: coefficient of restitution to deliver");
     }
     c->calibrated = true;
     return !c->law->exact || calibrate_now(d, c);
@@ -101,18 +100,16 @@ static bool estimate_stiffness(struct deck *d, const struct word *word, struct l
     int row = stiffness_row(c->law);
     struct dimension dimension = row_dimension(&c->law->row[row], law_choice_power(c));
     if (c->given[row].given) {
-        deck_error(d, &c->given[row].key, "-%s and -k-from cannot be combined",
-                   c->law->row[row].key);
-        return false;
+        return deck_error(d, &c->given[row].key, "-%s and -k-from cannot be combined",
+                          c->law->row[row].key);
     }
     if (!dimension_equal(dimension, estimate->dimension)) {
         char has[64];
         char needs[64];
         unit_text(&d->units, estimate->dimension, has, sizeof has);
         unit_text(&d->units, dimension, needs, sizeof needs);
-        deck_error(d, word, "the stiffness from %s is in %s; -%s of %s is in %s", estimate->name,
-                   has, c->law->row[row].key, c->law->name, needs);
-        return false;
+        return deck_error(d, word, "the stiffness from %s is in %s; -%s of %s is in %s",
+                          estimate->name, has, c->law->row[row].key, c->law->name, needs);
     }
     double *number = deck_array(d, 1, sizeof *number);
     if (!number) {
@@ -130,20 +127,19 @@ static bool read_units(struct deck *d, const struct argument *a, struct curve_re
         const char *end;
         struct dimension dimension;
         if (strchr(a->text[i], ' ')) {
-            deck_error(d, &a->word[i], "%s is one word; the units are two: -units mm kN",
-                       deck_quote(&quote, &a->word[i], a->text[i]));
-            return false;
+            return deck_error(d, &a->word[i], "%s is one word; the units are two: -units mm kN",
+                              deck_quote(&quote, &a->word[i], a->text[i]));
         }
         double si;
         bool whole = unit_parse(a->text[i], d->units.gravity, &end, &dimension, &si) && !*end;
         bool force = whole && dimension_equal(dimension, dimension_force);
         double *size = force ? &request->force : &request->length;
         if (!whole || (!force && !dimension_equal(dimension, dimension_length)) || *size > 0.0) {
-            deck_error(d, &a->word[i],
-                       "%s is not expected; a unit of penetration and one of force are, such as "
-                       "mm kN",
-                       deck_quote(&quote, &a->word[i], a->text[i]));
-            return false;
+            return deck_error(
+                d, &a->word[i],
+                "%s is not expected; a unit of penetration and one of force are, such as "
+                "mm kN",
+                deck_quote(&quote, &a->word[i], a->text[i]));
         }
         *size = si;
     }
@@ -228,8 +224,7 @@ bool law_choice_prepare(struct deck *d, const struct law_choice *c, double mass,
     bool later = c->calibrated && law->calibrate;
     if ((later && law->calibrate(v, mass, &e) != STATUS_OK) ||
         law->prepare(v, mass, k, &e) != STATUS_OK) {
-        deck_error(d, c->word, "%s", e.message);
-        return false;
+        return deck_error(d, c->word, "%s", e.message);
     }
     *value = v;
     *constant = k;

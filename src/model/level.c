@@ -53,14 +53,12 @@ static bool place_level(struct builder *b, const struct word *w, double z, struc
     const double top = level_of_floor(d->height, d->n_floor);
     const double rounding = SAME_LEVEL * top;
     if (z <= rounding) {
-        deck_error(b->deck, w, "level %.6g %s is not above the ground of building %s", z, unit,
-                   d->name);
-        return false;
+        return deck_error(b->deck, w, "level %.6g %s is not above the ground of building %s", z,
+                          unit, d->name);
     }
     if (z > top + rounding) {
-        deck_error(b->deck, w, "level %.6g %s is above the roof of building %s, at %.6g %s", z,
-                   unit, d->name, top, unit);
-        return false;
+        return deck_error(b->deck, w, "level %.6g %s is above the roof of building %s, at %.6g %s",
+                          z, unit, d->name, top, unit);
     }
     int *floor = arena_alloc(b->arena, 1, sizeof *floor);
     double above = d->height[0];
@@ -178,8 +176,7 @@ bool level_rows(struct builder *b, struct link *l, const struct word *w) {
         l->building[1] = l->building[0];
         const int n = add_end(b, l, 1, -1.0, entry, add_end(b, l, 0, 1.0, entry, 0));
         if (is_nothing(entry, n)) {
-            deck_error(b->deck, w, "both ends of the link are the same");
-            return false;
+            return deck_error(b->deck, w, "both ends of the link are the same");
         }
         set_row(b, l, 0, entry, n);
         l->building[1] = WALL;

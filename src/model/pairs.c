@@ -13,8 +13,7 @@ static bool check_order(struct builder *b, struct pairs *p, enum wall_use walls)
     int right = p->building[1];
     p->within = left == right && left != WALL && walls == GROUND_ALLOWED;
     if (left == WALL && right == WALL) {
-        deck_error(b->deck, &p->word[1], "only one side can be a wall");
-        return false;
+        return deck_error(b->deck, &p->word[1], "only one side can be a wall");
     }
     if (left == WALL || right == WALL || left < right || p->within) {
         return true;
@@ -51,10 +50,9 @@ static bool match_floors(struct builder *b, struct selection side[2], const stru
             int common = builder_draft(b, other->building)->n_floor;
             open->n_floor = levels < common ? levels : common;
         } else if (highest(other) > levels) {
-            deck_error(b->deck, &word[i], "building %s has no floor %d to face the other side",
-                       open->building >= 0 ? builder_draft(b, open->building)->name : "",
-                       highest(other));
-            return false;
+            return deck_error(
+                b->deck, &word[i], "building %s has no floor %d to face the other side",
+                open->building >= 0 ? builder_draft(b, open->building)->name : "", highest(other));
         } else {
             open->n_floor = other->n_floor;
             open->floor = other->floor;
@@ -69,9 +67,8 @@ static bool check_named(struct builder *b, const struct pairs *p, const struct s
     const bool level = !isnan(of[0]) || !isnan(of[1]);
     for (int i = 0; i < 2; i++) {
         if (side[i].all && (level || p->within) && side[1 - i].building != WALL) {
-            deck_error(b->deck, &p->word[i], "name the floor of building %s that %s joins",
-                       builder_draft(b, side[i].building)->name, p->word[1 - i].text);
-            return false;
+            return deck_error(b->deck, &p->word[i], "name the floor of building %s that %s joins",
+                              builder_draft(b, side[i].building)->name, p->word[1 - i].text);
         }
     }
     return true;
@@ -105,19 +102,18 @@ bool pairs_read(struct builder *b, const struct statement *s, enum wall_use wall
     for (int i = 0; i < 2; i++) {
         for (int k = 0; k < side[i].n_floor && !out->within; k++) {
             if (side[i].floor[k] == 0) {
-                deck_error(b->deck, &out->word[i],
-                           "floor 0, the ground, joins floors of the same building only; write "
-                           "wall for a rigid wall");
-                return false;
+                return deck_error(
+                    b->deck, &out->word[i],
+                    "floor 0, the ground, joins floors of the same building only; write "
+                    "wall for a rigid wall");
             }
         }
     }
     bool walled = side[0].building == WALL || side[1].building == WALL;
     if (!walled && side[0].n_floor != side[1].n_floor) {
-        deck_error(b->deck, &s->word[2],
-                   "%d on the left, but %d on the right: floors face each other one to one",
-                   side[0].n_floor, side[1].n_floor);
-        return false;
+        return deck_error(b->deck, &s->word[2],
+                          "%d on the left, but %d on the right: floors face each other one to one",
+                          side[0].n_floor, side[1].n_floor);
     }
     out->named = side[0].named && side[1].named;
     out->n = side[0].building == WALL ? side[1].n_floor : side[0].n_floor;
@@ -165,8 +161,7 @@ bool pairs_by_level(struct builder *b, const struct statement *s, double depth, 
     for (int i = 0; i < 2; i++) {
         const struct word *w = &s->word[1 + i];
         if (strpbrk(w->text, ":@") || strcmp(w->text, "wall") == 0) {
-            deck_error(b->deck, w, "-by-level needs two buildings, without floors");
-            return false;
+            return deck_error(b->deck, w, "-by-level needs two buildings, without floors");
         }
         out->building[i] = builder_building(b, w);
         if (out->building[i] < 0) {

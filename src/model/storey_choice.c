@@ -49,8 +49,7 @@ bool storey_choice_read(struct deck *d, const struct statement *s, const struct 
     for (int r = 0; r < law->n_row; r++) {
         const struct argument *a = &out->given[r];
         if (a->n > 1) {
-            deck_error(d, &a->word[1], "one storey has one -%s", law->row[r].key);
-            return false;
+            return deck_error(d, &a->word[1], "one storey has one -%s", law->row[r].key);
         }
         const bool flag = law->row[r].kind == ROW_FLAG && a->given;
         out->value[r] = a->n > 0 && a->number ? a->number[0] : flag ? 1.0 : NAN;
@@ -61,8 +60,7 @@ bool storey_choice_read(struct deck *d, const struct statement *s, const struct 
 bool storey_choice_prepare(struct deck *d, struct storey_choice *c) {
     struct error e;
     if (c->law->prepare(c->value, c->stiffness, c->constant, &e) != STATUS_OK) {
-        deck_error(d, c->word, "%s", e.message);
-        return false;
+        return deck_error(d, c->word, "%s", e.message);
     }
     return true;
 }

@@ -43,8 +43,7 @@ bool storey_choices_law(struct builder *b, const struct word *w, const struct st
     }
     struct error e;
     if (law->prepare(value, stiffness, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, w, "%s", e.message);
-        return false;
+        return deck_error(b->deck, w, "%s", e.message);
     }
     out->law = law;
     out->constant = constant;

@@ -163,8 +163,8 @@ bool struck_column_settle(struct builder *b, struct struck_draft *d, const struc
     }
     c->dashpot = 2.0 * d->damping * sqrt(c->stiffness * c->mass);
     if (!isfinite(c->stiffness) || !isfinite(c->dashpot)) {
-        deck_error(b->deck, &d->word, "the stiffness of the column at this level is too large");
-        return false;
+        return deck_error(b->deck, &d->word,
+                          "the stiffness of the column at this level is too large");
     }
     return d->choice ? set_law(b, d, d->choice) : set_elastic(b, d);
 }

@@ -39,10 +39,9 @@ static bool set(struct builder *b, const struct statement *s, const struct build
     if (base->word.text) {
         char which[32] = "";
         snprintf(which, sizeof which, " of line %d", line);
-        deck_error(b->deck, &s->word[0], "the base%s of building %s is given already, in %s",
-                   line ? which : "", d->name,
-                   source_mention(b->deck, &base->word.place, &s->word[0].place));
-        return false;
+        return deck_error(b->deck, &s->word[0], "the base%s of building %s is given already, in %s",
+                          line ? which : "", d->name,
+                          source_mention(b->deck, &base->word.place, &s->word[0].place));
     }
     *base = (struct base_draft){s->word[0], rotation};
     return true;

@@ -39,20 +39,19 @@ static bool good_name(const char *name) {
 static bool check_name(struct builder *b, const struct word *w, const char *name) {
     struct deck_quote quote;
     if (strcmp(name, "wall") == 0) {
-        deck_error(b->deck, w, "'wall' is the rigid wall of contacts and cannot name a building");
-        return false;
+        return deck_error(b->deck, w,
+                          "'wall' is the rigid wall of contacts and cannot name a building");
     }
     if (!good_name(name)) {
-        deck_error(b->deck, w, "%s cannot name a building; use up to 64 letters, digits, _ and -",
-                   deck_quote(&quote, w, name));
-        return false;
+        return deck_error(b->deck, w,
+                          "%s cannot name a building; use up to 64 letters, digits, _ and -",
+                          deck_quote(&quote, w, name));
     }
     const int i = builder_find_building(b, name, strlen(name));
     if (i >= 0) {
-        deck_error(b->deck, w, "a second building %s; the first is in %s",
-                   deck_quote(&quote, w, name),
-                   source_mention(b->deck, &builder_draft(b, i)->word.place, &w->place));
-        return false;
+        return deck_error(b->deck, w, "a second building %s; the first is in %s",
+                          deck_quote(&quote, w, name),
+                          source_mention(b->deck, &builder_draft(b, i)->word.place, &w->place));
     }
     return true;
 }

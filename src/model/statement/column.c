@@ -52,10 +52,10 @@ static bool check_line(struct builder *b, const struct statement *s, const struc
         return false;
     }
     if (line != 1 && line != d->frame->n_line) {
-        deck_error(b->deck, &a[LINE].word[0],
-                   "line %d is inside the frame of building %s: only lines 1 and %d can be struck",
-                   line, d->name, d->frame->n_line);
-        return false;
+        return deck_error(
+            b->deck, &a[LINE].word[0],
+            "line %d is inside the frame of building %s: only lines 1 and %d can be struck", line,
+            d->name, d->frame->n_line);
     }
     return true;
 }
@@ -67,23 +67,20 @@ static bool set_section(struct builder *b, const struct statement *s, const stru
     if (a[LINE].given) {
         const int extra = a[BENDING].given ? BENDING : a[MODULUS].given ? MODULUS : INERTIA;
         if (a[BENDING].given || pair) {
-            deck_error(b->deck, &a[extra].key,
-                       "the frame has the stiffness of its columns: -line goes without -%s",
-                       rows[extra].key);
-            return false;
+            return deck_error(b->deck, &a[extra].key,
+                              "the frame has the stiffness of its columns: -line goes without -%s",
+                              rows[extra].key);
         }
         c->line = (int)a[LINE].number[0];
         return check_line(b, s, a, c->building);
     }
     if (a[BENDING].given == pair) {
-        deck_error(b->deck, pair ? &a[BENDING].key : &s->word[0],
-                   pair ? "give -EI, or -E and -I" : "column needs -EI, or -E and -I");
-        return false;
+        return deck_error(b->deck, pair ? &a[BENDING].key : &s->word[0],
+                          pair ? "give -EI, or -E and -I" : "column needs -EI, or -E and -I");
     }
     if (pair && !(a[MODULUS].given && a[INERTIA].given)) {
-        deck_error(b->deck, a[MODULUS].given ? &a[MODULUS].key : &a[INERTIA].key,
-                   "-E and -I go together");
-        return false;
+        return deck_error(b->deck, a[MODULUS].given ? &a[MODULUS].key : &a[INERTIA].key,
+                          "-E and -I go together");
     }
     c->bending = c->n * (pair ? a[MODULUS].number[0] * a[INERTIA].number[0] : a[BENDING].number[0]);
     return true;
@@ -104,11 +101,10 @@ static bool read_place(struct builder *b, const struct statement *s, struct sele
         return false;
     }
     if (isnan(*level)) {
-        deck_error(b->deck, &w,
-                   "floor %d of building %s is at this level; a column is struck "
-                   "between two floors",
-                   place->floor[0], builder_draft(b, place->building)->name);
-        return false;
+        return deck_error(b->deck, &w,
+                          "floor %d of building %s is at this level; a column is struck "
+                          "between two floors",
+                          place->floor[0], builder_draft(b, place->building)->name);
     }
     return true;
 }
@@ -123,22 +119,21 @@ static bool read_options(struct builder *b, const struct statement *s, struct ar
     const struct storey_law *law = storey_choice_find(b->deck, &s->word[2]);
     for (int i = 0; law && i < N_ROW; i++) {
         if (storey_choice_row(law, rows[i].key) >= 0) {
-            deck_error(b->deck, &s->word[2],
-                       "law %s has the option -%s, which column has, too; give another law",
-                       law->name, rows[i].key);
-            return false;
+            return deck_error(b->deck, &s->word[2],
+                              "law %s has the option -%s, which column has, too; give another law",
+                              law->name, rows[i].key);
         }
     }
     if (!law || !storey_choice_read(b->deck, s, law, law->row, &own, NULL, c)) {
         return false;
     }
     if (a[LINE].given) {
-        deck_error(b->deck, &a[LINE].key, "-line is for elastic columns; this one has a law");
-        return false;
+        return deck_error(b->deck, &a[LINE].key,
+                          "-line is for elastic columns; this one has a law");
     }
     if (a[DAMPING].given) {
-        deck_error(b->deck, &a[DAMPING].key, "-damping is for elastic columns; this one has a law");
-        return false;
+        return deck_error(b->deck, &a[DAMPING].key,
+                          "-damping is for elastic columns; this one has a law");
     }
     return true;
 }

@@ -17,9 +17,9 @@ static bool check_area(struct builder *b, const struct statement *s, const struc
                        const struct argument *area) {
     if (area->given && d->frame->inextensible) {
         d->frame->torn = true;
-        deck_error(b->deck, &area->key,
-                   "option -A has no effect, as frame %s has -columns-inextensible", d->name);
-        return false;
+        return deck_error(b->deck, &area->key,
+                          "option -A has no effect, as frame %s has -columns-inextensible",
+                          d->name);
     }
     if (!area->given && !d->frame->inextensible) {
         deck_warning(b->deck, &s->word[0],

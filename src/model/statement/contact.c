@@ -38,10 +38,9 @@ static const struct contact_law *find_law(struct builder *b, const struct statem
 static bool check_gaps(struct builder *b, const struct argument *a) {
     for (int i = 0; i < a[GAP].n; i++) {
         if (a[GAP].number[i] < 0.0 && !a[OVERLAP].given) {
-            deck_error(b->deck, &a[GAP].word[i],
-                       "gap is %.6g %s; it must be >= 0 unless -allow-overlap is given",
-                       a[GAP].number[i], b->deck->units.length_name);
-            return false;
+            return deck_error(b->deck, &a[GAP].word[i],
+                              "gap is %.6g %s; it must be >= 0 unless -allow-overlap is given",
+                              a[GAP].number[i], b->deck->units.length_name);
         }
     }
     return true;

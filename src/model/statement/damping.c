@@ -31,8 +31,8 @@ static const struct row dashpot_row = {"dashpot",           ROW_LIST, ROW_REQUIR
 static bool refuse_options(struct builder *b, const struct argument *a, const char *kind) {
     for (int i = 0; i < N_ROW; i++) {
         if (a[i].given) {
-            deck_error(b->deck, &a[i].key, "option -%s has no effect with %s", rows[i].key, kind);
-            return false;
+            return deck_error(b->deck, &a[i].key, "option -%s has no effect with %s", rows[i].key,
+                              kind);
         }
     }
     return true;
@@ -46,20 +46,18 @@ static bool read_modes(struct builder *b, const struct building_draft *d, const 
         return true;
     }
     if (a->n != 2) {
-        deck_error(b->deck, &a->key, "-modes takes two modes, not %d", a->n);
-        return false;
+        return deck_error(b->deck, &a->key, "-modes takes two modes, not %d", a->n);
     }
     for (int i = 0; i < 2; i++) {
         mode[i] = (int)a->number[i];
         if (mode[i] != a->number[i] || mode[i] > d->n_floor) {
-            deck_error(b->deck, &a->word[i], "mode %.10g is not one of 1 to %d of building %s",
-                       a->number[i], d->n_floor, d->name);
-            return false;
+            return deck_error(b->deck, &a->word[i],
+                              "mode %.10g is not one of 1 to %d of building %s", a->number[i],
+                              d->n_floor, d->name);
         }
     }
     if (mode[0] == mode[1]) {
-        deck_error(b->deck, &a->key, "-modes takes two different modes");
-        return false;
+        return deck_error(b->deck, &a->key, "-modes takes two different modes");
     }
     return true;
 }
@@ -93,8 +91,8 @@ static bool rayleigh(struct builder *b, const struct building_draft *d, const st
                      const struct statement *s, struct damping_draft *out) {
     if (a[ALPHA].given || a[BETA].given) {
         if (a[MODES].given || s->n_plain > 3) {
-            deck_error(b->deck, &s->word[0], "give rayleigh either ratios, or -alpha and -beta");
-            return false;
+            return deck_error(b->deck, &s->word[0],
+                              "give rayleigh either ratios, or -alpha and -beta");
         }
         double *value = arena_alloc(b->arena, 2, sizeof *value);
         if (value) {
@@ -107,8 +105,7 @@ static bool rayleigh(struct builder *b, const struct building_draft *d, const st
         return value != NULL;
     }
     if (s->n_plain < 4) {
-        deck_error(b->deck, &s->word[2], "rayleigh needs a ratio, or -alpha and -beta");
-        return false;
+        return deck_error(b->deck, &s->word[2], "rayleigh needs a ratio, or -alpha and -beta");
     }
     const int most = d->n_floor == 1 ? 1 : 2;
     struct argument ratio = {0};
@@ -135,8 +132,8 @@ static bool read_part(struct builder *b, int building, const struct argument *a,
     const bool none = out->kind == DAMPING_COEFFICIENTS && out->value[1] == 0.0;
     for (int i = STOREYS; none && i <= TANGENT; i++) {
         if (a[i].given) {
-            deck_error(b->deck, &a[i].key, "option -%s has no effect without -beta", rows[i].key);
-            return false;
+            return deck_error(b->deck, &a[i].key, "option -%s has no effect without -beta",
+                              rows[i].key);
         }
     }
     if (a[TANGENT].given) {
@@ -153,8 +150,7 @@ static bool read_part(struct builder *b, int building, const struct argument *a,
 static bool list(struct builder *b, const struct building_draft *d, const struct argument *a,
                  const struct statement *s, struct damping_draft *out) {
     if (s->n_plain < 4) {
-        deck_error(b->deck, &s->word[2], "%s needs a list of values", s->word[2].text);
-        return false;
+        return deck_error(b->deck, &s->word[2], "%s needs a list of values", s->word[2].text);
     }
     struct argument value = {0};
     const bool modal = out->kind == DAMPING_MODAL;

@@ -17,14 +17,12 @@ static const struct row rows[N_ROW] = {
 static bool may_have(struct builder *b, const struct statement *s, const struct building_draft *d,
                      const struct argument *bays) {
     if (d->frame) {
-        deck_error(b->deck, &s->word[0], "building %s has a frame already, in %s", d->name,
-                   source_mention(b->deck, &d->frame->word.place, &s->word[0].place));
-        return false;
+        return deck_error(b->deck, &s->word[0], "building %s has a frame already, in %s", d->name,
+                          source_mention(b->deck, &d->frame->word.place, &s->word[0].place));
     }
     if (bays->n > FRAME_BAYS_MAX) {
-        deck_error(b->deck, &bays->key, "a frame of %d bays; it has at most %d", bays->n,
-                   FRAME_BAYS_MAX);
-        return false;
+        return deck_error(b->deck, &bays->key, "a frame of %d bays; it has at most %d", bays->n,
+                          FRAME_BAYS_MAX);
     }
     return builder_has_heights(b, d, &s->word[1], "a frame");
 }

@@ -95,17 +95,15 @@ static bool read_scaling(struct builder *b, const struct argument *a, struct gro
     static const int for_sa[] = {R_PERIOD, R_BUILDING, R_DAMPING};
     for (size_t i = 0; !a[R_SA].given && i < sizeof for_sa / sizeof for_sa[0]; i++) {
         if (a[for_sa[i]].given) {
-            deck_error(b->deck, &a[for_sa[i]].key, "-%s is for -sa, which is not given",
-                       record_rows[for_sa[i]].key);
-            return false;
+            return deck_error(b->deck, &a[for_sa[i]].key, "-%s is for -sa, which is not given",
+                              record_rows[for_sa[i]].key);
         }
     }
     if (!a[R_SA].given) {
         return true;
     }
     if (a[R_PERIOD].given && a[R_BUILDING].given) {
-        deck_error(b->deck, &a[R_BUILDING].key, "give -period or -building, not both");
-        return false;
+        return deck_error(b->deck, &a[R_BUILDING].key, "give -period or -building, not both");
     }
     g->scaling = (struct spectral_scaling){
         .acceleration = a[R_SA].number[0],
@@ -144,14 +142,13 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
     }
     const char *key = a[R_SA].given ? "sa" : "pga";
     if (a[R_SCALE].given || (a[R_SA].given && a[R_PGA].given)) {
-        deck_error(b->deck, &to->key, "give -%s or -%s, not both",
-                   a[R_SCALE].given ? "scale" : "pga", key);
-        return false;
+        return deck_error(b->deck, &to->key, "give -%s or -%s, not both",
+                          a[R_SCALE].given ? "scale" : "pga", key);
     }
     if (r->peak == 0.0) {
-        deck_error(b->deck, file, "every value of the record is 0; it cannot be scaled to a %s",
-                   a[R_SA].given ? "spectral acceleration" : "PGA");
-        return false;
+        return deck_error(b->deck, file,
+                          "every value of the record is 0; it cannot be scaled to a %s",
+                          a[R_SA].given ? "spectral acceleration" : "PGA");
     }
     if (a[R_SA].given) {
         return true;

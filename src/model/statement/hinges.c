@@ -47,14 +47,13 @@ static bool choose(struct builder *b, const struct statement *s, const struct ar
     const struct argument *other = &a[beams ? LINES : BAYS];
     const struct argument *own = &a[beams ? BAYS : LINES];
     if (other->given) {
-        deck_error(b->deck, &other->key, "%s are chosen by -%s", where_names[q->where],
-                   rows[beams ? BAYS : LINES].key);
-        return false;
+        return deck_error(b->deck, &other->key, "%s are chosen by -%s", where_names[q->where],
+                          rows[beams ? BAYS : LINES].key);
     }
     if (q->where == BASES && !q->selection.all &&
         !(q->selection.n_floor == 1 && q->selection.floor[0] == 1)) {
-        deck_error(b->deck, &s->word[1], "bases are below floor 1; write the building, or its :1");
-        return false;
+        return deck_error(b->deck, &s->word[1],
+                          "bases are below floor 1; write the building, or its :1");
     }
     const struct frame_draft *f = q->frame;
     q->n_floor = q->where == BASES ? 1 : q->selection.n_floor;
@@ -70,12 +69,11 @@ static bool set(struct builder *b, const struct statement *s, const struct build
                 const struct storey *storey, int member, int end, const struct hinged_members *q) {
     struct hinge_draft *hinge = &q->hinge[2 * member + end];
     if (hinge->word.text) {
-        deck_error(b->deck, &s->word[1],
-                   "%s_%d_%d of building %s has a hinge at end %c already, in %s",
-                   q->where == BEAMS ? "beam" : "column", member / q->n_across + 1,
-                   member % q->n_across + 1, d->name, "ij"[end],
-                   source_mention(b->deck, &hinge->word.place, &s->word[0].place));
-        return false;
+        return deck_error(b->deck, &s->word[1],
+                          "%s_%d_%d of building %s has a hinge at end %c already, in %s",
+                          q->where == BEAMS ? "beam" : "column", member / q->n_across + 1,
+                          member % q->n_across + 1, d->name, "ij"[end],
+                          source_mention(b->deck, &hinge->word.place, &s->word[0].place));
     }
     *hinge = (struct hinge_draft){s->word[0], *storey, q->where == BASES};
     return true;

@@ -90,9 +90,8 @@ static void take(struct isolator_draft *q, int kind, const struct argument *a) {
 // Reports values of the bearing that do not go together; true if there are none.
 static bool is_possible(struct builder *b, int kind, const struct argument *a) {
     if (kind == LRB && a[KI].given && a[KI].number[0] <= a[KD].number[0]) {
-        deck_error(b->deck, a[KI].word, "ki is %g; it must be > kd, which is %g", a[KI].number[0],
-                   a[KD].number[0]);
-        return false;
+        return deck_error(b->deck, a[KI].word, "ki is %g; it must be > kd, which is %g",
+                          a[KI].number[0], a[KD].number[0]);
     }
     return true;
 }

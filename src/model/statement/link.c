@@ -71,19 +71,18 @@ static bool check_viscous(struct builder *b, const struct statement *s,
                           const struct argument *given) {
     static const enum bilateral_row of_dashpot[] = {BILATERAL_EXPONENT, BILATERAL_RELIEF};
     if (!given[BILATERAL_STIFFNESS].given && !given[BILATERAL_DASHPOT].given) {
-        deck_error(b->deck, &s->word[0], "a link needs -stiffness or -dashpot");
-        return false;
+        return deck_error(b->deck, &s->word[0], "a link needs -stiffness or -dashpot");
     }
     for (size_t i = 0; i < sizeof of_dashpot / sizeof of_dashpot[0]; i++) {
         const struct argument *a = &given[of_dashpot[i]];
         if (a->given && !given[BILATERAL_DASHPOT].given) {
-            deck_error(b->deck, &a->key, "-%s needs -dashpot", bilateral_rows[of_dashpot[i]].key);
-            return false;
+            return deck_error(b->deck, &a->key, "-%s needs -dashpot",
+                              bilateral_rows[of_dashpot[i]].key);
         }
     }
     if (given[BILATERAL_RELIEF_DASHPOT].given && !given[BILATERAL_RELIEF].given) {
-        deck_error(b->deck, &given[BILATERAL_RELIEF_DASHPOT].key, "-relief-dashpot needs -relief");
-        return false;
+        return deck_error(b->deck, &given[BILATERAL_RELIEF_DASHPOT].key,
+                          "-relief-dashpot needs -relief");
     }
     // A parameter of 0 may remove the link on purpose, so this is a warning.
     if (is_zero(&given[BILATERAL_STIFFNESS]) && is_zero(&given[BILATERAL_DASHPOT])) {
@@ -130,8 +129,8 @@ static bool set_storey_law(struct builder *b, struct link *link, int k, const vo
 static bool check_directions(struct builder *b, const struct argument *given) {
     const struct argument *second = &given[LINK_ROW_COMPRESSION_ONLY];
     if (second->given && given[LINK_ROW_TENSION_ONLY].given) {
-        deck_error(b->deck, &second->key, "-tension-only and -compression-only cannot be combined");
-        return false;
+        return deck_error(b->deck, &second->key,
+                          "-tension-only and -compression-only cannot be combined");
     }
     return true;
 }

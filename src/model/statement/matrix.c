@@ -37,9 +37,9 @@ static bool read_unit(struct builder *b, const struct argument *a, struct matrix
     const bool whole = unit_parse(q->unit, b->deck->units.gravity, &end, &dimension, &q->from);
     const bool measures = q->from > 0.0 && isfinite(q->from);  // not so after many factors
     if (!whole || *end || !measures || !dimension_equal(dimension, dimension_stiffness)) {
-        deck_error(b->deck, &a->word[0], "%s is not a unit of stiffness, such as N/m or kip/in",
-                   deck_quote(&quote, &a->word[0], q->unit));
-        return false;
+        return deck_error(b->deck, &a->word[0],
+                          "%s is not a unit of stiffness, such as N/m or kip/in",
+                          deck_quote(&quote, &a->word[0], q->unit));
     }
     return true;
 }

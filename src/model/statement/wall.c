@@ -20,9 +20,8 @@ static bool stands_on_ground(struct builder *b, const struct statement *s,
                              const struct selection *selection) {
     for (int i = 0; i < selection->n_floor; i++) {
         if (selection->floor[i] != i + 1) {
-            deck_error(b->deck, &s->word[1],
-                       "a wall stands on the ground: its storeys are 1 to N, in this order");
-            return false;
+            return deck_error(b->deck, &s->word[1],
+                              "a wall stands on the ground: its storeys are 1 to N, in this order");
         }
     }
     return true;
