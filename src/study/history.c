@@ -269,13 +269,6 @@ static int open_source(struct source *s, struct journal *j, long run, const stru
     return status;
 }
 
-int history_fits(struct journal *j, long run, const struct model *m, bool *fits, struct error *e) {
-    struct source s;
-    const int status = open_source(&s, j, run, m, fits, e);
-    free(s.offset);
-    return status;
-}
-
 int history_replay(struct journal *j, long run, const struct model *m,
                    const struct observer *observer, struct results **out, struct error *e) {
     size_t n[MEMBERS];

@@ -28,10 +28,6 @@ void history_start(struct history_writer *w, const struct model *m);
 int history_put_row(struct history_writer *w, const struct row_view *row, struct error *e);
 int history_put_results(struct history_writer *w, const struct results *r, struct error *e);
 
-// Are the histories of run `run` of the journal those of such a model? Errors: STATUS_SYSTEM (no
-// memory, a damaged journal).
-int history_fits(struct journal *j, long run, const struct model *m, bool *fits, struct error *e);
-
 // Shows the rows of run `run` of the journal, whose model is `m`, to an observer, as analysis_run
 // did. *out must be given to results_free. Errors: STATUS_SYSTEM (no memory, a damaged journal, the
 // histories of another model), those of the observer.
