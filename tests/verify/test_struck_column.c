@@ -117,7 +117,7 @@ static void assert_struck(int i, const char *step, double rtol, double force_rto
     for (int k = 0; k < 3; k++) {
         assert_close(r->peak[PEAK_DISPLACEMENT][1 + k], struck[i].floor[k], rtol);
     }
-    for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+    for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
         const struct column_peak *p = &r->column[0][q];
         const double most = fmax(forces[i][q][0], -forces[i][q][1]);
         assert_near(p->max, forces[i][q][0], force_rtol * most);
@@ -202,7 +202,7 @@ static void a_load_at_the_point_is_shared_by_both_ends(void **state) {
                            buildings, 3.0 + 3.0 * rows[i].share);
         const struct struck_column *c = m->column;
         assert_close(c->stiffness, rows[i].stiffness, 1e-9);
-        for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
             assert_close(c->force[q * c->n_dof] / c->stiffness, rows[i].force[q], 1e-12);
         }
         model_free(m);
@@ -231,7 +231,7 @@ static void on_a_foundation_it_moves_with_the_slab(void **state) {
         for (int i = 0; i < m->n_link; i++) {
             assert_near(link_at(&m->link[i], i == 0, u), u[4], 1e-15);
         }
-        for (int q = 0; m->n_column > 0 && q < COLUMN_FORCE_COUNT; q++) {
+        for (enum column_force q = 0; m->n_column > 0 && q < COLUMN_FORCE_COUNT; q++) {
             assert_near(struck_column_force(m->column, q, u, 0), 0.0, 1e-9 * 6e7 * 1e-3);
         }
         assert_int_equal(m->n_column, k < 4);

@@ -212,7 +212,7 @@ static void forces_are_those_of_the_frame_with_a_node_there(void **state) {
             const double above = height[places[i].storey] - below;
             const double want[COLUMN_FORCE_COUNT] = {
                 (low[0] + low[1]) / below, (high[0] + high[1]) / above, low[0], low[1], high[1]};
-            for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+            for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
                 assert_near(struck_column_force(m->column, q, u, 0), want[q] / 2, 1e-11 * size);
             }
             for (int n = 0; n < f->n_member; n++) {
@@ -339,7 +339,7 @@ static void in_a_frame_with_rigid_beams_it_is_clamped(void **state) {
     for (int dof = 0; dof < 3; dof++) {
         double u[3] = {0};
         u[dof] = 1;
-        for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
+        for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
             assert_near(struck_column_force(framed, q, u, 0), struck_column_force(clamped, q, u, 0),
                         1e-9 * clamped->stiffness);
         }
