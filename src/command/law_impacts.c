@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/law_impacts.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -226,6 +227,7 @@ static void read_laws(struct law_impacts *l, const struct law_words *words) {
             law_words_take_name(l->deck, &s) && read_law(l, words, &s, n > 0 ? &first : NULL, own);
         first = n == 0 ? s : first;
         if (n == 0 && good) {
+            assert(own[M1].number && own[VELOCITY].number);
             l->m1 = own[M1].number[0];
             l->m2 = own[M2].n > 0 ? own[M2].number[0] : NAN;
             l->velocity = own[VELOCITY].number[0];

@@ -35,7 +35,7 @@ bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, 
     struct lines at[CHANNELS_MAX];
     struct lines l, last;
     struct piece name;
-    int chosen;
+    int chosen = 0;
     lines_init(&l, r->text);
     for (last = l; next(&l, &name); last = l) {
         if (all.n == CHANNELS_MAX) {

@@ -142,8 +142,8 @@ static bool read_format(const struct record_reader *r, const struct lines *l,
 
 static bool csmip_read(const struct record_reader *r) {
     struct channel c;
-    struct fixed_format format;
-    double npts;
+    struct fixed_format format = {.decimals = 0};
+    double npts = 0.0;
     struct lines l;
     if (!channels_seek(r, next_name, none, &l)) {
         return false;

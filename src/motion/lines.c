@@ -269,7 +269,9 @@ struct excerpt lines_excerpt(struct piece field) {
     struct excerpt e;
     const bool cut = field.n > SHOWN;
     text_clean(e.text, sizeof e.text - 3, field.text, cut ? text_cut(field.text, SHOWN) : field.n);
-    strcat(e.text, cut ? "..." : "");
+    if (cut) {
+        memcpy(e.text + strlen(e.text), "...", sizeof "...");
+    }
     return e;
 }
 

@@ -32,7 +32,7 @@ bool table_find(const struct record_text *t, struct table *out);
 // Finds the rows, and refuses a file without them or that would be misread. Reasons: the caption is
 // a row with an unreadable value or an overflow, unless lines of stars frame it; a comment is
 // between the rows; decimal commas are next to other separators.
-int table_read(const struct record_text *t, struct table *out, struct error *e);
+int table_read(const struct record_text *t, struct table *table, struct error *e);
 
 // Goes to the next row; false at the end.
 bool table_next(struct lines *rows);

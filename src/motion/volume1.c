@@ -162,7 +162,7 @@ static bool read_variant(const struct variant *v, const struct record_reader *r,
     struct fixed_format format = v->format;
     struct lines l;
     struct piece name;
-    double n;
+    double n = 0.0;
     if (!channels_seek(r, next, v->none, &l)) {
         return false;
     }

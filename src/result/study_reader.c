@@ -356,25 +356,27 @@ int study_file_each(struct study_file *f, study_run_function *take, void *contex
 int study_file_endings(struct study_file *f, int **out, struct error *e) {
     const size_t n = (size_t)f->view.n_run;
     int *ending = malloc((n + 1) * sizeof *ending);
-    double *collapsed = malloc((n + 1) * sizeof *collapsed);
+    double *collapsed = calloc(n + 1, sizeof *collapsed);
     const long at = study_table_collapsed(&f->view.table);
-    int status = ending && collapsed ? STATUS_OK : error_no_memory(e);
-    if (status == STATUS_OK) {
-        h5_get_box(&f->file.h, f->status, NULL, H5T_NATIVE_INT, ending);
+    if (!ending || !collapsed) {
+        free(ending);
+        free(collapsed);
+        return error_no_memory(e);
     }
-    for (int i = 0; i < f->view.table.n_item && status == STATUS_OK; i++) {
+    h5_get_box(&f->file.h, f->status, NULL, H5T_NATIVE_INT, ending);
+    for (int i = 0; i < f->view.table.n_item; i++) {
         if ((long)f->view.table.item[i].first == at) {
             h5_get_box(&f->file.h, f->dataset[i], NULL, H5T_NATIVE_DOUBLE, collapsed);
         }
     }
-    for (size_t i = 0; i < n && status == STATUS_OK && !f->file.h.failed; i++) {
+    for (size_t i = 0; i < n && !f->file.h.failed; i++) {
         ending[i] &= STUDY_STATUS;
         ending[i] |= at >= 0 && collapsed[i] > 0.0 ? STUDY_COLLAPSED : 0;
     }
     free(collapsed);
-    if (status != STATUS_OK || f->file.h.failed) {
+    if (f->file.h.failed) {
         free(ending);
-        return status != STATUS_OK ? status : h5_damaged(&f->file.h, f->view.path, e);
+        return h5_damaged(&f->file.h, f->view.path, e);
     }
     *out = ending;
     return STATUS_OK;

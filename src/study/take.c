@@ -109,7 +109,10 @@ static int fill(void *context, const struct model *m, struct study_outcome *outc
     struct report *report = NULL;
     double *all = malloc((t->n_value + 1) * sizeof *all);
     (void)outcome;
-    int status = all ? report_create(m, NULL, NULL, "", &report, e) : error_no_memory(e);
+    if (!all) {
+        return error_no_memory(e);
+    }
+    const int status = report_create(m, NULL, NULL, "", &report, e);
     if (status == STATUS_OK) {
         study_table_read(report, all);
         report_free(report);

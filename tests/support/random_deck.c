@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "support/random.h"
@@ -306,15 +307,15 @@ static void add_frame(struct maker *m, int i) {
 // Columns of both buildings, which floors strike where they do not meet.
 static void add_columns(struct maker *m) {
     const char *bays = strstr(m->text, "-bays ");
-    int n = 0;
-    assert_true(bays && sscanf(bays, "-bays %d", &n) == 1);
+    const long n = bays ? strtol(bays + strlen("-bays "), NULL, 10) : 0;
+    assert_true(n > 0);
     if (random_below(&m->random, 2)) {
         add(m, "column B1%s -name b -EI %.4g -mass 500\n",
             random_below(&m->random, 2) ? "" : " bilinear -yield 2e5 -hardening 0.02",
             random_logarithmic(&m->random, 1e6, 1e8));
     }
     if (!strstr(m->text, "hinges") && random_below(&m->random, 4)) {
-        add(m, "column B0 -name a -line %d -mass 500\n", n + 1);
+        add(m, "column B0 -name a -line %ld -mass 500\n", n + 1);
     } else {
         add(m, "column B0 -name a -EI %.4g -mass 500 -damping 0.05\n",
             random_logarithmic(&m->random, 1e6, 1e8));

@@ -78,7 +78,8 @@ static void a_diagonal_matrix_is_clipped_entry_by_entry(void **state) {
     }
     definite_clip(k, N, scratch);
     for (int i = 0; i < SQUARE; i++) {
-        assert_true(k[i] == (i % N == i / N ? fmax(i / N - 1.5, 0) : 0));
+        const int row = i / N;
+        assert_true(k[i] == (i % N == row ? fmax(row - 1.5, 0) : 0));
     }
 }
 

@@ -203,7 +203,7 @@ static void a_load_at_the_point_is_shared_by_both_ends(void **state) {
         const struct struck_column *c = m->column;
         assert_close(c->stiffness, rows[i].stiffness, 1e-9);
         for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
-            assert_close(c->force[q * c->n_dof] / c->stiffness, rows[i].force[q], 1e-12);
+            assert_close(c->force[(ptrdiff_t)q * c->n_dof] / c->stiffness, rows[i].force[q], 1e-12);
         }
         model_free(m);
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <assert.h>
+
 #include "model/struck_column.h"
 
 #include "core/arena.h"
@@ -162,6 +164,7 @@ static void build(struct builder *b, const struct statement *s) {
     if (!choice || !read_options(b, s, a, choice)) {
         return;
     }
+    assert(a[NUMBER].number && a[MASS].number && a[SHEAR].number && a[MOMENT].number);
     bool good = placed;
     const struct struck_draft draft = {
         .column =

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <assert.h>
 #include <string.h>
 
 #include "deck/reader.h"
@@ -175,6 +176,7 @@ static bool same_storeys(const struct selection *a, const struct selection *b) {
 }
 
 static bool is_the_same(const struct damping_draft *a, const struct damping_draft *b) {
+    assert(a->value && b->value);
     return same_storeys(a->storeys, b->storeys) && !a->tangent.text == !b->tangent.text &&
            a->kind == b->kind && a->mode[0] == b->mode[0] && a->mode[1] == b->mode[1] &&
            memcmp(a->value, b->value, (size_t)a->n * sizeof *a->value) == 0;
