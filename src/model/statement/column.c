@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <assert.h>
 
-#include "model/struck_column.h"
-
 #include "core/arena.h"
 #include "deck/reader.h"
 #include "model/frame_draft.h"
 #include "model/pairs.h"
 #include "model/storey_choice.h"
+#include "model/struck_column.h"
 
 enum { NAME, BENDING, MODULUS, INERTIA, LINE, NUMBER, MASS, DAMPING, SHEAR, MOMENT, N_ROW };
 
