@@ -176,9 +176,10 @@ check-long: $(PROGRAM) $(LIBRARY) $(TESTS) $(LONG)
 	    bash tests/support/run_tests.sh \
 	    $(B)/log $(TESTS) $(LONG) $(SCRIPTS) $(LONG_SCRIPTS)
 
-# Scripts that only run again what others do, for pages, examples, pictures, links and shapes of
-# datasets: they take a third of the time, and sanitizers find nothing in them.
-PAGES = docs_current docs_examples input_decks picture_numbers suites link layers verification shapes
+# Scripts that only run again what others do, for pages, examples, pictures, links, shapes of
+# datasets and large studies: they take half of the time, and sanitizers find nothing in them.
+PAGES = docs_current docs_examples input_decks picture_numbers suites link layers verification \
+        shapes shard many_runs real_size
 
 asan: setup  ## the tests under the address and undefined-behaviour sanitizers
 	@ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
