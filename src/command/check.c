@@ -337,7 +337,7 @@ static int check(void *options, const struct model *m) {
 static int check_command(int argc, char **argv) {
     static const struct option_row rows[] = {DECK_DEFINE_ROW, {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
-    static const struct deck_command c = {&command_check, parts, NULL, check};
+    static const struct deck_command c = {&command_check, parts, .use = check};
     struct check_options o = {.load = {.guidance = &o.guidance, .checks = true}};
     return deck_command_run(&c, argc, argv, &o.load);
 }

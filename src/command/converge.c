@@ -282,7 +282,7 @@ static int converge_command(int argc, char **argv) {
         {.text = "\nThe command writes no file. Exit status 0: all results have converged; 1: some "
                  "have not.\n"},
         {0}};
-    static const struct deck_command c = {&command_converge, parts, NULL, converge};
+    static const struct deck_command c = {&command_converge, parts, .use = converge};
     struct options o = {.n_level = LEVELS_DEFAULT, .rtol = RTOL_DEFAULT};
     return deck_command_run(&c, argc, argv, &o.load);
 }

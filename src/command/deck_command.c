@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "command/interrupt.h"
 #include "model/guidance.h"
 
 // A single run says of its damping what it has computed.
@@ -62,6 +63,18 @@ int deck_command_check_study(const struct model *m, struct error *e) {
                            "%s is not a study: it has no sweep that -D leaves open", m->deck->path);
 }
 
+static int plan_and_use(const struct load_request *load, const struct model *m) {
+    struct plan plan;
+    struct error e;
+    if (deck_command_plan(load, m, &plan, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    interrupt_catch();
+    const int status = load->command->use_plan((void *)load, &plan);
+    plan_close(&plan);
+    return status;
+}
+
 static int use(void *options, struct arena *a, const struct words *operand) {
     (void)a;
     struct load_request *load = options;
@@ -71,7 +84,7 @@ static int use(void *options, struct arena *a, const struct words *operand) {
     int status = c->settle ? c->settle(options) : EXIT_DONE;
     status = status == EXIT_DONE ? deck_command_load(load, &m) : status;
     if (status == EXIT_DONE) {
-        status = c->use(options, m);
+        status = c->use ? c->use(options, m) : plan_and_use(load, m);
         model_free(m);
     }
     return status;

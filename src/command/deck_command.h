@@ -27,7 +27,7 @@ int deck_command_load(const struct load_request *request, struct model **out);
 // STATUS_INPUT if the deck of the model is not a study.
 int deck_command_check_study(const struct model *m, struct error *e);
 
-// The plan of the runs of the deck, for commands that write no file; to be given to plan_close.
+// The plan of the runs of the deck, for commands that write no result; to be given to plan_close.
 // Errors as of plan_init.
 int deck_command_plan(const struct load_request *request, const struct model *m, struct plan *out,
                       struct error *e);
@@ -49,9 +49,11 @@ enum { THREADS_MAX = 4096 };
 // Functions get the options, and return EXIT_DONE or, after a message, the exit status.
 struct deck_command {
     const struct command *command;
-    const struct option_part *part;  // of its help
-    int (*settle)(void *options);    // when all options are known; or NULL
-    int (*use)(void *options, const struct model *m);
+    const struct option_part *part;                    // of its help
+    int (*settle)(void *options);                      // when all options are known; or NULL
+    int (*use)(void *options, const struct model *m);  // NULL: use_plan
+    // For commands that make the runs of the deck; signals are caught meanwhile.
+    int (*use_plan)(void *options, const struct plan *p);
 };
 
 // Runs the command. Its options begin with `load`. Returns the exit status.

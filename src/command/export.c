@@ -49,7 +49,8 @@ static int export_command(int argc, char **argv) {
              "and on stderr.\n"},
         {.row = option_help},
         {0}};
-    static const struct deck_command c = {&command_export, parts, export_settle, export_use};
+    static const struct deck_command c = {&command_export, parts, .settle = export_settle,
+                                          .use = export_use};
     struct options o = {.language = -1};
     return deck_command_run(&c, argc, argv, &o.load);
 }

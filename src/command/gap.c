@@ -7,7 +7,6 @@
 
 #include "command/deck_command.h"
 #include "command/gap_print.h"
-#include "command/interrupt.h"
 #include "command/progress.h"
 #include "command/quantity_word.h"
 #include "command/suite_options.h"
@@ -184,21 +183,14 @@ static int run_search(const struct plan *p, const struct options *o) {
     return status;
 }
 
-static int run_deck(void *options, const struct model *m) {
+static int use_plan(void *options, const struct plan *plan) {
     const struct options *o = options;
-    struct plan plan;
     struct error e;
-    if (m->n_contact == 0) {
+    if (plan->first->n_contact == 0) {
         error_set(&e, STATUS_INPUT, "the deck has no contact");
         return command_fail(&e);
     }
-    if (deck_command_plan(&o->load, m, &plan, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    interrupt_catch();
-    const int status = o->limit ? run_search(&plan, o) : print_contact_free(&plan, o);
-    plan_close(&plan);
-    return status;
+    return o->limit ? run_search(plan, o) : print_contact_free(plan, o);
 }
 
 static int settle(void *options) {
@@ -236,7 +228,8 @@ static int gap_command(int argc, char **argv) {
                                                {.row = option_help},
                                                {.text = explanation},
                                                {0}};
-    static const struct deck_command c = {&command_gap, parts, settle, run_deck};
+    static const struct deck_command c = {&command_gap, parts, .settle = settle,
+                                          .use_plan = use_plan};
     struct options o = {.n_thread = deck_command_threads()};
     return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -5,7 +5,6 @@
 
 #include "command/deck_command.h"
 #include "command/ida_print.h"
-#include "command/interrupt.h"
 #include "command/progress.h"
 #include "command/quantity_word.h"
 #include "command/suite_options.h"
@@ -132,14 +131,16 @@ static int search(const struct options *o, const struct plan *plan, const struct
     return status;
 }
 
-static int prepare(const struct options *o, const struct plan *plan, struct arena *a) {
+static int use_plan(void *options, const struct plan *plan) {
+    const struct options *o = options;
     const struct study_view view = plan_view(plan);
     const struct suite_request wanted = {.abscissa = o->im, .over = o->over};
     struct roles roles;
     struct hazard hazard;
     struct error e;
     char unit[64] = "";
-    if (roles_find(&view, &wanted, &roles, &e) != STATUS_OK) {
+    if (deck_command_check_study(plan->first, &e) != STATUS_OK ||
+        roles_find(&view, &wanted, &roles, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     const struct sweep *s = roles.along;
@@ -173,27 +174,11 @@ static int prepare(const struct options *o, const struct plan *plan, struct aren
     }
     const struct dimension dimension = s->known ? s->dimension : dimension_none;
     if (status == EXIT_DONE && o->hazard &&
-        hazard_read(a, o->hazard, dimension, unit_size(&view.units, dimension), &hazard, &e) !=
-            STATUS_OK) {
+        hazard_read(plan->table->arena, o->hazard, dimension, unit_size(&view.units, dimension),
+                    &hazard, &e) != STATUS_OK) {
         status = command_fail(&e);
     }
     return status == EXIT_DONE ? search(o, plan, &roles, &view, &hazard, &q) : status;
-}
-
-static int run_deck(void *options, const struct model *m) {
-    const struct options *o = options;
-    struct plan plan;
-    struct error e;
-    if (deck_command_check_study(m, &e) != STATUS_OK ||
-        deck_command_plan(&o->load, m, &plan, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    interrupt_catch();
-    struct arena *a = arena_create();
-    const int status = a ? prepare(o, &plan, a) : command_no_memory();
-    arena_free(a);
-    plan_close(&plan);
-    return status;
 }
 
 static int settle(void *options) {
@@ -237,7 +222,8 @@ static int ida_command(int argc, char **argv) {
                                                {.row = option_help},
                                                {.text = explanation},
                                                {0}};
-    static const struct deck_command c = {&command_ida, parts, settle, run_deck};
+    static const struct deck_command c = {&command_ida, parts, .settle = settle,
+                                          .use_plan = use_plan};
     struct options o = {.n_thread = deck_command_threads()};
     return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -173,7 +173,7 @@ static int modes_command(int argc, char **argv) {
         {.row = printer_rows, .at = offsetof(struct options, form)},
         {.row = option_help},
         {0}};
-    static const struct deck_command c = {&command_modes, parts, NULL, print_modes};
+    static const struct deck_command c = {&command_modes, parts, .use = print_modes};
     struct options o = {.form = FORM_TEXT};
     return deck_command_run(&c, argc, argv, &o.load);
 }

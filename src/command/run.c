@@ -301,7 +301,7 @@ static int run_command(int argc, char **argv) {
          .doc = "limit of time: a run of a study fails after S seconds of processor time"},
         {0}};
     static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
-    static const struct deck_command c = {&command_run, parts, settle, run_model};
+    static const struct deck_command c = {&command_run, parts, .settle = settle, .use = run_model};
     struct run_options o = {
         .existing = RESULT_KEEP, .journal = STUDY_RESUME, .n_word = argc, .word = argv};
     heap_expect(SHORT_RUN);

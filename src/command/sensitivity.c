@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "command/deck_command.h"
-#include "command/interrupt.h"
 #include "command/printer.h"
 #include "command/progress.h"
 #include "command/quantity_word.h"
@@ -181,13 +180,12 @@ static int search(const struct options *o, struct sensitivity_request *q, struct
     struct sensitivity found;
     struct progress progress;
     struct error e;
-    long n_run;
-    if (sensitivity_count(q, &n_run, &e) != STATUS_OK) {
+    if (sensitivity_find(q, a, &found, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     q->poll = progress_poll;
     q->context = &progress;
-    progress_start(&progress, (double)n_run, "runs");
+    progress_start(&progress, (double)found.n_run, "runs");
     int status = sensitivity_run(q, a, &found, &e);
     progress_end(&progress);
     if (status != STATUS_OK) {
@@ -202,7 +200,8 @@ static int search(const struct options *o, struct sensitivity_request *q, struct
     return status == EXIT_DONE ? judge(&p) : status;
 }
 
-static int prepare(const struct options *o, const struct plan *plan) {
+static int use_plan(void *options, const struct plan *plan) {
+    const struct options *o = options;
     const struct study_view view = plan_view(plan);
     struct sensitivity_request q = {.plan = plan,
                                     .method = o->variance ? SENSITIVITY_VARIANCE
@@ -210,6 +209,9 @@ static int prepare(const struct options *o, const struct plan *plan) {
                                     .share = SHARE,
                                     .n_thread = o->n_thread};
     struct error e;
+    if (deck_command_check_study(plan->first, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
     if (o->share) {
         const char *end =
             quantity_word(o->share, &view.units, &dimension_none, BARE_ALLOWED, &q.share);
@@ -221,20 +223,6 @@ static int prepare(const struct options *o, const struct plan *plan) {
     return edp_parse(&view, o->edp, plan->table->arena, &q.edp, &e) == STATUS_OK
                ? search(o, &q, plan->table->arena)
                : command_fail(&e);
-}
-
-static int run_deck(void *options, const struct model *m) {
-    const struct options *o = options;
-    struct plan plan;
-    struct error e;
-    if (deck_command_check_study(m, &e) != STATUS_OK ||
-        deck_command_plan(&o->load, m, &plan, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    interrupt_catch();
-    const int status = prepare(o, &plan);
-    plan_close(&plan);
-    return status;
 }
 
 static int settle(void *options) {
@@ -263,7 +251,8 @@ static int sensitivity_command(int argc, char **argv) {
                                                {.row = option_help},
                                                {.text = explanation},
                                                {0}};
-    static const struct deck_command c = {&command_sensitivity, parts, settle, run_deck};
+    static const struct deck_command c = {&command_sensitivity, parts, settle,
+                                          .use_plan = use_plan};
     struct options o = {.n_thread = deck_command_threads()};
     return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -125,7 +125,7 @@ static int tasks_command(int argc, char **argv) {
                  "that has the deck\nand its records. A line that runs again continues where it "
                  "stopped; a finished part is left as\nit is.\n"},
         {0}};
-    static const struct deck_command c = {&command_tasks, parts, NULL, print_tasks};
+    static const struct deck_command c = {&command_tasks, parts, .use = print_tasks};
     struct tasks_options o = {.n_thread = 1, .lines = TASKS_RUN};
     return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -22,35 +22,13 @@ struct job {
     struct workers *workers;
     struct capacity *capacity;
     long run;
-    double *all;   // (n_value) of a run
-    double value;  // the demand of the last run
+    double *all;  // (n_value) of a run
 };
 
 int capacity_runs(const struct capacity_request *q) {
     const double hunt = ceil(log(q->to / q->from) / log(q->factor)) + 1.0;
     const double halvings = ceil(log2(log(q->factor) / log1p(q->tolerance)));
     return (int)fmin(hunt + fmax(halvings, 0.0) + 1.0, CAPACITY_POINTS_MAX + 1.0);
-}
-
-static int poll_job(void *context, double time, struct error *e) {
-    const struct job *job = context;
-    (void)time;
-    return workers_stopped(job->workers) ? error_set(e, STATUS_SYSTEM, "the runs have ended")
-                                         : STATUS_OK;
-}
-
-static int use_model(void *context, const struct model *m, struct study_outcome *outcome,
-                     struct error *e) {
-    struct job *job = context;
-    const struct edp *edp = &job->search->request->edp;
-    const struct trial_watch watch = {.poll = poll_job, .context = job};
-    struct results *results;
-    int status = trial_analyse(m, &watch, outcome, &results, e);
-    if (status == STATUS_OK && results) {
-        status = trial_demand(m, results, edp, job->all, &job->value, e);
-        results_free(results);
-    }
-    return status;
 }
 
 static void fail(struct capacity *c, const struct capacity_request *q, double intensity,
@@ -68,20 +46,26 @@ static const double *intensity_of(const void *context, const struct sweep *s) {
 static int look(struct job *job, double intensity, bool *exceeded, struct error *e) {
     const struct search *s = job->search;
     const struct capacity_request *q = s->request;
-    const struct trial_watch watch = {.records = s->records};
     struct capacity *c = job->capacity;
     struct study_outcome outcome;
+    double value;
     const struct capacity_at f = {q->intensity, intensity};
     struct plan_fixed at;
     plan_fix(q->plan, intensity_of, &f, &at);
-    const int status = trial_build(&at.plan, job->run, &watch, use_model, job, &outcome, e);
+    const struct trial_question question = {.plan = &at.plan,
+                                            .run = job->run,
+                                            .edp = &q->edp,
+                                            .records = s->records,
+                                            .workers = job->workers,
+                                            .all = job->all};
+    const int status = trial_ask(&question, &value, &outcome, e);
     if (status == STATUS_OK && outcome.status == STUDY_FAILED) {
         fail(c, q, intensity, outcome.message);
     } else if (status == STATUS_OK) {
-        *exceeded = job->value > q->limit;
-        c->point[c->n_point++] = (struct capacity_point){intensity, job->value, *exceeded};
+        *exceeded = value > q->limit;
+        c->point[c->n_point++] = (struct capacity_point){intensity, value, *exceeded};
         *(*exceeded ? &c->above : &c->below) = intensity;
-        c->value = *exceeded ? c->value : job->value;
+        c->value = *exceeded ? c->value : value;
     }
     return status;
 }

@@ -41,13 +41,8 @@ static long take(void *context, void *scratch) {
     return map->next < n * n && map->failed == LONG_MAX ? map->next++ : -1;
 }
 
-static int poll_analysis(void *context, double time, struct error *e) {
-    (void)time;
-    return workers_stopped(context) ? error_set(e, STATUS_SYSTEM, "the map has ended") : STATUS_OK;
-}
-
 static int analyse(const struct model *m, struct workers *w, double *force, struct error *e) {
-    const struct observer observer = {.poll = poll_analysis, .context = w};
+    const struct observer observer = {.poll = workers_poll, .context = w};
     struct results *r;
     const int status = analysis_run(m, &observer, &r, e);
     if (status != STATUS_OK) {

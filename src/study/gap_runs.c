@@ -54,16 +54,9 @@ static const struct link *closed_at_start(const struct model *m, const struct li
     return NULL;
 }
 
-static int poll_job(void *context, double time, struct error *e) {
-    const struct job *job = context;
-    (void)time;
-    return workers_stopped(job->workers) ? error_set(e, STATUS_SYSTEM, "the runs have ended")
-                                         : STATUS_OK;
-}
-
 static int analyse(struct job *job, const struct model *m, const struct model *deck,
                    struct study_outcome *outcome, struct error *e) {
-    const struct trial_watch watch = {.poll = poll_job, .context = job};
+    const struct trial_watch watch = {.poll = workers_poll, .context = job->workers};
     struct results *results;
     int status = trial_analyse(m, &watch, outcome, &results, e);
     if (status != STATUS_OK || !results) {

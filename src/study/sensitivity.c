@@ -16,7 +16,6 @@ struct design {
     const struct sensitivity_request *request;
     struct sensitivity *out;
     struct record_cache *records;
-    int n;           // values of each parameter
     size_t **order;  // (n_parameter) (n) its values in ascending order, by their numbers
     double **rank;   // (n_parameter) (n) probability of a smaller value than this one
     long n_set;      // of values of the parameters
@@ -29,12 +28,12 @@ static size_t design_choice(const struct design *d, long set, int i) {
         const long row = set / (d->out->n_parameter + SOBOL_PARAMETER);
         const long column = set % (d->out->n_parameter + SOBOL_PARAMETER);
         const bool from_b = column == SOBOL_B || column == SOBOL_PARAMETER + i;
-        return (size_t)(row + (from_b ? d->n / 2 : 0));
+        return (size_t)(row + (from_b ? d->out->n_value / 2 : 0));
     }
     // Set 0 has all medians, sets 1 + 2 i and 2 + 2 i the two quantiles of parameter i.
     const double share = d->request->share;
     const double fraction = set == 1 + 2L * i ? share : set == 2 + 2L * i ? 1.0 - share : 0.5;
-    return d->order[i][lround(fraction * (d->n - 1))];
+    return d->order[i][lround(fraction * (d->out->n_value - 1))];
 }
 
 // Which parameter a sweep is; -1: none.
@@ -58,46 +57,21 @@ static const double *number_in_set(const void *context, const struct sweep *swee
     return i < 0 ? NULL : &sweep->number[design_choice(c->design, c->set, i)];
 }
 
-struct sensitivity_job {
-    const struct design *design;
-    struct workers *workers;
-    double *all;    // (n_value) of a run
-    double demand;  // NAN: the run failed
-};
-
-static int poll_trial(void *context, double time, struct error *e) {
-    const struct sensitivity_job *job = context;
-    (void)time;
-    return workers_stopped(job->workers) ? error_set(e, STATUS_SYSTEM, "the runs have ended")
-                                         : STATUS_OK;
-}
-
-static int use_model(void *context, const struct model *m, struct study_outcome *outcome,
-                     struct error *e) {
-    struct sensitivity_job *job = context;
-    const struct trial_watch watch = {.poll = poll_trial, .context = job};
-    struct results *results;
-    int status = trial_analyse(m, &watch, outcome, &results, e);
-    if (status == STATUS_OK && results) {
-        status = trial_demand(m, results, &job->design->request->edp, job->all, &job->demand, e);
-        results_free(results);
-    }
-    return status;
-}
-
 static int do_job(void *context, struct workers *workers, long number, void *scratch,
                   struct error *e) {
     const struct design *d = context;
-    const struct trial_watch watch = {.records = d->records};
     const struct chosen_set set = {d, number / d->out->n_group};
     const long group = number % d->out->n_group;
-    struct sensitivity_job job = {.design = d, .workers = workers, .all = scratch, .demand = NAN};
     struct study_outcome outcome;
     struct plan_fixed at;
     plan_fix(d->request->plan, number_in_set, &set, &at);
-    const int status = trial_build(&at.plan, group, &watch, use_model, &job, &outcome, e);
-    d->demand[group * d->n_set + set.set] = job.demand;
-    return status;
+    const struct trial_question question = {.plan = &at.plan,
+                                            .run = group,
+                                            .edp = &d->request->edp,
+                                            .records = d->records,
+                                            .workers = workers,
+                                            .all = scratch};
+    return trial_ask(&question, &d->demand[group * d->n_set + set.set], &outcome, e);
 }
 
 static int poll_design(void *context, struct workers *workers, long n_done, struct error *e) {
@@ -108,7 +82,7 @@ static int poll_design(void *context, struct workers *workers, long n_done, stru
 
 // Sorts the values of each parameter. False: no memory.
 static bool design_rank(struct design *d, struct arena *a) {
-    const size_t n = (size_t)d->n, n_parameter = (size_t)d->out->n_parameter;
+    const size_t n = (size_t)d->out->n_value, n_parameter = (size_t)d->out->n_parameter;
     d->order = arena_alloc(a, n_parameter, sizeof *d->order);
     d->rank = arena_alloc(a, n_parameter, sizeof *d->rank);
     for (size_t i = 0; d->order && d->rank && i < n_parameter; i++) {
@@ -155,7 +129,7 @@ static int find_shares(const struct design *d, long group, struct arena *a, doub
                        struct error *e) {
     struct sensitivity_group *to = &d->out->group[group];
     const int n_parameter = d->out->n_parameter;
-    const size_t n = (size_t)(d->n / 2);
+    const size_t n = (size_t)(d->out->n_value / 2);
     double *step = arena_alloc(a, (size_t)n_parameter * n, sizeof *step);
     if (!step) {
         return error_no_memory(e);
@@ -200,7 +174,8 @@ static int conclude(const struct design *d, struct arena *a, struct error *e) {
     return status;
 }
 
-// The random sweep of a paired one or of one alone; an error where others go with it.
+// Random sweeps are paired: an error where one that is not random goes with them, or where these
+// have another number of values than those before.
 static int check_sweep(const struct sweep *s, int *n_value, struct error *e) {
     if (sweep_named(s->along)) {
         return error_set(e, STATUS_INPUT,
@@ -226,22 +201,24 @@ static bool has_random(const struct sweep *s) {
     return random && !s->fixed;
 }
 
-// Fills `out->parameter` if there is room for it, and sets *n_value.
-static int find_parameters(const struct plan *p, struct sensitivity *out, int *n_value,
-                           struct error *e) {
+// Finds the parameters, their number of values, and how many combinations the other sweeps have.
+static int find_parameters(const struct plan *p, struct sensitivity *out, struct error *e) {
     int status = STATUS_OK;
-    out->n_parameter = 0;
-    *n_value = 0;
+    out->n_group = p->n_run;
     for (const struct sweep *s = p->first->deck->sweeps; s && status == STATUS_OK; s = s->next) {
-        status = has_random(s) ? check_sweep(s, n_value, e) : STATUS_OK;
-        for (const struct sweep *v = has_random(s) ? s->along : NULL; v; v = v->along) {
-            if (out->parameter) {
+        if (!has_random(s)) {
+            continue;
+        }
+        status = check_sweep(s, &out->n_value, e);
+        out->n_group /= s->n;
+        for (const struct sweep *v = s->along; v; v = v->along) {
+            if (out->n_parameter < PLAN_PAIRED_MAX) {
                 out->parameter[out->n_parameter] = v;
             }
             out->n_parameter++;
         }
     }
-    if (status == STATUS_OK && (out->n_parameter == 0 || *n_value < VALUES_MIN)) {
+    if (status == STATUS_OK && (out->n_parameter == 0 || out->n_value < VALUES_MIN)) {
         return error_set(e, STATUS_INPUT,
                          out->n_parameter == 0
                              ? "the deck has no parameter that is random: sweep NAME random ..."
@@ -253,67 +230,52 @@ static int find_parameters(const struct plan *p, struct sensitivity *out, int *n
                : status;
 }
 
-static long count_sets(const struct sensitivity_request *q, int n_parameter, int n_value) {
-    return q->method == SENSITIVITY_VARIANCE ? (long)(n_parameter + SOBOL_PARAMETER) * (n_value / 2)
-                                             : 1 + 2L * n_parameter;
+static long count_sets(const struct sensitivity_request *q, const struct sensitivity *s) {
+    return q->method == SENSITIVITY_VARIANCE
+               ? (long)(s->n_parameter + SOBOL_PARAMETER) * (s->n_value / 2)
+               : 1 + 2L * s->n_parameter;
 }
 
-int sensitivity_count(const struct sensitivity_request *q, long *n_run, struct error *e) {
-    struct sensitivity s = {.parameter = NULL};
-    int n_value;
-    const int status = find_parameters(q->plan, &s, &n_value, e);
+int sensitivity_find(const struct sensitivity_request *q, struct arena *a, struct sensitivity *out,
+                     struct error *e) {
+    const struct sweep **parameter = arena_alloc(a, PLAN_PAIRED_MAX, sizeof(const struct sweep *));
+    *out = (struct sensitivity){.parameter = parameter};
+    if (!parameter) {
+        return error_no_memory(e);
+    }
+    const int status = find_parameters(q->plan, out, e);
     if (status != STATUS_OK) {
         return status;
     }
-    long n_group = q->plan->n_run;
-    for (const struct sweep *v = q->plan->first->deck->sweeps; v; v = v->next) {
-        n_group /= has_random(v) ? v->n : 1;
-    }
-    const double n = (double)count_sets(q, s.n_parameter, n_value) * (double)n_group;
-    *n_run = (long)fmin(n, 2.0 * STUDY_RUNS_MAX);
-    return *n_run <= STUDY_RUNS_MAX
+    const double n = (double)count_sets(q, out) * (double)out->n_group;
+    out->n_run = (long)fmin(n, 2.0 * STUDY_RUNS_MAX);
+    return out->n_run <= STUDY_RUNS_MAX
                ? STATUS_OK
                : error_set(e, STATUS_INPUT, "%.6g runs; at most %d are made", n, STUDY_RUNS_MAX);
 }
 
-// Makes the runs of a design whose parameters are known.
-static int run_design(struct design *d, struct arena *a, struct error *e) {
-    const struct sensitivity_request *q = d->request;
-    struct sensitivity *s = d->out;
-    const struct chosen_set first = {d, 0};
-    d->n_set = count_sets(q, s->n_parameter, d->n);
-    d->demand = arena_alloc(a, (size_t)s->n_run, sizeof *d->demand);
-    if (!d->demand || !design_rank(d, a)) {
-        return error_no_memory(e);
-    }
-    plan_fix(q->plan, number_in_set, &first, &s->others);
-    s->n_group = s->others.plan.n_run;
+int sensitivity_run(const struct sensitivity_request *q, struct arena *a, struct sensitivity *s,
+                    struct error *e) {
+    struct design d = {.request = q,
+                       .out = s,
+                       .records = record_cache_create(RECORD_CACHE_BYTES),
+                       .n_set = count_sets(q, s),
+                       .demand = arena_alloc(a, (size_t)s->n_run, sizeof *d.demand)};
+    const struct chosen_set first = {&d, 0};
     const struct workers_request request = {
         .n_thread = s->n_run < q->n_thread ? (int)s->n_run : q->n_thread,
         .scratch = (q->plan->table->n_value + 1) * sizeof(double),
         .n_job = s->n_run,
         .work = do_job,
         .poll = poll_design,
-        .context = d};
-    const int status = workers_run(&request, e);
-    return status == STATUS_OK ? conclude(d, a, e) : status;
-}
-
-int sensitivity_run(const struct sensitivity_request *q, struct arena *a, struct sensitivity *out,
-                    struct error *e) {
-    struct design d = {
-        .request = q, .out = out, .records = record_cache_create(RECORD_CACHE_BYTES)};
-    const struct sweep **parameter = arena_alloc(a, PLAN_PAIRED_MAX, sizeof(const struct sweep *));
-    *out = (struct sensitivity){.parameter = parameter};
-    int status = sensitivity_count(q, &out->n_run, e);
-    if (status == STATUS_OK && (!parameter || !d.records)) {
+        .context = &d};
+    int status = STATUS_OK;
+    if (d.records && d.demand && design_rank(&d, a)) {
+        plan_fix(q->plan, number_in_set, &first, &s->others);
+        status = workers_run(&request, e);
+        status = status == STATUS_OK ? conclude(&d, a, e) : status;
+    } else {
         status = error_no_memory(e);
-    }
-    if (status == STATUS_OK) {
-        status = find_parameters(q->plan, out, &d.n, e);
-    }
-    if (status == STATUS_OK) {
-        status = run_design(&d, a, e);
     }
     record_cache_free(d.records);
     return status;

@@ -40,22 +40,25 @@ struct sensitivity_group {
 };
 
 struct sensitivity {
-    int n_parameter;
-    const struct sweep **parameter;  // (n_parameter) random sweeps
-    struct plan_fixed others;        // the runs for one set of parameters
-    long n_group;                    // others.plan.n_run
-    long n_run;
+    int n_parameter, n_value;
+    const struct sweep **parameter;  // (n_parameter) random sweeps, each of n_value values
+    long n_group;                    // combinations of the other sweeps
+    long n_run;                      // for all of them
+    // Of sensitivity_run:
+    struct plan_fixed others;         // the n_group runs for one set of parameters
     struct sensitivity_group *group;  // (n_group)
 };
 
-// How many runs there are. Errors: STATUS_INPUT (no random parameter, one is paired with others
-// that are not random, fewer than four values, too many runs).
-int sensitivity_count(const struct sensitivity_request *q, long *n_run, struct error *e);
+// Finds the parameters, and how many runs there are. Memory is from `a`. Errors: STATUS_INPUT (no
+// random parameter, one is paired with others that are not random, fewer than four values, too many
+// runs), STATUS_SYSTEM.
+int sensitivity_find(const struct sensitivity_request *q, struct arena *a, struct sensitivity *out,
+                     struct error *e);
 
-// Makes all runs; what they come to does not depend on the number of threads. Memory is from `a`.
-// Errors: those of sensitivity_count; STATUS_INPUT (the deck has another shape at a value; a run
-// without a value of the demand), STATUS_SYSTEM, or what poll returned.
-int sensitivity_run(const struct sensitivity_request *q, struct arena *a, struct sensitivity *out,
+// Makes all runs of what sensitivity_find has found; what they come to does not depend on the
+// number of threads. Errors: STATUS_INPUT (the deck has another shape at a value; a run without a
+// value of the demand), STATUS_SYSTEM, or what poll returned.
+int sensitivity_run(const struct sensitivity_request *q, struct arena *a, struct sensitivity *s,
                     struct error *e);
 
 #endif

@@ -102,6 +102,34 @@ int trial_demand(const struct model *m, const struct results *r, const struct ed
     return status == STATUS_OK && isnan(*value) ? edp_absent(edp, at, e) : status;
 }
 
+struct answer {
+    const struct trial_question *question;
+    double demand;
+};
+
+static int answer(void *context, const struct model *m, struct study_outcome *outcome,
+                  struct error *e) {
+    struct answer *to = context;
+    const struct trial_question *q = to->question;
+    const struct trial_watch watch = {.poll = workers_poll, .context = q->workers};
+    struct results *results;
+    int status = trial_analyse(m, &watch, outcome, &results, e);
+    if (status == STATUS_OK && results) {
+        status = trial_demand(m, results, q->edp, q->all, &to->demand, e);
+        results_free(results);
+    }
+    return status;
+}
+
+int trial_ask(const struct trial_question *q, double *demand, struct study_outcome *outcome,
+              struct error *e) {
+    const struct trial_watch watch = {.records = q->records};
+    struct answer to = {.question = q, .demand = NAN};
+    const int status = trial_build(q->plan, q->run, &watch, answer, &to, outcome, e);
+    *demand = to.demand;
+    return status;
+}
+
 // What the run of a model came to.
 static int conclude(struct trial *t, struct ensemble_member *member,
                     const struct trial_watch *watch) {

@@ -6,6 +6,7 @@
 #include "jostle/analysis.h"
 #include "study/edp.h"
 #include "study/plan.h"
+#include "study/workers.h"
 
 // What a trial asks of the study it belongs to. A result other than 0 ends the trial with that
 // status.
@@ -52,6 +53,20 @@ int trial_values(const struct model *m, const struct results *r, double *value, 
 // the values of the run. Errors: STATUS_INPUT (it has no value), STATUS_SYSTEM (no memory).
 int trial_demand(const struct model *m, const struct results *r, const struct edp *edp, double *all,
                  double *value, struct error *e);
+
+// A run of which only one demand is asked.
+struct trial_question {
+    const struct plan *plan;
+    long run;
+    const struct edp *edp;
+    struct record_cache *records;
+    struct workers *workers;  // that make the run
+    double *all;              // room for the values of the run
+};
+
+// Makes the run. *demand is NAN if it failed. Errors as of trial_run and trial_demand.
+int trial_ask(const struct trial_question *q, double *demand, struct study_outcome *outcome,
+              struct error *e);
 
 struct trial {
     long run;       // of the study, from 0

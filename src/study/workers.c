@@ -34,6 +34,12 @@ bool workers_stopped(struct workers *w) {
     return atomic_load(&w->stop);
 }
 
+int workers_poll(void *context, double time, struct error *e) {
+    (void)time;
+    return workers_stopped(context) ? error_set(e, STATUS_SYSTEM, "the runs have ended")
+                                    : STATUS_OK;
+}
+
 // Ends the work with this error, unless another came first.
 static void give_up(struct workers *w, int status, const struct error *e) {
     if (w->status == STATUS_OK) {

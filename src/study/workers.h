@@ -39,4 +39,7 @@ void workers_unlock(struct workers *w);
 // True if the work is to end: no job is to be begun or continued.
 bool workers_stopped(struct workers *w);
 
+// What a run asks now and then whose context is the workers: an error if the work is to end.
+int workers_poll(void *context, double time, struct error *e);
+
 #endif
