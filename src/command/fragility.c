@@ -306,15 +306,15 @@ static int check_suite(const struct request *q, const struct suite *s, const dou
 }
 
 static int fit_all(const struct request *q, const struct suite *s, struct error *e) {
-    double *limit = NULL, unit;
+    double *limit = NULL;
     struct hazard hazard;
     int n = 0, status = suite_options_limits(&q->suite, s, &limit, &n, e);
     if (status == STATUS_OK) {
         status = check_suite(q, s, limit, n, e);
     }
     if (status == STATUS_OK && q->hazard) {
-        edp_units(s->abscissa->units, s->view->units.gravity, &unit);
-        status = hazard_read(s->arena, q->hazard, s->abscissa_dimension, unit, &hazard, e);
+        status =
+            hazard_read(s->arena, q->hazard, s->abscissa_dimension, s->abscissa_size, &hazard, e);
     }
     if (status == STATUS_OK) {
         suite_options_warn(s);

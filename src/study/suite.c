@@ -254,10 +254,9 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
         return status;
     }
     const struct sweep *dimension = v->sweep[m->roles.abscissa];
-    double size;
     s->abscissa = m->roles.along;
     s->is_intensity = m->roles.is_intensity;
-    s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &size);
+    s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &s->abscissa_size);
     s->abscissa_units =
         dimension_equal(s->abscissa_dimension, dimension_none) ? "" : s->abscissa->units;
     // Why other things change along the abscissa, too.

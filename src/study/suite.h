@@ -33,6 +33,7 @@ struct suite {
     bool is_intensity;  // by its name
     const char *abscissa_units;  // "" for texts and pure numbers
     struct dimension abscissa_dimension;
+    double abscissa_size;  // in SI, of its unit
     int n_point, n_sample, n_group;
     const int *order;               // (n_point) value of the sweep at each point, ascending
     const double *point;            // (n_point) its numbers; 1, 2, ... for texts
