@@ -73,18 +73,6 @@ int text_columns(const char *text, size_t n) {
     return columns;
 }
 
-bool text_is_utf8(const char *text, size_t n, size_t *at) {
-    for (size_t i = 0; i < n;) {
-        size_t size = text_character(text + i, n - i);
-        if (size == 0) {
-            *at = i;
-            return false;
-        }
-        i += size;
-    }
-    return true;
-}
-
 size_t text_cut(const char *text, size_t n) {
     size_t start = n;
     while (start > 0 && n - start < 3 && ((unsigned char)text[start - 1] & 0xC0) == 0x80) {

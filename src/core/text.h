@@ -50,9 +50,6 @@ int text_file(struct arena *a, const char *path, size_t limit, char **text, size
 // Characters (not bytes) of the first `n` bytes of UTF-8 text; stray bytes count as one each.
 int text_columns(const char *text, size_t n);
 
-// False if the `n` bytes are not text: contain 0 bytes or invalid UTF-8. *at: the offending offset.
-bool text_is_utf8(const char *text, size_t n, size_t *at);
-
 // Bytes of the character that starts the `n` >= 1 bytes of UTF-8 text; 0: it is not valid.
 size_t text_character(const char *text, size_t n);
 

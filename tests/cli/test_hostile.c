@@ -46,7 +46,7 @@ static void json_and_csv_read_back_to_the_same_texts(void **state) {
     (void)state;
     for (int i = 0; i < N_HOSTILE; i++) {
         size_t at;
-        if (!text_is_utf8(hostile_text[i], strlen(hostile_text[i]), &at)) {
+        if (!support_is_utf8(hostile_text[i], strlen(hostile_text[i]), &at)) {
             continue;
         }
         foreign_text(support_path("run.h5"), support_path("x.h5"), -1, hostile_text[i]);

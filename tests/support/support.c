@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 
 static struct arena *texts;
 static char *folder;
@@ -179,4 +180,16 @@ struct support_result support_run(const char *format, ...) {
         .out = support_read(out, NULL),
         .err = support_read(err, NULL),
     };
+}
+
+bool support_is_utf8(const char *text, size_t n, size_t *at) {
+    for (size_t i = 0; i < n;) {
+        size_t size = text_character(text + i, n - i);
+        if (size == 0) {
+            *at = i;
+            return false;
+        }
+        i += size;
+    }
+    return true;
 }

@@ -6,6 +6,7 @@
 
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -38,5 +39,8 @@ struct support_result {
     const char *out, *err;
 };
 struct support_result support_run(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// False if the `n` bytes are not text: contain 0 bytes or invalid UTF-8. *at: the offending offset.
+bool support_is_utf8(const char *text, size_t n, size_t *at);
 
 #endif

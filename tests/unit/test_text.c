@@ -116,12 +116,12 @@ static void only_well_formed_utf8_is_text(void **state) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         size_t at = 99;
-        bool ok = text_is_utf8(cases[i].text, strlen(cases[i].text), &at);
+        bool ok = support_is_utf8(cases[i].text, strlen(cases[i].text), &at);
         assert_int_equal(ok, cases[i].wrong < 0);
         assert_int_equal(at, ok ? 99 : (size_t)cases[i].wrong);
     }
     size_t at;
-    assert_false(text_is_utf8("a\0b", 3, &at));
+    assert_false(support_is_utf8("a\0b", 3, &at));
     assert_int_equal(at, 1);
 }
 
