@@ -24,15 +24,15 @@ const struct command command_sensitivity = {
 
 static const char explanation[] =
     "\nThe parameters are the random sweeps of the deck. Each combination of the other sweeps has "
-    "lines of its\nown. One at a time, with two runs for each parameter, is the default: where "
-    "parameters act together\nthey need --variance, with n / 2 runs for each parameter and n more, "
-    "where n is the number of values\n(-n of the random sweeps). The first index is the share of "
-    "the variance that is due to the parameter\nalone, the total one with all that it does "
-    "together "
-    "with others (Saltelli et al. 2010). low and high are\nthe ends of an interval of 95 % "
-    "confidence, by bootstrap. effect is the mean change of the demand from\nthe smallest to the "
-    "largest value of the parameter, in absolute value (Campolongo et al. 2011). The\ncommand "
-    "writes no file. Exit status 1: runs have failed or have no finite demand.\n";
+    "lines of its\nown. By default one parameter at a time changes, in two runs, and the others "
+    "stay at their medians.\nParameters that act together need --variance. It makes (d + 2) n / 2 "
+    "runs for d parameters of n values\n(-n of the sweeps). first is the share of the variance "
+    "that "
+    "is due to the parameter alone; total also\ncontains what it does together with others "
+    "(Saltelli et al. 2010). low and high are the ends of an interval\nof 95 % confidence, by "
+    "bootstrap. effect is the mean absolute change of the demand from the smallest to\nthe largest "
+    "value of the parameter, and scatter its standard deviation (Campolongo et al. 2011). The\n"
+    "command writes no file. Exit status 1: runs have failed or have no finite demand.\n";
 
 struct options {
     struct load_request load;
@@ -169,10 +169,9 @@ static int judge(const struct page *p) {
     if (n_bad == 0) {
         return EXIT_DONE;
     }
-    error_set(&e, STATUS_FAILED, "%ld %s without a finite demand: runs that failed or collapsed",
-              n_bad,
-              p->request->method == SENSITIVITY_VARIANCE ? "rows of runs are left out, being"
-                                                         : "lines are");
+    error_set(&e, STATUS_FAILED, "%ld %s%s without a finite demand: runs failed or collapsed",
+              n_bad, p->request->method == SENSITIVITY_VARIANCE ? "row" : "line",
+              n_bad == 1 ? "" : "s");
     return command_fail(&e);
 }
 
