@@ -62,6 +62,7 @@ struct result {
     struct fragility_level *level;    // (n_point)
     struct fragility_record *record;  // (n_sample), by METHOD_IDA
     struct fragility fit;
+    double rate;  // of exceedance in a year; NAN: there is none
 };
 
 // Where all runs are on one side of the limit, how far they are from it: it may be in a wrong unit.
@@ -83,7 +84,9 @@ static void print_parameters(const struct result *r) {
     const char *unit = r->suite->abscissa_units, *blank = unit[0] ? " " : "";
     if (f->outcome == FRAGILITY_FITTED) {
         study_print_curve(f, unit, &r->suite->view->units);
-        study_print_rate(r->hazard, f, unit);
+        if (r->hazard) {
+            study_print_rate(r->rate);
+        }
         return;
     }
     printf("no curve: %s", fragility_reason(f));
@@ -125,12 +128,6 @@ static void print_crossings(const struct result *r, enum fragility_crossing cros
     printf("\n");
 }
 
-// The annual rate from intensities up to this one; NAN without a curve.
-static double rate_up_to(const struct result *r, double intensity) {
-    return r->fit.outcome == FRAGILITY_FITTED ? hazard_exceedances(r->hazard, &r->fit, intensity)
-                                              : (double)NAN;
-}
-
 static int print_text(const struct result *r, struct error *e) {
     const struct suite *s = r->suite;
     const char *unit = unit_suffix(s->edp.units);
@@ -159,7 +156,7 @@ static int print_text(const struct result *r, struct error *e) {
         printer_number(&t, l->n > 0 ? (double)l->exceeded / l->n : (double)NAN);
         printer_number(&t, fragility_probability(&r->fit, l->intensity));
         if (r->hazard) {
-            printer_number(&t, rate_up_to(r, l->intensity));
+            printer_number(&t, hazard_exceedances(r->hazard, &r->fit, l->intensity));
         }
         printer_line(&t);
     }
@@ -173,6 +170,15 @@ static int print_text(const struct result *r, struct error *e) {
     }
     print_parameters(r);
     return printer_end(&t, STATUS_OK, e);
+}
+
+// A number of the curve; an empty cell where there is none.
+static void print_fitted(struct printer *t, const struct fragility *f, double value) {
+    if (f->outcome == FRAGILITY_FITTED) {
+        printer_number(t, value);
+    } else {
+        printer_empty(t);
+    }
 }
 
 static void print_data(const struct result *r, struct printer *t) {
@@ -191,25 +197,18 @@ static void print_data(const struct result *r, struct printer *t) {
         printer_text(t, s->abscissa_units[0] ? s->abscissa_units : "1");
         printer_whole(t, l->n);
         printer_whole(t, l->exceeded);
-        const double value[] = {fragility_probability(f, l->intensity), f->median, f->dispersion,
-                                f->log_median_error, f->dispersion_error};
-        for (int i = 0; i < 5; i++) {
-            if (f->outcome == FRAGILITY_FITTED) {
-                printer_number(t, value[i]);
-            } else {
-                printer_empty(t);
-            }
-        }
+        print_fitted(t, f, fragility_probability(f, l->intensity));
+        print_fitted(t, f, f->median);
+        print_fitted(t, f, f->dispersion);
+        print_fitted(t, f, f->log_median_error);
+        print_fitted(t, f, f->dispersion_error);
         printer_text(t, method_name[r->method]);
         printer_sign(t, ida ? count_crossings(r, CROSSING_ABOVE) : -1);
         printer_sign(t, ida ? count_crossings(r, CROSSING_BELOW) : -1);
         printer_text(t, f->outcome == FRAGILITY_FITTED ? "fitted" : fragility_reason(f));
-        for (int i = 0; r->hazard && i < 2; i++) {
-            if (f->outcome == FRAGILITY_FITTED) {
-                printer_number(t, rate_up_to(r, i == 0 ? INFINITY : l->intensity));
-            } else {
-                printer_empty(t);
-            }
+        if (r->hazard) {
+            print_fitted(t, f, r->rate);
+            print_fitted(t, f, hazard_exceedances(r->hazard, f, l->intensity));
         }
         printer_line(t);
     }
@@ -217,12 +216,18 @@ static void print_data(const struct result *r, struct printer *t) {
 
 static int fit(struct result *r, struct error *e) {
     const struct suite *s = r->suite;
+    int status;
     fragility_count(s, r->group, r->limit, r->level);
     if (r->method == METHOD_COUNTS) {
-        return fragility_fit(r->level, s->n_point, &r->fit, e);
+        status = fragility_fit(r->level, s->n_point, &r->fit, e);
+    } else {
+        fragility_first(s, r->group, r->limit, r->record);
+        status = fragility_fit_records(r->record, s->n_sample, &r->fit, e);
     }
-    fragility_first(s, r->group, r->limit, r->record);
-    return fragility_fit_records(r->record, s->n_sample, &r->fit, e);
+    if (status == STATUS_OK) {
+        r->rate = study_print_find_rate(r->hazard, &r->fit, s->abscissa_units);
+    }
+    return status;
 }
 
 static int print_all(const struct request *q, const struct suite *s, const struct hazard *hazard,

@@ -54,8 +54,15 @@ static const char *outcome_of(const struct capacity *c) {
     return text[c->crossing];
 }
 
+// The curve of a group.
+struct group_curve {
+    struct fragility fit;
+    double rate;  // of exceedance in a year; NAN: there is none
+};
+
 // Fits the samples of a group.
-static int fit_group(const struct ida_print *p, int group, struct fragility *fit, struct error *e) {
+static int fit_group(const struct ida_print *p, int group, struct group_curve *out,
+                     struct error *e) {
     const int n = roles_count(p->view, p->roles, ROLE_SAMPLE);
     struct fragility_record *record = malloc((size_t)n * sizeof *record);
     if (!record) {
@@ -64,12 +71,15 @@ static int fit_group(const struct ida_print *p, int group, struct fragility *fit
     for (int k = 0; k < n; k++) {
         record[k] = capacity_record(p->request, &p->found->each[run_of(p, group, k)]);
     }
-    const int status = fragility_fit_records(record, n, fit, e);
+    const int status = fragility_fit_records(record, n, &out->fit, e);
+    if (status == STATUS_OK) {
+        out->rate = study_print_find_rate(p->hazard, &out->fit, p->request->unit);
+    }
     free(record);
     return status;
 }
 
-static void print_sample(struct ida_print *p, long run, const struct fragility *fit) {
+static void print_sample(struct ida_print *p, long run, const struct group_curve *of) {
     const struct capacity *c = &p->found->each[run];
     struct printer *t = &p->table;
     print_sweeps(p, run);
@@ -80,16 +90,16 @@ static void print_sample(struct ida_print *p, long run, const struct fragility *
     printer_text(t, outcome_of(c));
     printer_text(t, p->request->edp.text);
     printer_number(t, p->request->limit);
-    printer_number(t, fit->median);
-    printer_number(t, fit->dispersion);
+    printer_number(t, of->fit.median);
+    printer_number(t, of->fit.dispersion);
     if (p->hazard) {
-        const bool fitted = fit->outcome == FRAGILITY_FITTED;
-        printer_number(t, fitted ? hazard_exceedances(p->hazard, fit, INFINITY) : (double)NAN);
+        printer_number(t, of->rate);
     }
     printer_line(t);
 }
 
-static void print_fit(const struct ida_print *p, int group, const struct fragility *f) {
+static void print_fit(const struct ida_print *p, int group, const struct group_curve *of) {
+    const struct fragility *f = &of->fit;
     const char *comma = "";
     int choice[STUDY_SWEEPS_MAX];
     plan_choose(&p->found->at.plan, run_of(p, group, 0), choice);
@@ -109,10 +119,13 @@ static void print_fit(const struct ida_print *p, int group, const struct fragili
         return;
     }
     study_print_curve(f, p->request->unit, &p->view->units);
-    study_print_rate(p->hazard, f, p->request->unit);
+    if (p->hazard) {
+        study_print_rate(of->rate);
+    }
 }
 
-static int print_groups(struct ida_print *p, int n_group, struct fragility *fit, struct error *e) {
+static int print_groups(struct ida_print *p, int n_group, struct group_curve *curve,
+                        struct error *e) {
     const char *im = p->view->sweep[p->roles->abscissa]->name;
     const char *unit = p->request->unit[0] ? p->request->unit : NULL;
     const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
@@ -139,26 +152,26 @@ static int print_groups(struct ida_print *p, int n_group, struct fragility *fit,
     printer_head(&p->table);
     int status = STATUS_OK;
     for (int g = 0; g < n_group && status == STATUS_OK; g++) {
-        status = fit_group(p, g, &fit[g], e);
+        status = fit_group(p, g, &curve[g], e);
         for (int k = 0; k < n_sample && status == STATUS_OK; k++) {
-            print_sample(p, run_of(p, g, k), &fit[g]);
+            print_sample(p, run_of(p, g, k), &curve[g]);
         }
     }
     status = printer_end(&p->table, status, e);
     for (int g = 0; g < n_group && status == STATUS_OK && p->table.form == FORM_TEXT; g++) {
-        print_fit(p, g, &fit[g]);
+        print_fit(p, g, &curve[g]);
     }
     return status;
 }
 
 int ida_print_samples(struct ida_print *p, struct error *e) {
     const int n_group = roles_count(p->view, p->roles, ROLE_GROUP);
-    struct fragility *fit = calloc((size_t)n_group, sizeof *fit);
-    if (!fit) {
+    struct group_curve *curve = calloc((size_t)n_group, sizeof *curve);
+    if (!curve) {
         return error_no_memory(e);
     }
-    const int status = print_groups(p, n_group, fit, e);
-    free(fit);
+    const int status = print_groups(p, n_group, curve, e);
+    free(curve);
     return status;
 }
 

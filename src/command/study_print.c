@@ -21,19 +21,22 @@ void study_print_curve(const struct fragility *f, const char *unit, const struct
            f->dispersion, f->log_median_error, f->dispersion_error);
 }
 
+void study_print_rate(double rate) {
+    printf("exceeded %.4g times a year, once in %.4g years; probability in 50 years %.4g %%\n",
+           rate, 1.0 / rate, -100.0 * expm1(-50.0 * rate));
+}
+
 // A curve that is too short for the rate may change it by this share without a warning.
 static const double BEYOND_MAX = 0.01;
 
-void study_print_rate(const struct hazard *h, const struct fragility *f, const char *unit) {
-    if (!h) {
-        return;
+double study_print_find_rate(const struct hazard *h, const struct fragility *f, const char *unit) {
+    if (!h || f->outcome != FRAGILITY_FITTED) {
+        return NAN;
     }
     const size_t last = h->n - 1;
     const double rate = hazard_exceedances(h, f, INFINITY), beyond = hazard_beyond(h, f);
     const double first = fragility_probability(f, h->intensity[0]);
     const char *blank = unit[0] ? " " : "";
-    printf("exceeded %.4g times a year, once in %.4g years; probability in 50 years %.4g %%\n",
-           rate, 1.0 / rate, -100.0 * expm1(-50.0 * rate));
     if (beyond > BEYOND_MAX * rate) {
         fprintf(
             stderr,
@@ -48,6 +51,7 @@ void study_print_rate(const struct hazard *h, const struct fragility *f, const c
                 "%.3g; the rate leaves out what is exceeded at lower intensities\n",
                 h->intensity[0], blank, unit, first);
     }
+    return rate;
 }
 
 const char *study_print_status(const struct study_outcome *outcome) {

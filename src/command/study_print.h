@@ -38,10 +38,12 @@ struct study_g study_print_g(const struct unit_system *u, const char *units, dou
 // A line with the parameters of a curve that was fitted, the median in `unit`.
 void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u);
 
-// A line with the rate at which a limit with this fragility is exceeded; NULL: no hazard curve and
-// no line. Warns on stderr where the curve is too short for the rate. `unit` is that of the
-// intensity.
-void study_print_rate(const struct hazard *h, const struct fragility *f, const char *unit);
+// How often in a year a limit with this fragility is exceeded; NAN: there is no hazard curve (NULL)
+// or no fragility. Warns on stderr where the hazard curve is too short for the rate. `unit` is that
+// of the intensity.
+double study_print_find_rate(const struct hazard *h, const struct fragility *f, const char *unit);
+// A line with that rate.
+void study_print_rate(double rate);
 
 // "done", "failed", or "missing": not in the file.
 const char *study_print_status(const struct study_outcome *outcome);

@@ -70,7 +70,10 @@ static double rate_at(const struct hazard *h, size_t i, double x) {
 }
 
 double hazard_exceedances(const struct hazard *h, const struct fragility *f, double to) {
-    assert(h->n >= 2 && f->outcome == FRAGILITY_FITTED);
+    assert(h->n >= 2);
+    if (f->outcome != FRAGILITY_FITTED) {
+        return NAN;
+    }
     double sum = 0.0;
     for (size_t i = 0; i + 1 < h->n && h->intensity[i] < to; i++) {
         const bool whole = to >= h->intensity[i + 1];

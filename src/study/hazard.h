@@ -27,9 +27,9 @@ int hazard_read(struct arena *a, const char *path, struct dimension dimension, d
 
 // How often in a year a limit with the fragility `f` is exceeded at intensities up to `to`,
 //     lambda = integral of P(x) |d rate(x)|
-// (Cornell & Krawinkler 2000, PEER Center News 3(2)). From the first point of the curve on: what is
-// below is left out. Where `to` is INFINITY, intensities above the last point count with the
-// probability there.
+// (Cornell & Krawinkler 2000, PEER Center News 3(2)); NAN if no curve is fitted. From the first
+// point of the curve on: what is below is left out. Where `to` is INFINITY, intensities above the
+// last point count with the probability there.
 double hazard_exceedances(const struct hazard *h, const struct fragility *f, double to);
 
 // The most that the exceedances can be above hazard_exceedances(h, f, INFINITY), if beyond the last

@@ -35,6 +35,9 @@ run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record 
 expect "a hazard curve gives the annual rate" '[ $status -eq 0 ] && awk -F "\t" "NR > 1 { want = \$10 ^ -2 * exp(2 * \$11 ^ 2); d = \$12 / want - 1; n += d * d < 1e-18 } END { exit !(n == NR - 1 && n > 1) }" "$out"'
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt
 expect "and so does the text" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -qE "^exceeded [0-9.e+]+ times a year, once in [0-9.e-]+ years; probability in 50 years [0-9.]+ %$" "$out"'
+printf '0.001 1e-3\n0.002 1e-4\n' >hazard.txt
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt --tsv
+expect "a curve that is too short for a rate is told for each group" '[ $status -eq 0 ] && [ "$(grep -c "warning: the hazard curve ends at 0.002, where" "$err")" -eq 2 ]'
 printf '1 1\n2 1\n' >hazard.txt
 run "$jostle" ida linear.deck --limit drift=20mm --over record --hazard hazard.txt
 expect "a hazard curve must fall" '[ $status -eq 2 ] && grep -q "hazard.txt: the rate does not fall from intensity 1 to 2" "$err"'

@@ -178,6 +178,8 @@ expect "a hazard curve gives annual rates, and what each intensity adds" '[ $sta
 printf '1 1e-3\n2 1e-4\n' >hazard.txt
 run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method ida --hazard hazard.txt
 expect "where it is too short there is a warning" '[ $status -eq 0 ] && grep -q "^exceeded [0-9.e-]* times a year, once in" "$out" && grep -q "warning: the hazard curve ends at 2 m.s, where the probability is " "$err"'
+run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method ida --hazard hazard.txt --csv
+expect "beside data, too, and once" '[ $status -eq 0 ] && [ "$(grep -c "warning: the hazard curve ends at 2 m.s" "$err")" -eq 1 ]'
 run "$jostle" fragility whole.h5 --edp drift --limit 1mm --hazard hazard.txt --tsv
 expect "without a curve of the study there is no rate" '[ $status -eq 0 ] && [ "$(cut -f 18,19 "$out" | sort -u | tr "\n\t" ",;")" = ";,annual_rate;annual_rate_up_to," ]'
 for wrong in "--edp drift --limit 1m --edp force" "--edp drift --limit 1m --limit 2m" "--edp drift --limit 1m --over record --over wide" "--edp drift --limit 1m --method" "--edp drift --limit 1m --method other" "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do

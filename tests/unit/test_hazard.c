@@ -85,6 +85,8 @@ static void limits_are_met(void **state) {
     const struct hazard h = {2, (const double[]){0.1, 10}, (const double[]){1e-1, 1e-5}};
     const struct fragility sharp = lognormal(1.0, 1e-12);
     assert_close(hazard_exceedances(&h, &sharp, INFINITY), 1e-3, 1e-9);
+    const struct fragility none = {.outcome = FRAGILITY_NONE_EXCEEDS};
+    assert_true(isnan(hazard_exceedances(&h, &none, INFINITY)));
     const struct hazard steep = {2, (const double[]){1, 1.01}, (const double[]){1e-1, 1e-5}};
     const struct fragility wide = lognormal(1.0, 2.0);
     const double rate = hazard_exceedances(&steep, &wide, INFINITY);
