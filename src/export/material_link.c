@@ -177,11 +177,12 @@ static int material_slack(struct opensees *x, const struct link *l) {
                       l->name, s.law->name);
     }
     for (int sign = -1; sign <= 1; sign += 2) {
-        const double far = slack + 1e3;
-        const struct contact_response r = l->law->force(l->constant, fresh, -sign * far, 0.0);
-        if (r.force != 0.0) {
-            const double yield = material_yield(x, s.law, s.constant, sign);
-            const double k = l->constant[LINK_STIFFNESS];
+        const double yield = material_yield(x, s.law, s.constant, sign);
+        const double k = l->constant[LINK_STIFFNESS];
+        // Beyond, a law may have lost its strength.
+        const double tight = slack + (isfinite(yield) ? yield / k : 1.0), far = slack + 1e3;
+        if (l->law->force(l->constant, fresh, -sign * tight, 0.0).force != 0.0) {
+            const struct contact_response r = l->law->force(l->constant, fresh, -sign * far, 0.0);
             emit_put(&x->to, "uniaxialMaterial", "winnnnw", "ElasticPPGap", ++x->material, k,
                      sign * fmin(yield, NEVER), sign * slack, isfinite(yield) ? r.dfdd / k : 0.0,
                      "damage");
