@@ -154,15 +154,15 @@ static int material_viscous(struct opensees *x, const struct link *l) {
     if (isfinite(c[BILATERAL_RELIEF])) {
         opensees_note(x, "%s: its damper has no valve", l->name);
     }
+    int material[2], n = 0;
     emit_put(&x->to, "uniaxialMaterial", "winn", "Viscous", ++x->material, c[LINK_DASHPOT],
              c[LINK_EXPONENT]);
-    if (c[LINK_STIFFNESS] == 0.0) {
-        return x->material;
+    material[n++] = x->material;
+    if (c[LINK_STIFFNESS] != 0.0) {
+        emit_put(&x->to, "uniaxialMaterial", "win", "Elastic", ++x->material, c[LINK_STIFFNESS]);
+        material[n++] = x->material;
     }
-    emit_put(&x->to, "uniaxialMaterial", "win", "Elastic", x->material + 1, c[LINK_STIFFNESS]);
-    emit_put(&x->to, "uniaxialMaterial", "wiii", "Parallel", x->material + 2, x->material,
-             x->material + 1);
-    return x->material += 2;
+    return material_parallel(x, material, n);
 }
 
 // A link that is slack, or acts in one direction: a gap for each direction, in which yielding
@@ -189,11 +189,7 @@ static int material_slack(struct opensees *x, const struct link *l) {
             material[n++] = x->material;
         }
     }
-    if (n == 2) {
-        emit_put(&x->to, "uniaxialMaterial", "wiii", "Parallel", ++x->material, material[0],
-                 material[1]);
-    }
-    return x->material;
+    return material_parallel(x, material, n);
 }
 
 int material_link(struct opensees *x, const struct link *l) {

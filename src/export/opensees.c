@@ -29,7 +29,6 @@ void opensees_note(struct opensees *x, const char *format, ...) {
     if (x->notes) {
         safe_line(x->notes, "note: %s", line);
     }
-    x->n_note++;
 }
 
 int opensees_node(struct opensees *x, double at_x, double at_y, int hold_1, int hold_2,

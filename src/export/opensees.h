@@ -16,7 +16,6 @@ struct opensees {
     struct emitter to;
     FILE *notes;  // borrowed: what has no counterpart in OpenSees, a line each; NULL: nowhere
     const struct model *m;
-    int n_note;
     // The last tags that were given.
     int node, element, material, series, region;
     int first_node;       // the first one that is made for the building at work
@@ -65,6 +64,9 @@ void opensees_building(struct opensees *x, const struct building *g);
 // is written once for each.
 int material_storey(struct opensees *x, const struct storey_law *law, const double *constant,
                     const char *what, const void *owner);
+
+// Materials side by side, n >= 1: their forces add up.
+int material_parallel(struct opensees *x, const int *material, int n);
 
 // The law of a link, a contact or bilateral, as a function of its lengthening.
 int material_link(struct opensees *x, const struct link *l);
