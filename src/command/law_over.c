@@ -40,7 +40,7 @@ static int law_over_refuse(const char *text) {
                          text);
 }
 
-// "FROM:TO:N" as N numbers, evenly spaced. False: it is none.
+// "FROM:TO:N" as N numbers, evenly spaced. False: the text is not a range.
 static bool law_over_range(struct law_over *o, const char *text) {
     double from, to, n;
     const char *at = text;

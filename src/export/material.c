@@ -2,8 +2,8 @@
 // Laws as uniaxial materials. The numbers of a material come from the law itself: its forces and
 // tangents at some deformations, from a history of 0. So no law says its numbers a second time.
 //
-// Backbones of straight lines whose loops are those of elastoplastic springs side by side are
-// exactly such springs. Other storey laws become the nearest hysteretic material.
+// A law of straight lines becomes elastoplastic springs side by side if its loops are exactly
+// theirs. Other storey laws become the nearest hysteretic material.
 #include <assert.h>
 #include <math.h>
 

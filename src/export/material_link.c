@@ -110,7 +110,8 @@ static int material_rigid_impact(struct opensees *x, const struct link *l) {
     return x->material;
 }
 
-// The material of a contact law; NULL: none but the nearest. `note`: how it differs.
+// The material of a contact law. Laws that are not in the list get the nearest material. `note`:
+// how the material differs; NULL: it does not.
 struct material_contact {
     const struct contact_law *law;
     int (*write)(struct opensees *x, const struct link *l);

@@ -44,7 +44,7 @@ enum { OPENSEES_SWAY = 1, OPENSEES_RISE = 2, OPENSEES_TURN = 6 };
 void opensees_spring(struct opensees *x, int left, int right, int material, int direction,
                      bool damped);
 
-// The same of a spring k and a dashpot c; nothing if both are 0.
+// A spring k and a dashpot c between two nodes, in direction 1; nothing if both are 0.
 void opensees_elastic(struct opensees *x, int left, int right, double k, double c, bool damped);
 
 // Springs and dashpots that are the matrices k and c (n, n) over nodes, symmetric; NULL: none.
@@ -71,7 +71,7 @@ int material_parallel(struct opensees *x, const int *material, int n);
 // The law of a link, a contact or bilateral, as a function of its lengthening.
 int material_link(struct opensees *x, const struct link *l);
 
-// A stiffness that is the size of its law.
+// A stiffness about as large as that of the law of the link.
 double material_link_stiffness(const struct opensees *x, const struct link *l);
 
 // The force at which a storey law leaves its first line to the side `sign`; infinite: nowhere.

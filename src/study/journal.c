@@ -164,7 +164,7 @@ static int link_block(struct journal *j, const struct entry_block *b, struct err
     return STATUS_OK;
 }
 
-// Notes where the runs of a key are that are not there, from the first of them on; how many.
+// Notes the place of the runs of a key that are not there yet, from run `first` on; how many.
 static long enter(struct journal *j, long first, int64_t offset, int status, bool collapsed,
                   const struct journal_chain *chain) {
     long n = 0;
