@@ -41,7 +41,7 @@ static int compare_rank(const void *a, const void *b) {
 }
 
 static int compare_print(const struct comparing *c, enum printer_form form) {
-    const struct dimension *d = layout_field[compare_index(c->field)].dimension;
+    const struct dimension *d = layout_field[c->field].dimension;
     const char *time = c->units.time_name;
     const bool ranked = c->measured != NULL;
     const struct printer_column columns[] = {
@@ -89,14 +89,13 @@ static int compare_judge(const struct comparing *c, const struct options *o) {
 
 static int compare_draw(void *context, const struct figure_files *to, struct error *e) {
     const struct comparing *c = context;
-    const int field = compare_index(c->field);
     char name[32];
-    snprintf(name, sizeof name, "%s", field_names[field]);
+    snprintf(name, sizeof name, "%s", field_names[c->field]);
     compare_replace(name, '_', ' ');
     const struct comparison_figure f = {.title = c->title,
                                         .version = JOSTLE_VERSION,
                                         .quantity = name,
-                                        .dimension = *layout_field[field].dimension,
+                                        .dimension = *layout_field[c->field].dimension,
                                         .units = &c->units,
                                         .measured = c->measured != NULL,
                                         .n = c->n,
@@ -131,8 +130,7 @@ static int compare_run(struct comparing *c, const struct options *o, const struc
 
 static int compare_use(void *request, struct arena *a, const struct words *operand) {
     const struct options *o = request;
-    struct comparing c = {
-        .quantity = o->quantity, .measured = o->measured, .arena = a, .field = FIELD_DISPLACEMENT};
+    struct comparing c = {.quantity = o->quantity, .measured = o->measured, .arena = a};
     if (o->measured && (!o->quantity || operand->n == 0)) {
         return command_usage(&command_compare, "--measured needs a run and --quantity");
     }

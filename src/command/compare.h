@@ -14,7 +14,7 @@ struct comparing {
     const char *quantity;  // as asked for; NULL: all displacements
     const char *measured;  // the file; NULL: none
     struct arena *arena;
-    enum field field;
+    int field;          // its place in field_names; 0: displacement
     const char *owner;  // of the quantity; NULL: all
     int floor;          // from 1; 0: all
     struct unit_system units;
@@ -26,9 +26,7 @@ struct comparing {
 // Reads `quantity`. Returns EXIT_DONE or, after a message, the exit status.
 int compare_read_quantity(struct comparing *c);
 
-// The number of the field in field_names.
-int compare_index(enum field field);
-
+// Replaces every `from` in the text.
 void compare_replace(char *text, char from, char to);
 
 // The histories of a run and those of another one, or of a file of columns; those of all runs and

@@ -10,7 +10,6 @@
 
 // The history that a series is: of a floor of a building, or of a contact.
 struct compare_place {
-    enum field field;
     int owner, floor;  // from 0; floor -1: a contact
 };
 
@@ -43,19 +42,11 @@ int compare_read_quantity(struct comparing *c) {
     compare_replace(kind, '-', '_');
     for (int i = 0; i < FIELD_COUNT; i++) {
         if (strcmp(kind, field_names[i]) == 0) {
-            c->field = (enum field)(1 << i);
+            c->field = i;
             return EXIT_DONE;
         }
     }
     return command_unknown(&command_compare, "quantity", kind, field_names, FIELD_COUNT);
-}
-
-int compare_index(enum field field) {
-    int i = 0;
-    while (1 << i < (int)field) {
-        i++;
-    }
-    return i;
 }
 
 static int compare_open(const char *path, struct result_file **f, struct error *e) {
@@ -66,7 +57,7 @@ static int compare_open(const char *path, struct result_file **f, struct error *
 // The places of a run that the quantity names, and how many; `place` may be NULL.
 static int compare_places(const struct comparing *c, const struct report *r,
                           struct compare_place *place) {
-    const bool floors = compare_index(c->field) < FLOOR_FIELD_COUNT;
+    const bool floors = c->field < FLOOR_FIELD_COUNT;
     int n = 0;
     for (int i = 0; i < (floors ? r->n_building : r->n_contact); i++) {
         const char *name = floors ? r->building[i].name : r->contact[i].name;
@@ -74,7 +65,7 @@ static int compare_places(const struct comparing *c, const struct report *r,
         for (int k = first; (!c->owner || strcmp(c->owner, name) == 0) && k <= last; k++) {
             if (c->floor == 0 || c->floor == k + 1) {
                 if (place) {
-                    place[n] = (struct compare_place){c->field, i, k};
+                    place[n] = (struct compare_place){i, k};
                 }
                 n++;
             }
@@ -85,7 +76,7 @@ static int compare_places(const struct comparing *c, const struct report *r,
 
 static int compare_none(const struct comparing *c, const struct report *r, struct error *e) {
     return error_set(e, STATUS_INPUT, "%s has no %s", r->file,
-                     c->quantity ? c->quantity : field_names[compare_index(c->field)]);
+                     c->quantity ? c->quantity : field_names[c->field]);
 }
 
 static int compare_read(struct comparing *c, const struct result_file *f,
@@ -97,16 +88,17 @@ static int compare_read(struct comparing *c, const struct result_file *f,
     if (!time || !value) {
         return error_no_memory(e);
     }
+    const enum field field = (enum field)(1 << c->field);
     const int status = result_time(f, time, e);
     *out = (struct time_series){n, time, value};
     return status != STATUS_OK ? status
-           : p->floor >= 0     ? result_floor_history(f, p->field, p->owner, p->floor, value, e)
-                               : result_contact_history(f, p->field, p->owner, value, e);
+           : p->floor >= 0     ? result_floor_history(f, field, p->owner, p->floor, value, e)
+                               : result_contact_history(f, field, p->owner, value, e);
 }
 
 static const char *compare_name(struct comparing *c, const struct report *r,
                                 const struct compare_place *p) {
-    const char *field = field_names[compare_index(p->field)];
+    const char *field = field_names[c->field];
     return p->floor >= 0
                ? arena_format(c->arena, "%s:%s:%d", field, r->building[p->owner].name, p->floor + 1)
                : arena_format(c->arena, "%s:%s", field, r->contact[p->owner].name);
@@ -177,7 +169,7 @@ int compare_two(struct comparing *c, const char *path, const char *other, struct
 // those of the run.
 static int compare_measured(struct comparing *c, const struct unit_system *u,
                             struct time_series *out, struct error *e) {
-    const struct dimension what = *layout_field[compare_index(c->field)].dimension;
+    const struct dimension what = *layout_field[c->field].dimension;
     const double time = unit_size(u, dimension_time), value = unit_size(u, what);
     const struct time_series_column column[TIME_SERIES_COLUMNS] = {
         {.name = "time", .dimension = dimension_time, .unit = time},

@@ -40,7 +40,7 @@ static int law_over_refuse(const char *text) {
                          text);
 }
 
-// "FROM:TO:N" as N numbers, evenly spaced. False: it is none.
+// "FROM:TO:N" as N numbers, evenly spaced. False: the text is not a range.
 static bool law_over_range(struct law_over *o, const char *text) {
     double from, to, n;
     const char *at = text;
@@ -71,7 +71,9 @@ static int law_over_read(struct law_over *o) {
         return command_no_memory();
     }
     if (strchr(list, ':')) {
-        return law_over_range(o, list) ? EXIT_DONE : law_over_refuse(text);
+        return !law_over_range(o, list) ? law_over_refuse(text)
+               : arena_failed(o->arena) ? command_no_memory()
+                                        : EXIT_DONE;
     }
     o->value = arena_alloc(o->arena, strlen(list) + 1, sizeof *o->value);
     for (char *at = list; o->value && at; o->n_value++) {
@@ -117,6 +119,20 @@ static double law_over_row(const struct law_impact *i, const char *key) {
     return row >= 0 ? i->value[row] : (double)NAN;
 }
 
+// The unit of the values: of k that of the first law.
+static void law_over_unit(struct law_over *o, const struct law_impacts *l) {
+    struct unit_system si;
+    unit_system_init(&si);
+    const struct law_choice *c = &l->impact[0].choice;
+    const int row = contact_law_row(c->law, "k");
+    if (o->option[1] == 'v') {
+        snprintf(o->unit, sizeof o->unit, "m/s");
+    } else if (o->option[1] == 'k' && row >= 0) {
+        unit_text(&si, row_dimension(&c->law->row[row], law_choice_power(c)), o->unit,
+                  sizeof o->unit);
+    }
+}
+
 static int law_over_take(struct law_over *o, int at, const struct law_impacts *l) {
     if (!o->impact) {
         o->n_law = l->n;
@@ -125,6 +141,7 @@ static int law_over_take(struct law_over *o, int at, const struct law_impacts *l
             return command_no_memory();
         }
         law_print_bodies(l, o->bodies, sizeof o->bodies);
+        law_over_unit(o, l);
     }
     for (int i = 0; i < l->n; i++) {
         const struct law_impact *from = &l->impact[i];
@@ -140,20 +157,6 @@ static int law_over_take(struct law_over *o, int at, const struct law_impacts *l
     return EXIT_DONE;
 }
 
-// The unit of the values: of k that of the first law.
-static void law_over_unit(struct law_over *o, const struct law_impacts *l) {
-    struct unit_system si;
-    unit_system_init(&si);
-    const struct law_choice *c = &l->impact[0].choice;
-    const int row = contact_law_row(c->law, "k");
-    if (o->option[1] == 'v') {
-        snprintf(o->unit, sizeof o->unit, "m/s");
-    } else if (o->option[1] == 'k' && row >= 0) {
-        unit_text(&si, row_dimension(&c->law->row[row], law_choice_power(c)), o->unit,
-                  sizeof o->unit);
-    }
-}
-
 static int law_over_run_all(struct law_over *o) {
     const char **word = arena_alloc(o->arena, (size_t)o->q->words.n_word + 2, sizeof *word);
     int status = word ? EXIT_DONE : command_no_memory();
@@ -163,7 +166,6 @@ static int law_over_run_all(struct law_over *o) {
         status = law_impacts_run(&words, &l);
         if (status == EXIT_DONE) {
             status = law_over_take(o, i, &l);
-            law_over_unit(o, &l);
             law_impacts_free(&l);
         }
     }

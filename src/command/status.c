@@ -4,11 +4,9 @@
 
 #include <dirent.h>
 #include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "command/printer.h"
 #include "core/arena.h"
@@ -29,13 +27,12 @@ struct options {
 
 static const char journal_ending[] = ".runs";
 
-// One study of the list.
+// The list of studies, a line each.
 struct table {
     struct printer printer;
     struct arena *arena;
-    struct journal_state sum;
-    int n;
-    bool all_known;  // the time that is left
+    struct journal_state sum;  // of all studies
+    int n;                     // studies
 };
 
 static void print(struct table *t, const char *path, const char *stage,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a reading of a deck says once its parameters have their values, as bytes for a checksum.
+// The statements of a deck with the values of its parameters, as bytes for a checksum.
 //
 // Each statement adds its words. A number adds its value and its dimension, so that it adds the
 // same wherever it comes from: a literal, a param, a sweep or a -D. Any other word adds its text. A
-// number without a unit, or in front of the options, may be a name, as which 1 and 01 differ: it
-// adds its text too. Of the statements of the language only units and gravity add something.
+// number without a unit, or in front of the options, may be a name, and the names 1 and 01 differ.
+// So this number adds its text too. Of the statements of the language only units and gravity add
+// something.
 #include <string.h>
 #include <sys/stat.h>
 
@@ -17,7 +18,7 @@ static void add_double(struct checksum_sum *to, double x) {
     checksum_add_number(to, (uint64_t)number_bits(x));
 }
 
-// Reads the word from `from` on as a number; false: it is none, which is no error here.
+// Reads the word from `from` on as a number. False: it is not a number, which is not an error here.
 static bool read_number(struct deck *d, const struct word *w, const char *from,
                         struct quantity *out) {
     const char *at = from + (*from == '-' || *from == '+');
@@ -38,8 +39,8 @@ static void add_quantity(struct checksum_sum *to, const struct quantity *q) {
     }
 }
 
-// May a word of the statement name a file? To look for files costs more than all the rest. A file
-// that is not looked for is missing in the key, which the study notices when it reads the file.
+// May a word of the statement name a file? To look for files costs more than all the rest. If the
+// key lacks a file because of this choice, the study notices it when it reads the file.
 static bool may_be_file(const char *statement, const char *text) {
     static const char *const readers[] = {"ground", "load", "matrix"};
     bool reads = strpbrk(text, "./") != NULL;

@@ -15,7 +15,7 @@ struct emitter {
     int indent;  // blocks that are open
 };
 
-// Writes what a script begins with. `module`: of Python, a literal.
+// Writes the first lines of a script. `module`: the module of Python, a literal.
 void emit_start(const struct emitter *s, const char *module);
 
 // Writes a command. `form` has a letter for each argument: `w` a word, a literal of the program;

@@ -2,8 +2,9 @@
 // Laws as uniaxial materials. The numbers of a material come from the law itself: its forces and
 // tangents at some deformations, from a history of 0. So no law says its numbers a second time.
 //
-// Backbones of straight lines whose loops are those of elastoplastic springs side by side are
-// exactly such springs. Other storey laws become the nearest hysteretic material.
+// A law of straight lines becomes elastoplastic springs side by side if its loops are exactly
+// theirs. Other storey laws become the nearest hysteretic material.
+#include <assert.h>
 #include <math.h>
 
 #include "core/root.h"
@@ -107,7 +108,8 @@ static bool material_is_kinematic(const struct storey_law *law, const double *c,
            fabs(below.tangent - b->stiffness) <= SAME * b->stiffness;
 }
 
-static int material_parallel(struct opensees *x, const int *material, int n) {
+int material_parallel(struct opensees *x, const int *material, int n) {
+    assert(n > 0);
     if (n == 1) {
         return material[0];
     }
@@ -169,15 +171,15 @@ static int material_hooks(struct opensees *x, const struct storey_law *law, cons
     const double weak = law->respond(c, after, 1e-3 * yield, NULL).tangent;
     const double hook = law->respond(c, no_history, yield * (1.0 - 1e-6), NULL).tangent - weak;
     const double force = b->shear[b->n - 1] - weak * yield;
-    emit_put(&x->to, "uniaxialMaterial", "win", "Elastic", x->material + 1, weak);
-    for (int k = 0; k < 2; k++) {
-        const double sign = k == 0 ? 1.0 : -1.0;
-        emit_put(&x->to, "uniaxialMaterial", "winnnnw", "ElasticPPGap", x->material + 2 + k, hook,
+    int material[3], n = 0;
+    emit_put(&x->to, "uniaxialMaterial", "win", "Elastic", ++x->material, weak);
+    material[n++] = x->material;
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        emit_put(&x->to, "uniaxialMaterial", "winnnnw", "ElasticPPGap", ++x->material, hook,
                  sign * force, sign * gap, (b->slope[b->n - 1] - weak) / hook, "damage");
+        material[n++] = x->material;
     }
-    const int material[] = {x->material + 1, x->material + 2, x->material + 3};
-    x->material += 3;
-    return material_parallel(x, material, 3);
+    return material_parallel(x, material, n);
 }
 
 // The exponent of the unloading stiffness, where the law has one that its force does not tell.

@@ -110,7 +110,8 @@ static int material_rigid_impact(struct opensees *x, const struct link *l) {
     return x->material;
 }
 
-// The material of a contact law; NULL: none but the nearest. `note`: how it differs.
+// The material of a contact law. Laws that are not in the list get the nearest material. `note`:
+// how the material differs; NULL: it does not.
 struct material_contact {
     const struct contact_law *law;
     int (*write)(struct opensees *x, const struct link *l);
@@ -154,15 +155,15 @@ static int material_viscous(struct opensees *x, const struct link *l) {
     if (isfinite(c[BILATERAL_RELIEF])) {
         opensees_note(x, "%s: its damper has no valve", l->name);
     }
+    int material[2], n = 0;
     emit_put(&x->to, "uniaxialMaterial", "winn", "Viscous", ++x->material, c[LINK_DASHPOT],
              c[LINK_EXPONENT]);
-    if (c[LINK_STIFFNESS] == 0.0) {
-        return x->material;
+    material[n++] = x->material;
+    if (c[LINK_STIFFNESS] != 0.0) {
+        emit_put(&x->to, "uniaxialMaterial", "win", "Elastic", ++x->material, c[LINK_STIFFNESS]);
+        material[n++] = x->material;
     }
-    emit_put(&x->to, "uniaxialMaterial", "win", "Elastic", x->material + 1, c[LINK_STIFFNESS]);
-    emit_put(&x->to, "uniaxialMaterial", "wiii", "Parallel", x->material + 2, x->material,
-             x->material + 1);
-    return x->material += 2;
+    return material_parallel(x, material, n);
 }
 
 // A link that is slack, or acts in one direction: a gap for each direction, in which yielding
@@ -177,22 +178,19 @@ static int material_slack(struct opensees *x, const struct link *l) {
                       l->name, s.law->name);
     }
     for (int sign = -1; sign <= 1; sign += 2) {
-        const double far = slack + 1e3;
-        const struct contact_response r = l->law->force(l->constant, fresh, -sign * far, 0.0);
-        if (r.force != 0.0) {
-            const double yield = material_yield(x, s.law, s.constant, sign);
-            const double k = l->constant[LINK_STIFFNESS];
+        const double yield = material_yield(x, s.law, s.constant, sign);
+        const double k = l->constant[LINK_STIFFNESS];
+        // Beyond, a law may have lost its strength.
+        const double tight = slack + (isfinite(yield) ? yield / k : 1.0), far = slack + 1e3;
+        if (l->law->force(l->constant, fresh, -sign * tight, 0.0).force != 0.0) {
+            const struct contact_response r = l->law->force(l->constant, fresh, -sign * far, 0.0);
             emit_put(&x->to, "uniaxialMaterial", "winnnnw", "ElasticPPGap", ++x->material, k,
                      sign * fmin(yield, NEVER), sign * slack, isfinite(yield) ? r.dfdd / k : 0.0,
                      "damage");
             material[n++] = x->material;
         }
     }
-    if (n == 2) {
-        emit_put(&x->to, "uniaxialMaterial", "wiii", "Parallel", ++x->material, material[0],
-                 material[1]);
-    }
-    return x->material;
+    return material_parallel(x, material, n);
 }
 
 int material_link(struct opensees *x, const struct link *l) {

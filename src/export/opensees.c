@@ -29,7 +29,6 @@ void opensees_note(struct opensees *x, const char *format, ...) {
     if (x->notes) {
         safe_line(x->notes, "note: %s", line);
     }
-    x->n_note++;
 }
 
 int opensees_node(struct opensees *x, double at_x, double at_y, int hold_1, int hold_2,
@@ -209,8 +208,8 @@ static double opensees_beta(int n, const double *k, const double *c) {
     return beta;
 }
 
-// Has the building elements whose stiffness is not that of its matrix at the first step, element by
-// element?
+// Is the matrix of the building another one than the sum of its elements at the first step? Then
+// beta on the elements is not beta on the matrix.
 static bool opensees_is_condensed(const struct building *g) {
     return g->fixed || g->n_hinge > 0;
 }

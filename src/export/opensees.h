@@ -16,7 +16,6 @@ struct opensees {
     struct emitter to;
     FILE *notes;  // borrowed: what has no counterpart in OpenSees, a line each; NULL: nowhere
     const struct model *m;
-    int n_note;
     // The last tags that were given.
     int node, element, material, series, region;
     int first_node;       // the first one that is made for the building at work
@@ -45,7 +44,7 @@ enum { OPENSEES_SWAY = 1, OPENSEES_RISE = 2, OPENSEES_TURN = 6 };
 void opensees_spring(struct opensees *x, int left, int right, int material, int direction,
                      bool damped);
 
-// The same of a spring k and a dashpot c; nothing if both are 0.
+// A spring k and a dashpot c between two nodes, in direction 1; nothing if both are 0.
 void opensees_elastic(struct opensees *x, int left, int right, double k, double c, bool damped);
 
 // Springs and dashpots that are the matrices k and c (n, n) over nodes, symmetric; NULL: none.
@@ -66,10 +65,13 @@ void opensees_building(struct opensees *x, const struct building *g);
 int material_storey(struct opensees *x, const struct storey_law *law, const double *constant,
                     const char *what, const void *owner);
 
+// Materials side by side, n >= 1: their forces add up.
+int material_parallel(struct opensees *x, const int *material, int n);
+
 // The law of a link, a contact or bilateral, as a function of its lengthening.
 int material_link(struct opensees *x, const struct link *l);
 
-// A stiffness that is the size of its law.
+// A stiffness about as large as that of the law of the link.
 double material_link_stiffness(const struct opensees *x, const struct link *l);
 
 // The force at which a storey law leaves its first line to the side `sign`; infinite: nowhere.

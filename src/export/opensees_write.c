@@ -76,8 +76,8 @@ static void opensees_link(struct opensees *x, const struct link *l) {
     opensees_spring(x, left, right, material_link(x, l), OPENSEES_SWAY, false);
 }
 
-// A time series of the signal, times a factor; 0: there is none. Returns its tag.
-static int opensees_series(struct opensees *x, const struct signal *s, double factor) {
+// The time series of a signal. Returns its tag.
+static int opensees_series(struct opensees *x, const struct signal *s) {
     const int tag = ++x->series;
     if (s->value) {
         emit_begin(&x->to, "timeSeries");
@@ -90,15 +90,15 @@ static int opensees_series(struct opensees *x, const struct signal *s, double fa
         emit_word(&x->to, 6, "-startTime");
         emit_number(&x->to, 7, s->start);
         emit_word(&x->to, 8, "-factor");
-        emit_number(&x->to, 9, factor);
+        emit_number(&x->to, 9, 1.0);
         emit_end(&x->to);
     } else if (s->omega == 0.0) {
         emit_put(&x->to, "timeSeries", "wiwn", "Constant", tag, "-factor",
-                 factor * s->amplitude * sin(s->phase));
+                 s->amplitude * sin(s->phase));
     } else {
         const double end = isfinite(s->end) ? s->end : 2.0 * x->m->duration + s->start;
         emit_put(&x->to, "timeSeries", "winnnwnwn", "Trig", tag, s->start, end,
-                 2.0 * acos(-1.0) / s->omega, "-shift", s->phase, "-factor", factor * s->amplitude);
+                 2.0 * acos(-1.0) / s->omega, "-shift", s->phase, "-factor", s->amplitude);
     }
     return tag;
 }
@@ -108,7 +108,7 @@ static void opensees_ground(struct opensees *x) {
         for (int i = 0; i < x->m->ground[k].n_signal; i++) {
             const struct signal *s = &x->m->ground[k].signal[i];
             emit_note(&x->to, "ground acceleration: %s", s->name);
-            const int tag = opensees_series(x, s, 1.0);
+            const int tag = opensees_series(x, s);
             if (x->m->n_ground == 1) {
                 emit_put(&x->to, "pattern", "wiiwi", "UniformExcitation", tag, 1, "-accel", tag);
                 continue;
@@ -127,7 +127,7 @@ static void opensees_ground(struct opensees *x) {
     for (int i = 0; i < x->m->n_load; i++) {
         const struct load *l = &x->m->load[i];
         emit_note(&x->to, "load: %s", l->signal.name);
-        const int tag = opensees_series(x, &l->signal, 1.0);
+        const int tag = opensees_series(x, &l->signal);
         emit_pattern(&x->to, tag, tag);
         emit_put(&x->to, "load", "innn", opensees_dof(x, l->dof), 1.0, 0.0, 0.0);
         emit_close(&x->to);

@@ -15,11 +15,11 @@ enum { FILE_SIZE_MAX = 256 << 20, N_COLUMN = TIME_SERIES_COLUMNS };  // N_COLUMN
 struct file {
     struct record_text text;
     struct table table;
-    const struct time_series_column *column;  // (n_column)
+    const struct time_series_column *column;  // (n_column); NULL: numbers without units
     int n_column;
-    bool ascends;             // the first column must
-    double unit[N_COLUMN];    // in SI
-    double *value[N_COLUMN];  // (table.n_row) in SI
+    bool ascends;           // the first of the columns must
+    double unit[N_COLUMN];  // in SI
+    double *value;          // (n_column, table.n_row) in SI
 };
 
 // A row of the file.
@@ -91,8 +91,12 @@ static int check_columns(const struct file *f, int line, size_t n, struct error 
                              n == 1 ? "" : "s", f->column[0].name, f->column[1].name);
 }
 
+static double *value_at(const struct file *f, int c, size_t row) {
+    return f->value + (size_t)c * f->table.n_row + row;
+}
+
 static int check_value(const struct file *f, const struct series_row *r, int c, struct error *e) {
-    const double value = f->value[c][r->index];
+    const double value = *value_at(f, c, r->index);
     if (isfinite(value) && range_holds(f->column[c].range, value)) {
         return STATUS_OK;
     }
@@ -103,7 +107,7 @@ static int check_value(const struct file *f, const struct series_row *r, int c, 
 }
 
 static int check_order(const struct file *f, const struct series_row *r, struct error *e) {
-    const double *time = f->value[0] + r->index;
+    const double *time = value_at(f, 0, r->index);
     const char *name = f->column[0].name;
     return !f->ascends || r->index == 0 || time[0] > time[-1]
                ? STATUS_OK
@@ -123,98 +127,68 @@ static int read_row(struct file *f, const struct lines *l, size_t index, struct 
                                            r.field[c]};
         status = table_number(&f->table, &field, &r.printed[c], e);
         if (status == STATUS_OK) {
-            f->value[c][index] = r.printed[c] * f->unit[c];
+            *value_at(f, c, index) = r.printed[c] * f->unit[c];
             status = check_value(f, &r, c, e);
         }
     }
     return status == STATUS_OK ? check_order(f, &r, e) : status;
 }
 
-static int read_rows(struct arena *a, struct file *f, struct error *e) {
-    for (int c = 0; c < f->n_column; c++) {
-        f->value[c] = arena_alloc(a, f->table.n_row, sizeof *f->value[c]);
-        if (!f->value[c]) {
-            return error_no_memory(e);
-        }
-    }
-    struct lines l = f->table.rows;
-    for (size_t i = 0; table_next(&l); i++) {
-        int status = read_row(f, &l, i, e);
-        if (status != STATUS_OK) {
-            return status;
-        }
-    }
-    return STATUS_OK;
-}
-
-static int find_table(struct file *f, struct error *e) {
-    struct record_text raw = f->text;
-    const int status = record_clean(&raw, &f->text, e);
-    return status == STATUS_OK ? table_read(&f->text, &f->table, e) : status;
-}
-
-// Reads row `index` of a file of n columns without units, which stand behind each other.
-static int read_numbers(const struct file *f, const struct lines *l, size_t index, int n,
-                        double *value, struct error *e) {
-    const size_t n_row = f->table.n_row;
+// Reads row `index` of numbers without units.
+static int read_numbers(struct file *f, const struct lines *l, size_t index, struct error *e) {
     struct piece rest = l->line;
     const size_t found = lines_count(l->line, f->table.separators);
-    if (found != (size_t)n) {
+    if (found != (size_t)f->n_column) {
         return lines_error(e, f->text.path, l->number, "%zu columns; %d are read: the time and %d",
-                           found, n, n - 1);
+                           found, f->n_column, f->n_column - 1);
     }
-    for (int c = 0; c < n; c++) {
+    for (int c = 0; c < f->n_column; c++) {
         struct number_field field = {
             &f->text, l->number, c > 0 ? "value" : "time", index + 1, {NULL, 0}};
         lines_field(&rest, f->table.separators, &field.field);
-        const int status = table_number(&f->table, &field, &value[(size_t)c * n_row + index], e);
+        const int status = table_number(&f->table, &field, value_at(f, c, index), e);
         if (status != STATUS_OK) {
             return status;
         }
     }
-    return index == 0 || value[index] > value[index - 1]
+    const double *time = value_at(f, 0, index);
+    return index == 0 || time[0] > time[-1]
                ? STATUS_OK
                : lines_error(e, f->text.path, l->number, "times must increase");
 }
 
-static int read_matrix(struct arena *a, struct file *f, int n, const double **out,
-                       struct error *e) {
-    int status = find_table(f, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    double *value = arena_alloc(a, (size_t)n * f->table.n_row, sizeof *value);
-    if (!value) {
+static int read_rows(struct arena *a, struct file *f, struct error *e) {
+    f->value = arena_alloc(a, (size_t)f->n_column * f->table.n_row, sizeof *f->value);
+    if (!f->value) {
         return error_no_memory(e);
     }
     struct lines l = f->table.rows;
+    int status = STATUS_OK;
     for (size_t i = 0; status == STATUS_OK && table_next(&l); i++) {
-        status = read_numbers(f, &l, i, n, value, e);
+        status = f->column ? read_row(f, &l, i, e) : read_numbers(f, &l, i, e);
     }
-    *out = value;
     return status;
 }
 
-static int read_text(struct arena *a, struct file *f, struct error *e) {
-    return find_table(f, e) != STATUS_OK ||
-                   check_columns(f, f->table.first_line, f->table.n_column, e) != STATUS_OK ||
-                   find_units(f, e) != STATUS_OK
-               ? e->status
-               : read_rows(a, f, e);
+static int find_table(struct file *f, struct error *e) {
+    struct record_text raw = f->text;
+    int status = record_clean(&raw, &f->text, e);
+    status = status == STATUS_OK ? table_read(&f->text, &f->table, e) : status;
+    if (status != STATUS_OK || !f->column) {
+        return status;
+    }
+    status = check_columns(f, f->table.first_line, f->table.n_column, e);
+    return status == STATUS_OK ? find_units(f, e) : status;
 }
 
-static int read_file(struct arena *a, const char *path, struct file *f, const double **value,
-                     size_t *n_row, struct error *e) {
+static int read_file(struct arena *a, const char *path, struct file *f, struct error *e) {
     struct arena *scratch;
     int status = record_text_open(path, FILE_SIZE_MAX, &f->text, &scratch, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = read_text(a, f, e);
-    for (int c = 0; status == STATUS_OK && c < f->n_column; c++) {
-        value[c] = f->value[c];
-        *n_row = f->table.n_row;
-    }
+    status = find_table(f, e);
+    status = status == STATUS_OK ? read_rows(a, f, e) : status;
     arena_free(scratch);
     return status;
 }
@@ -223,31 +197,30 @@ int time_series_columns(struct arena *a, const char *path, const struct time_ser
                         int n, const double **value, size_t *n_row, struct error *e) {
     assert(n >= 1 && n <= N_COLUMN);
     struct file f = {.column = column, .n_column = n};
-    return read_file(a, path, &f, value, n_row, e);
+    const int status = read_file(a, path, &f, e);
+    for (int c = 0; status == STATUS_OK && c < n; c++) {
+        value[c] = value_at(&f, c, 0);
+        *n_row = f.table.n_row;
+    }
+    return status;
 }
 
 int time_series_read(struct arena *a, const char *path,
                      const struct time_series_column column[TIME_SERIES_COLUMNS],
                      struct time_series *out, struct error *e) {
     struct file f = {.column = column, .n_column = N_COLUMN, .ascends = true};
-    const double *value[N_COLUMN];
-    size_t n = 0;
-    const int status = read_file(a, path, &f, value, &n, e);
+    const int status = read_file(a, path, &f, e);
     if (status == STATUS_OK) {
-        *out = (struct time_series){n, value[0], value[1]};
+        *out = (struct time_series){f.table.n_row, value_at(&f, 0, 0), value_at(&f, 1, 0)};
     }
     return status;
 }
 
 int time_series_matrix(struct arena *a, const char *path, int n_column, const double **value,
                        size_t *n_row, struct error *e) {
-    struct file f = {.n_column = 0};
-    struct arena *scratch;
-    int status = record_text_open(path, FILE_SIZE_MAX, &f.text, &scratch, e);
-    if (status == STATUS_OK) {
-        status = read_matrix(a, &f, n_column, value, e);
-        *n_row = f.table.n_row;
-        arena_free(scratch);
-    }
+    struct file f = {.n_column = n_column};
+    const int status = read_file(a, path, &f, e);
+    *value = f.value;
+    *n_row = f.table.n_row;
     return status;
 }

@@ -40,11 +40,7 @@ void journal_remove(struct journal *j) {
     journal_close(j);
 }
 
-static int take_foreign(struct journal *j, struct error *e) {
-    j->head = calloc(1, 1);
-    return j->head ? STATUS_OK : error_no_memory(e);
-}
-
+// Of a journal that this program does not read, the head has `n` = 0 bytes.
 static int take_head(struct journal *j, size_t n, struct error *e) {
     j->head = calloc(n + 1, 1);
     if (!j->head) {
@@ -71,14 +67,14 @@ static int load_head(struct journal *j, struct error *e) {
         if ((size_t)got == sizeof magic && memcmp(found, magic, MAGIC_VERSION) == 0 &&
             version >= '0' && version <= '9' &&
             found[MAGIC_VERSION + 1] == magic[MAGIC_VERSION + 1]) {
-            return take_foreign(j, e);
+            return take_head(j, 0, e);
         }
         return error_set(e, STATUS_INPUT,
                          "%s is not the journal of a study; move it out of the way", j->path);
     }
     if (file_read(j->file, j->buffer, ENTRY_HEAD, sizeof magic) == ENTRY_HEAD &&
         journal_entry_is_foreign(j->buffer)) {
-        return take_foreign(j, e);
+        return take_head(j, 0, e);
     }
     int status = journal_load_entry(j, sizeof magic, &kind, &n, e);
     if (status != 1 || kind != ENTRY_HEAD_TEXT) {
@@ -168,7 +164,7 @@ static int link_block(struct journal *j, const struct entry_block *b, struct err
     return STATUS_OK;
 }
 
-// Notes where the runs of a key are that are not there, from the first of them on; how many.
+// Notes the place of the runs of a key that are not there yet, from run `first` on; how many.
 static long enter(struct journal *j, long first, int64_t offset, int status, bool collapsed,
                   const struct journal_chain *chain) {
     long n = 0;

@@ -55,8 +55,8 @@ struct journal {
     char *head;                          // NULL: there is none, or a damaged one
 };
 
-// Where the first entry of the journal is that begins with these JOURNAL_MAGIC bytes; 0: it is no
-// journal of this version.
+// The place of the first entry in a file that begins with these JOURNAL_MAGIC bytes; 0: the file is
+// not a journal of this version. NULL: it has fewer bytes.
 enum { JOURNAL_MAGIC = 8 };
 off_t journal_first(const unsigned char *bytes);
 
@@ -66,9 +66,9 @@ off_t journal_first(const unsigned char *bytes);
 int journal_open(struct journal *j, const char *path, const struct keys *keys, size_t n_value,
                  struct error *e);
 
-// From now on runs have histories, with rows of this shape, any number but 0: what tells them from
-// histories of other rows. Runs that were done without them, or with others, are not loaded.
-// Errors: STATUS_SYSTEM (no memory).
+// From now on runs have histories. `shape`, not 0, is a number of the form of their rows. Runs that
+// were done without histories, or with rows of another shape, are not loaded. Errors: STATUS_SYSTEM
+// (no memory).
 int journal_want_histories(struct journal *j, uint64_t shape, struct error *e);
 
 // Is the file shorter than a journal with the head `head` and no runs, as one that was torn when it

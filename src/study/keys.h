@@ -17,13 +17,14 @@ struct keys {
     int *twin;              // (n) the next run of the same key; -1: none
 };
 
-// Room for the keys of `n` runs, which are not known yet; and the table of those that are filled
-// in. keys_close is to be called, whatever happens. Errors: STATUS_SYSTEM (no memory).
+// keys_open makes room for `n` keys, which are not known yet. keys_index makes the table, once they
+// are filled in. Call keys_close, whatever happens. Errors: STATUS_SYSTEM (no memory).
 int keys_open(struct keys *k, long n, struct error *e);
 void keys_index(struct keys *k);
 
-// Both, with the keys of the runs of the plan. Enters the files that they read. Errors:
-// STATUS_INPUT (a file changes meanwhile), STATUS_SYSTEM, and those of the poll of `q`.
+// Does both, with the keys of the runs of the plan. Enters in the manifest the files that the runs
+// read. Errors: STATUS_INPUT (a file changes meanwhile), STATUS_SYSTEM, and those of the poll of
+// `q`.
 int keys_make(struct keys *k, const struct study_request *q, const struct plan *p,
               struct manifest *m, struct error *e);
 void keys_close(struct keys *k);
@@ -31,7 +32,7 @@ void keys_close(struct keys *k);
 // The first run of this key; -1: there is none, or the key is not known.
 long keys_find(const struct keys *k, const struct study_key *key);
 
-// From now on the key of the run is not known: it read a file that no key has.
+// From now on the key of the run is not known: the run read a file that its key does not contain.
 void keys_forget(struct keys *k, long run);
 
 bool keys_is_known(const struct study_key *key);

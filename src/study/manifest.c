@@ -68,10 +68,6 @@ static struct manifest_file *enter(struct manifest *m, const char *name, bool in
     return f;
 }
 
-static int changed(const char *path, struct error *e) {
-    return error_set(e, STATUS_INPUT, "%s has changed since the study was started", path);
-}
-
 int manifest_check(struct manifest *m, const struct deck_path *file,
                    const struct manifest_file **entry, struct error *e) {
     const char *path = file->path, *name = file->absolute ? path : path + m->folder;
@@ -86,7 +82,7 @@ int manifest_check(struct manifest *m, const struct deck_path *file,
     }
     const struct checksum sum = sum_of(path, f->included);
     if (!checksum_equal(&sum, &f->sum)) {
-        return changed(path, e);
+        return error_set(e, STATUS_INPUT, "%s has changed since the study was started", path);
     }
     f->seen = now;
     return STATUS_OK;
@@ -99,20 +95,14 @@ int manifest_expect(struct manifest *m, const char *name, const struct checksum 
     if (!f) {
         return error_no_memory(e);
     }
-    f->changed = !checksum_equal(sum, &f->sum);
-    if (f->changed && !f->included) {  // it may be a deck
-        const struct checksum meaning = sum_of(f->path, true);
-        f->included = checksum_equal(sum, &meaning);
-        f->changed = !f->included;
-        f->sum = f->included ? meaning : f->sum;
+    if (checksum_equal(sum, &f->sum)) {
+        return STATUS_OK;
     }
+    const struct checksum meaning = sum_of(f->path, true);  // the file may be an included deck
+    if (f->included || !checksum_equal(sum, &meaning)) {
+        return error_set(e, STATUS_INPUT, "%s", name);
+    }
+    f->included = true;
+    f->sum = meaning;
     return STATUS_OK;
-}
-
-int manifest_unchanged(const struct manifest *m, struct error *e) {
-    const struct manifest_file *first = NULL;  // the list begins with the last one
-    for (const struct manifest_file *f = m->file; f; f = f->next) {
-        first = f->changed ? f : first;
-    }
-    return first ? changed(first->path, e) : STATUS_OK;
 }

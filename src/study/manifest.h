@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that the runs of a study have read, so that none changes while it runs or between its
-// start and its resumption.
+// The files that the runs of a study read, with their checksums, so that no file changes while the
+// study runs.
 #ifndef JOSTLE_MANIFEST_H
 #define JOSTLE_MANIFEST_H
 
@@ -15,7 +15,6 @@ struct manifest_file {
     bool included;        // it is a deck
     struct checksum sum;  // "": it cannot be read
     struct stat seen;     // when the sum was made
-    bool changed;         // since its last manifest_expect
     struct manifest_file *next;
 };
 
@@ -36,12 +35,9 @@ void manifest_close(struct manifest *m);
 int manifest_check(struct manifest *m, const struct deck_path *file,
                    const struct manifest_file **entry, struct error *e);
 
-// Enters the file of this name and notes whether it has another checksum than `sum`. Of a file that
-// is expected twice the last one counts. Errors: STATUS_SYSTEM (no memory).
+// Enters the file of this name and compares it with `sum`. Errors: STATUS_INPUT with the name (the
+// file has another checksum), STATUS_SYSTEM (no memory).
 int manifest_expect(struct manifest *m, const char *name, const struct checksum *sum,
                     struct error *e);
-
-// STATUS_INPUT if a file has changed: the first one that was expected.
-int manifest_unchanged(const struct manifest *m, struct error *e);
 
 #endif

@@ -136,7 +136,7 @@ static int join_keys(struct merge *m, struct error *e) {
     int status = m->key ? STATUS_OK : error_no_memory(e);
     for (int k = 0; k < m->request->n_path && m->key && status == STATUS_OK; k++) {
         const struct study_view *v = m->input[k].view;
-        struct study_key *part;
+        struct study_key *part = NULL;
         status = study_file_keys(m->input[k].file, &part, e);
         if (status == STATUS_OK && !part) {
             free(m->key);
@@ -145,7 +145,7 @@ static int join_keys(struct merge *m, struct error *e) {
         for (long i = 0; m->key && status == STATUS_OK && i < v->n_run; i++) {
             m->key[study_view_run(v, i)] = part[i];
         }
-        free(status == STATUS_OK ? part : NULL);
+        free(part);
     }
     m->origin.key = m->key;
     return status;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/status.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +20,7 @@ struct window {
     unsigned char *byte;  // (WINDOW)
 };
 
-// `n` bytes at `at`; NULL: the file ends before, or cannot be read, as errno tells.
+// `n` bytes at `at`, valid until the next call; NULL: the file ends before, or cannot be read.
 static const unsigned char *look(struct window *w, off_t at, size_t n) {
     if (at < w->at || at + (off_t)n > w->at + (off_t)w->n) {
         const ssize_t got = file_read(w->file, w->byte, WINDOW, at);
@@ -51,14 +50,16 @@ static void count(struct window *w, off_t at, struct journal_state *s) {
         const size_t wanted = kind == ENTRY_RUN     ? sizeof(struct journal_run_head)
                               : kind == ENTRY_STATE ? sizeof *s
                                                     : 0;
-        entry = wanted <= n ? look(w, at, ENTRY_HEAD + wanted) : NULL;
-        if (!entry || !look(w, at + (off_t)(ENTRY_HEAD + n), ENTRY_TAIL)) {
+        if (wanted > n || !look(w, at + (off_t)(ENTRY_HEAD + n), ENTRY_TAIL)) {
             return;
         }
         entry = look(w, at, ENTRY_HEAD + wanted);
-        if (kind == ENTRY_STATE && entry) {
+        if (!entry) {
+            return;
+        }
+        if (kind == ENTRY_STATE) {
             memcpy(s, entry + ENTRY_HEAD, sizeof *s);
-        } else if (kind == ENTRY_RUN && entry) {
+        } else if (kind == ENTRY_RUN) {
             add_run(s, entry + ENTRY_HEAD);
         }
         at += (off_t)(ENTRY_HEAD + n + ENTRY_TAIL);

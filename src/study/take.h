@@ -30,8 +30,8 @@ void take_close(struct take_file *t);
 int take_map(struct take_file *t, const struct study_table *table, const struct sweep *sweeps,
              struct error *e);
 
-// Run `row` of the file. Rows are read in blocks, so that it costs little to go through a file, in
-// steps too. Errors as of study_file_read.
+// Run `row` of the file. Rows are read in blocks, so a walk through the file is fast, in either
+// direction and in steps. Errors as of study_file_read.
 int take_row(struct take_file *t, long row, struct study_outcome *outcome, double *value,
              struct error *e);
 

@@ -105,16 +105,20 @@ const char *support_path(const char *name) {
     return path;
 }
 
-const char *support_write(const char *name, const char *text) {
-    const char *path = support_path(name);
+void support_write_bytes(const char *path, const char *bytes, size_t n) {
     FILE *f = fopen(path, "wb");
     if (!f) {
         fail_msg("cannot write %s", path);
     }
-    bool written = fputs(text, f) >= 0;
+    bool written = fwrite(bytes, 1, n, f) == n;
     if (fclose(f) != 0 || !written) {
         fail_msg("cannot write %s", path);
     }
+}
+
+const char *support_write(const char *name, const char *text) {
+    const char *path = support_path(name);
+    support_write_bytes(path, text, strlen(text));
     return path;
 }
 

@@ -29,6 +29,9 @@ const char *support_path(const char *name);
 // Writes `text` to the file `name` in the temporary folder and returns its path.
 const char *support_write(const char *name, const char *text);
 
+// Writes the file at `path`.
+void support_write_bytes(const char *path, const char *bytes, size_t n);
+
 // The bytes of the file at `path` and a final 0; *size may be NULL.
 const char *support_read(const char *path, size_t *size);
 

@@ -12,6 +12,7 @@
 
 #include "core/file.h"
 #include "study/journal.h"
+#include "support/keys.h"
 #include "support/support.h"
 
 enum { RUNS = 5, VALUES = 3 };
@@ -23,13 +24,8 @@ static double value_of(long run, int i) {
 }
 
 static int make_keys(void **state) {
-    struct error e;
     (void)state;
-    assert_int_equal(keys_open(&keys, RUNS, &e), STATUS_OK);
-    for (long run = 0; run < RUNS; run++) {
-        keys.key[run].byte[31] = (unsigned char)(run + 1);  // all in one place of the table
-    }
-    keys_index(&keys);
+    keys_made_up(&keys, RUNS, NULL);
     return 0;
 }
 
@@ -138,13 +134,6 @@ static void a_run_more_goes_behind_the_others(void **state) {
     assert_int_equal(load(path), before + 1);
 }
 
-static void write_bytes(const char *path, const char *bytes, size_t n) {
-    FILE *to = fopen(path, "wb");
-    assert_non_null(to);
-    assert_int_equal(fwrite(bytes, 1, n, to), n);
-    fclose(to);
-}
-
 static void a_file_cut_anywhere_keeps_the_entries_before_the_cut(void **state) {
     (void)state;
     size_t size;
@@ -152,7 +141,7 @@ static void a_file_cut_anywhere_keeps_the_entries_before_the_cut(void **state) {
     const char *path = support_path("short.runs");
     long last = 0;
     for (size_t n = 0; n <= size; n++) {
-        write_bytes(path, text, n);
+        support_write_bytes(path, text, n);
         const long kept = load(path);
         assert_true(kept >= last && kept <= last + 1);
         last = kept;
@@ -187,7 +176,7 @@ static void a_flipped_byte_costs_its_entry(void **state) {
     for (size_t at = 0; at < size; at++) {
         long n_damaged = 0;
         text[at] ^= 0x10;
-        write_bytes(path, text, size);
+        support_write_bytes(path, text, size);
         const long kept = load_and_count(path, &n_damaged);
         assert_int_equal(kept, at < 8          ? -1
                                : at < start[0] ? 0  // of the head
@@ -215,12 +204,12 @@ static void bytes_that_are_gone_or_too_many_cost_their_entry(void **state) {
         long n_damaged = 0;
         memcpy(moved, text, at);
         memcpy(moved + at, text + at + 3, size - at - 3);
-        write_bytes(path, moved, size - 3);
+        support_write_bytes(path, moved, size - 3);
         const long kept = load_and_count(path, &n_damaged);
         assert_true(kept >= 2 && n_damaged == 1);  // three bytes may be of two entries
         memset(moved + at, 'r', 100);
         memcpy(moved + at + 100, text + at, size - at);
-        write_bytes(path, moved, size + 100);
+        support_write_bytes(path, moved, size + 100);
         assert_true(load_and_count(path, &n_damaged) >= 3 && n_damaged == 1);
     }
     free(moved);
@@ -237,7 +226,7 @@ static void a_long_stretch_without_an_entry_is_passed_over(void **state) {
     find_entries(text, size, start);
     memcpy(bytes, text, start[2]);
     memcpy(bytes + start[2] + STRETCH, text + start[2], size - start[2]);
-    write_bytes(path, bytes, size + STRETCH);
+    support_write_bytes(path, bytes, size + STRETCH);
     assert_int_equal(load_and_count(path, &n_damaged), 4);
     assert_int_equal(n_damaged, 1);
     free(bytes);
@@ -252,10 +241,10 @@ static void a_last_entry_that_claims_more_than_there_can_be_is_damaged(void **st
     const char *path = support_path("claimed.runs");
     find_entries(text, size, start);
     text[start[ENTRIES - 1] + 6] ^= 1;
-    write_bytes(path, text, size);
+    support_write_bytes(path, text, size);
     const long kept = load_and_count(path, &n_damaged);
     assert_int_equal(n_damaged, 1);
-    write_bytes(path, text, start[ENTRIES - 1]);
+    support_write_bytes(path, text, start[ENTRIES - 1]);
     assert_int_equal(load_and_count(path, &n_damaged), kept);
 }
 

@@ -8,6 +8,7 @@
 
 #include "study/journal.h"
 #include "study/journal_entry.h"
+#include "support/keys.h"
 #include "support/support.h"
 
 enum { RUNS = 5, VALUES = 3, FAILED = 1 };
@@ -16,13 +17,8 @@ static const char head[] = "the deck\t1\n";
 static struct keys keys;
 
 static int make_keys(void **state) {
-    struct error e;
     (void)state;
-    assert_int_equal(keys_open(&keys, RUNS, &e), STATUS_OK);
-    for (long run = 0; run < RUNS; run++) {
-        keys.key[run].byte[0] = (unsigned char)(run + 1);
-    }
-    keys_index(&keys);
+    keys_made_up(&keys, RUNS, NULL);
     return 0;
 }
 
@@ -30,13 +26,6 @@ static int free_keys(void **state) {
     (void)state;
     keys_close(&keys);
     return 0;
-}
-
-static void write_bytes(const char *path, const char *bytes, size_t n) {
-    FILE *to = fopen(path, "wb");
-    assert_non_null(to);
-    assert_int_equal(fwrite(bytes, 1, n, to), n);
-    fclose(to);
 }
 
 enum { SHAPE = 7, BLOCKS = 3, LONG_BLOCK = ENTRY_BLOCK_BYTES };
@@ -175,7 +164,7 @@ static void a_flipped_byte_of_histories_costs_their_run(void **state) {
     const size_t broken_off = 8 + sizeof(struct entry_block) + block_size(2, 0) + 8;
     for (size_t at = first; at < size; at += at < first + 400 || at + 400 > size ? 1 : 9973) {
         text[at] ^= 0x10;
-        write_bytes(path, text, size);
+        support_write_bytes(path, text, size);
         assert_int_equal(load_histories(path, SHAPE), at < first + broken_off ? 2 : 1);
         text[at] ^= 0x10;
     }
@@ -188,7 +177,7 @@ static void histories_that_are_cut_cost_their_run(void **state) {
     const char *path = support_path("cut_blocks.runs");
     const size_t first = 8 + 8 + strlen(head) + 8;
     for (size_t n = first; n <= size; n += n + 400 > size ? 1 : 9973) {
-        write_bytes(path, text, n);
+        support_write_bytes(path, text, n);
         const size_t entry = 8 + journal_entry_run_size(VALUES) - STUDY_MESSAGE_MAX + 8;
         assert_int_equal(load_histories(path, SHAPE), n == size ? 2 : n + entry >= size ? 1 : 0);
     }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "study/journal.h"
+#include "support/keys.h"
 #include "support/support.h"
 
 enum { RUNS = 5, VALUES = 3 };
@@ -11,15 +12,6 @@ static const struct study_outcome done = {.status = STUDY_DONE}, failed = {.stat
 
 static double value_of(long run, int i) {
     return 100.0 * (double)run + i + 0.1;
-}
-
-static void open_keys(struct keys *keys, long n, const int *byte) {
-    struct error e;
-    assert_int_equal(keys_open(keys, n, &e), STATUS_OK);
-    for (long run = 0; run < n; run++) {
-        keys->key[run].byte[31] = (unsigned char)byte[run];
-    }
-    keys_index(keys);
 }
 
 static void add(struct journal *j, long run, const struct study_outcome *outcome, bool collapsed) {
@@ -41,7 +33,7 @@ static void runs_are_found_by_their_keys(void **state) {
     struct journal j;
     struct error e;
     unlink(path);
-    open_keys(&keys, RUNS, few);
+    keys_made_up(&keys, RUNS, few);
     assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
     assert_int_equal(journal_reset(&j, head, &e), STATUS_OK);
     add(&j, 3, &done, false);
@@ -50,7 +42,7 @@ static void runs_are_found_by_their_keys(void **state) {
     add(&j, 2, &done, false);
     journal_close(&j);
     keys_close(&keys);
-    open_keys(&keys, MORE, many);
+    keys_made_up(&keys, MORE, many);
     assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
     assert_int_equal(journal_load(&j, &e), STATUS_OK);
     assert_int_equal(j.n_done, 4);
@@ -76,7 +68,7 @@ static void a_run_stands_for_all_of_its_key(void **state) {
     struct journal j;
     struct error e;
     unlink(path);
-    open_keys(&keys, RUNS, twins);
+    keys_made_up(&keys, RUNS, twins);
     assert_int_equal(keys_find(&keys, &keys.key[3]), 1);
     assert_int_equal(keys_find(&keys, &keys.key[0]), -1);
     assert_int_equal(journal_open(&j, path, &keys, VALUES, &e), STATUS_OK);
