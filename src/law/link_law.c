@@ -46,6 +46,12 @@ static const struct row friction_rows[FRICTION_ROWS] = {
 
 enum { VISCOUS, MAXWELL, FRICTION, HOOK, CABLE, GAP, N_OWN };
 
+struct link_law link_law_of_storey(const struct storey_law *law) {
+    assert(!law->respond_at_rate);
+    return (struct link_law){
+        .name = law->name, .storey = law, .row = law->row, .n_row = law->n_row};
+}
+
 #define STOREY_LAW(descriptor) +1
 #define STOREY_WITHOUT_RATE
 const int n_link_law = N_OWN
@@ -86,9 +92,7 @@ struct link_law link_law_at(int i) {
         default:
             break;
     }
-    const struct storey_law *law = storey_laws[i - N_OWN];
-    return (struct link_law){
-        .name = law->name, .storey = law, .row = law->row, .n_row = law->n_row};
+    return link_law_of_storey(storey_laws[i - N_OWN]);
 }
 
 bool link_law_has(const struct link_law *law, int row) {

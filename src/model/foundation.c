@@ -344,14 +344,18 @@ double foundation_by_drift(const struct building *g, int q, int j) {
     return (double[]){sway, rocking, f->sway * sway, f->rocking * rocking}[q];
 }
 
-double foundation_across(const struct model *m, int dof, const double *x) {
-    for (int k = 0; m->storeys_differ && k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        const int i = dof - g->first;
-        if (g->fixed && i >= 0 && i < g->n_floor) {
-            const struct foundation_row r = foundation_row(g, i);
-            return x[r.dof[0]] - x[r.dof[1]] + r.weight[2] * x[r.dof[2]];
-        }
+double foundation_drift(const struct model *m, const struct building *g, int dof, const double *x) {
+    if (g->fixed && dof < g->first + g->n_floor) {
+        const struct foundation_row r = foundation_row(g, dof - g->first);
+        return x[r.dof[0]] - x[r.dof[1]] + r.weight[2] * x[r.dof[2]];
     }
     return x[dof] - m->chain.joint[dof] * x[dof - 1];
+}
+
+double foundation_across(const struct model *m, int dof, const double *x) {
+    const struct building *g = m->building;  // of which none has a foundation, or that of the floor
+    while (m->storeys_differ && dof >= g->first + g->n_dof) {
+        g++;
+    }
+    return foundation_drift(m, g, dof, x);
 }

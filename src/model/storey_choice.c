@@ -17,6 +17,15 @@ const struct storey_law *storey_choice_find(struct deck *d, const struct word *n
     return law;
 }
 
+const struct storey_law *storey_choice_find_rateless(struct deck *d, const struct word *name) {
+    const struct storey_law *law = storey_choice_find(d, name);
+    if (law && law->respond_at_rate) {
+        deck_error(d, name, "law %s depends on the velocity; it is for storeys only", law->name);
+        return NULL;
+    }
+    return law;
+}
+
 int storey_choice_row(const struct storey_law *law, const char *key) {
     for (int r = 0; r < law->n_row; r++) {
         if (strcmp(law->row[r].key, key) == 0) {

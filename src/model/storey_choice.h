@@ -18,6 +18,9 @@ struct storey_choice {
 // The law that the word names; NULL after a report that there is none.
 const struct storey_law *storey_choice_find(struct deck *d, const struct word *name);
 
+// The same where no storey has the law: a law that depends on the velocity is reported, too.
+const struct storey_law *storey_choice_find_rateless(struct deck *d, const struct word *name);
+
 // The place of the law's row; -1: it has none of this name.
 int storey_choice_row(const struct storey_law *law, const char *key);
 

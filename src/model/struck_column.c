@@ -12,7 +12,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/arena.h"
 #include "law/bilateral.h"
@@ -29,10 +28,14 @@ struct struck_draft *struck_column_draft(const struct builder *b, int i) {
     return (struct struck_draft *)b->columns.item + i;
 }
 
+// Is the column of this building at this level? Not at NAN.
+static bool is_at(const struct struck_column *c, int building, double level) {
+    return c->building == building && fabs(c->level - level) <= SAME_LEVEL * c->height;
+}
+
 int struck_column_at(const struct builder *b, int building, double level) {
-    for (int i = 0; i < b->columns.n && !isnan(level); i++) {
-        const struct struck_column *c = &struck_column_draft(b, i)->column;
-        if (c->building == building && fabs(c->level - level) <= SAME_LEVEL * c->height) {
+    for (int i = 0; i < b->columns.n; i++) {
+        if (is_at(&struck_column_draft(b, i)->column, building, level)) {
             return i;
         }
     }
@@ -45,9 +48,7 @@ static const struct link *link_at_level(const struct builder *b, const struct st
     for (int i = 0; i < b->links.n; i++) {
         for (int side = 0; side < 2; side++) {
             const struct link *l = &d[i].link;
-            const int building = l->within ? l->building[0] : l->building[side];
-            if (building == c->building &&
-                fabs(l->level[side] - c->level) <= SAME_LEVEL * c->height) {
+            if (is_at(c, l->within ? l->building[0] : l->building[side], l->level[side])) {
                 return l;
             }
         }
@@ -76,12 +77,7 @@ static bool set_elastic(struct builder *b, struct struck_draft *d) {
 // All columns together have n times the force of one at its deformation. False after a report.
 static bool set_law(struct builder *b, struct struck_draft *d, const struct storey_choice *c) {
     const struct storey_law *law = c->law;
-    struct link_law from = link_law_at(0);
-    for (int i = 1; i < n_link_law && from.storey != law; i++) {
-        from = link_law_at(i);
-        from.storey = strcmp(from.name, law->name) == 0 ? law : NULL;
-    }
-    assert(from.storey == law);
+    const struct link_law from = link_law_of_storey(law);
     const struct contact_law *made = pairs_storey_law(b, &from);
     double *value = made ? arena_alloc(b->arena, (size_t)made->n_row, sizeof *value) : NULL;
     if (!value) {

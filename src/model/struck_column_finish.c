@@ -25,8 +25,8 @@ static double *on_dofs(struct builder *b, const struct building_draft *d, const 
 }
 
 // The displacement of the point without a force on it, by the degrees of freedom of its building.
-static double *rest_on_dofs(struct builder *b, const struct building_draft *d,
-                            const struct struck_draft *column) {
+static const double *rest_on_dofs(struct builder *b, const struct building_draft *d,
+                                  const struct struck_draft *column) {
     const struct struck_column *c = &column->column;
     double *out = on_dofs(b, d, column->rest);
     if (out) {
@@ -44,14 +44,13 @@ static void add_body(struct builder *b, const struct struck_draft *column) {
     double *x = arena_alloc(b->arena, N_ARRAY, sizeof *x);
     struct storey *storey = arena_alloc(b->arena, 1, sizeof *storey);
     struct word *word = arena_alloc(b->arena, 2, sizeof *word);
-    const double *rest = rest_on_dofs(b, &host, column);
     struct building_draft *d = builder_append(b, &b->buildings, sizeof *d);
-    if (!x || !storey || !word || !rest || !d) {
+    if (!x || !storey || !word || !c->rest || !d) {
         return;
     }
     for (int i = host.n_floor - 1; i >= 0; i--) {
-        x[DISPLACEMENT] += rest[i] * host.displacement[i];
-        x[VELOCITY] += rest[i] * host.velocity[i];
+        x[DISPLACEMENT] += c->rest[i] * host.displacement[i];
+        x[VELOCITY] += c->rest[i] * host.velocity[i];
     }
     x[MASS] = c->mass;
     *d = (struct building_draft){
@@ -73,11 +72,10 @@ static void add_spring(struct builder *b, int i, int body) {
     const struct struck_draft *column = struck_column_draft(b, i);
     const struct struck_column *c = &column->column;
     const struct building_draft *host = builder_draft(b, c->building);
-    const double *rest = rest_on_dofs(b, host, column);
     struct link_draft *d = builder_append(b, &b->links, sizeof *d);
     const int n = count_dofs(host);
     struct link_entry *entry = arena_alloc(b->arena, (size_t)n, sizeof *entry);
-    if (!rest || !d || !entry) {
+    if (!d || !entry) {
         return;
     }
     *d = (struct link_draft){
@@ -100,8 +98,8 @@ static void add_spring(struct builder *b, int i, int body) {
         .named = true,
     };
     for (int k = n - 1; k >= 0; k--) {
-        if (rest[k] != 0.0) {
-            entry[d->link.row[0].n++] = (struct link_entry){k, rest[k]};
+        if (c->rest[k] != 0.0) {
+            entry[d->link.row[0].n++] = (struct link_entry){k, c->rest[k]};
         }
     }
     d->link.mass = level_effective_mass(b, &d->link);
@@ -171,7 +169,8 @@ void struck_column_finish(struct builder *b) {
         if (d->column.line > 0 && !struck_column_settle(b, d, frame_struck(host))) {
             return;
         }
-        add_body(b, struck_column_draft(b, i));
+        d->column.rest = rest_on_dofs(b, host, d);
+        add_body(b, d);
     }
     for (int i = 0; i < b->columns.n && !arena_failed(b->arena); i++) {
         add_spring(b, i, n_building + i);
@@ -185,25 +184,24 @@ struct struck_column struck_column_place(struct builder *b, int i, int point, in
     const struct struck_draft *draft = struck_column_draft(b, i);
     const struct building_draft *host = builder_draft(b, draft->column.building);
     struct struck_column c = draft->column;
-    const double *rest = rest_on_dofs(b, host, draft);
     const double *below = on_dofs(b, host, draft->below);
     const double *above = on_dofs(b, host, draft->above);
     const int n = count_dofs(host);
     int *dof = arena_alloc(b->arena, (size_t)n + 1, sizeof *dof);
     double *force = arena_alloc(b->arena, COLUMN_FORCE_COUNT * ((size_t)n + 1), sizeof *force);
-    if (!rest || !below || !above || !dof || !force) {
+    if (!below || !above || !dof || !force) {
         return c;
     }
     dof[c.n_dof++] = point;
     for (int k = n - 1; k >= 0; k--) {
-        if (rest[k] != 0.0 || below[k] != 0.0 || above[k] != 0.0) {
+        if (c.rest[k] != 0.0 || below[k] != 0.0 || above[k] != 0.0) {
             dof[c.n_dof++] = first + k;
         }
     }
     const double stiffness = c.yields ? 0.0 : c.stiffness / c.n;
     for (int j = 0; j < c.n_dof; j++) {
         const int k = dof[j] - first;
-        const double own = j == 0 ? stiffness : -stiffness * rest[k];
+        const double own = j == 0 ? stiffness : -stiffness * c.rest[k];
         const double low = j == 0 ? 0.0 : below[k], high = j == 0 ? 0.0 : above[k];
         const double shear = (low + high) / c.height;
         const double by_dof[] = {shear, shear, low, 0.0, high};
@@ -220,7 +218,6 @@ struct struck_column struck_column_place(struct builder *b, int i, int point, in
     }
     c.by_spring[COLUMN_MOMENT_POINT] =
         c.by_spring[COLUMN_SHEAR_BELOW] * c.below - c.by_spring[COLUMN_MOMENT_BELOW];
-    c.rest = rest;
     c.dof = dof;
     c.force = force;
     return c;

@@ -23,7 +23,7 @@ enum field_count {
     FIELD_BUILDINGS,          // structs behind a pointer
     FIELD_BUILDING_FLOORS,    // (n_dof) of one of them
     FIELD_BUILDING_TANGENTS,  // of its storeys (n_dof), and of its parts by drifts and by rates,
-                              // each (n_dof, n_dof)
+                              // each (n_dof, n_dof), or (n_dof) where matrices are not full
     FIELDS_ALLOCATED,
     FIELD_FLOORS = FIELDS_ALLOCATED,  // (n_dof) an array of core/lanes.h
     FIELD_LINKS,                      // (n_link) from the start of a line of the cache, whole lanes

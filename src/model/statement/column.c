@@ -117,7 +117,7 @@ static bool read_options(struct builder *b, const struct statement *s, struct ar
     if (s->n_plain <= 2) {
         return deck_options(b->deck, s, &own, 1);
     }
-    const struct storey_law *law = storey_choice_find(b->deck, &s->word[2]);
+    const struct storey_law *law = storey_choice_find_rateless(b->deck, &s->word[2]);
     for (int i = 0; law && i < N_ROW; i++) {
         if (storey_choice_row(law, rows[i].key) >= 0) {
             return deck_error(b->deck, &s->word[2],

@@ -127,13 +127,8 @@ static void build(struct builder *b, const struct statement *s) {
     struct row turned[STOREY_ROWS_MAX];
     const bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &q.selection);
     const int where = deck_keyword(b->deck, &s->word[2], "place of hinges", where_names, N_WHERE);
-    struct storey_choices c = {.law = storey_choice_find(b->deck, &s->word[3])};
+    struct storey_choices c = {.law = storey_choice_find_rateless(b->deck, &s->word[3])};
     if (!selected || where < 0 || !c.law) {
-        return;
-    }
-    if (c.law->respond_at_rate) {
-        deck_error(b->deck, &s->word[3], "law %s depends on the velocity; it is for storeys only",
-                   c.law->name);
         return;
     }
     storey_choice_turn(c.law, turned);

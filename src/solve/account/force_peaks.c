@@ -66,10 +66,10 @@ static inline int force_peaks_place(const struct force_peaks *p, const struct bu
 
 // Turns the actions of building g so that the values of one stand side by side.
 static void force_peaks_turn(const struct force_peaks *p, const struct building *g) {
-    for (int k = 0; k < p->n; k++) {
-        const double *action = p->action + (ptrdiff_t)k * p->n_action;
-        for (int j = 0; j < building_n_action(g); j++) {
-            p->turned[j * FORCES_BATCH + k] = action[force_peaks_place(p, g, j)];
+    for (int j = 0; j < building_n_action(g); j++) {
+        const double *action = p->action + force_peaks_place(p, g, j);
+        for (int k = 0; k < p->n; k++) {
+            p->turned[j * FORCES_BATCH + k] = action[(ptrdiff_t)k * p->n_action];
         }
     }
 }

@@ -12,8 +12,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct yielding, deformation, FIELD_ACTIONS),
     FIELD_ARRAY(struct yielding, force, FIELD_ACTIONS),
     FIELD_ARRAY(struct yielding, work_2x, FIELD_ACTIONS),
-    FIELD_ARRAY(struct yielding, most[0], FIELD_ACTIONS),
-    FIELD_ARRAY(struct yielding, most[1], FIELD_ACTIONS),
+    FIELD_ARRAYS(struct yielding, most, FIELD_ACTIONS),
     FIELD_ARRAY(struct yielding, stored, FIELD_ACTIONS),
 };
 const struct fields yielding_fields = FIELDS(list);
@@ -81,12 +80,13 @@ static void yielding_read(const struct yielding *y, int i, const struct state *s
     }
     const struct storey_law *law = l->storey->law;
     const double *constant = l->storey->constant, *own = history + l->history;
-    *deformation = foundation_across(y->model, l->dof, s->u);
-    *force = law->respond_at_rate
-                 ? law->respond_at_rate(constant, own, *deformation,
-                                        foundation_across(y->model, l->dof, s->v), NULL)
-                       .shear
-                 : law->respond(constant, own, *deformation, NULL).shear;
+    *deformation = foundation_drift(y->model, l->building, l->dof, s->u);
+    if (law->respond_at_rate) {
+        const double rate = foundation_drift(y->model, l->building, l->dof, s->v);
+        *force = law->respond_at_rate(constant, own, *deformation, rate, NULL).shear;
+    } else {
+        *force = law->respond(constant, own, *deformation, NULL).shear;
+    }
 }
 
 static double yielding_stored(const struct yielding_law *l, const struct state *s, double x) {

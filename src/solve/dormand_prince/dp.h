@@ -305,7 +305,7 @@ static inline double dp_drift(const struct dp *p, int what, int i, const double 
 // The drift of the storey below floor i, without its foundation.
 static inline double dp_deformation(const struct dp *p, int what, int i, const double *x) {
     (void)what;
-    return foundation_across(p->model, i, x);
+    return foundation_drift(p->model, &p->model->building[p->system.building[i]], i, x);
 }
 
 // The motion of link k in the step.
