@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "motion/lines.h"
@@ -103,13 +104,23 @@ static int check_value(const struct file *f, const struct series_row *r, int c, 
 }
 
 static int check_order(const struct file *f, const struct series_row *r, struct error *e) {
-    const double *time = f->value[0] + r->index;
+    const double *value = f->value[0] + r->index;
+    if (!f->ascends || r->index == 0 || value[0] > value[-1]) {
+        return STATUS_OK;
+    }
+    const struct dimension dimension = f->column[0].dimension;
     const char *name = f->column[0].name;
-    return !f->ascends || r->index == 0 || time[0] > time[-1]
-               ? STATUS_OK
-               : error_set(e, STATUS_INPUT, "%s: %s %.9g s after %.9g s; %ss must increase",
-                           lines_place_field(&f->text, r->line, r->field[0]).text, name, time[0],
-                           time[-1], name);
+    struct unit_system si;
+    char unit[32] = "";
+    unit_system_init(&si);
+    if (!dimension_equal(dimension, dimension_none)) {
+        unit[0] = ' ';
+        unit_text(&si, dimension, unit + 1, sizeof unit - 1);
+    }
+    const int n = (int)strlen(name), y = name[n - 1] == 'y';
+    return error_set(e, STATUS_INPUT, "%s: %s %.9g%s after %.9g%s; %.*s%s must increase",
+                     lines_place_field(&f->text, r->line, r->field[0]).text, name, value[0], unit,
+                     value[-1], unit, n - y, name, y ? "ies" : "s");
 }
 
 // Reads row `index`, the current line of `l`.
