@@ -261,8 +261,10 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
         print_run(v, p->failed, to);
         safe_line(to, "  %s", p->message);
     }
-    fprintf(to, "\nwall time   %.3g s on %d thread%s", v->seconds, v->n_thread,
-            v->n_thread == 1 ? "" : "s");
+    fprintf(to, "\nwall time   %.3g s", v->seconds);
+    if (v->n_thread > 0) {
+        fprintf(to, " on %d thread%s", v->n_thread, v->n_thread == 1 ? "" : "s");
+    }
     if (v->n_part > 0) {
         fprintf(to, ", the sum of %d part%s", v->n_part, v->n_part == 1 ? "" : "s");
     }

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "motion/lines.h"
@@ -106,14 +107,28 @@ static int check_value(const struct file *f, const struct series_row *r, int c, 
                      isfinite(value) ? f->column[c].range->text : "below 1.8e308 in SI");
 }
 
+// " s" for a time; empty for a quantity without a unit.
+static void unit_after_number(const struct file *f, char *text, size_t size) {
+    struct unit_system si;
+    text[0] = '\0';
+    if (!dimension_equal(f->column[0].dimension, dimension_none)) {
+        unit_system_init(&si);
+        text[0] = ' ';
+        unit_text(&si, f->column[0].dimension, text + 1, size - 1);
+    }
+}
+
 static int check_order(const struct file *f, const struct series_row *r, struct error *e) {
-    const double *time = value_at(f, 0, r->index);
+    const double *value = value_at(f, 0, r->index);
     const char *name = f->column[0].name;
-    return !f->ascends || r->index == 0 || time[0] > time[-1]
-               ? STATUS_OK
-               : error_set(e, STATUS_INPUT, "%s: %s %.9g s after %.9g s; %ss must increase",
-                           lines_place_field(&f->text, r->line, r->field[0]).text, name, time[0],
-                           time[-1], name);
+    char unit[32];
+    if (!f->ascends || r->index == 0 || value[0] > value[-1]) {
+        return STATUS_OK;
+    }
+    unit_after_number(f, unit, sizeof unit);
+    return error_set(e, STATUS_INPUT, "%s: %s %.9g%s after %.9g%s; each %s must exceed the last",
+                     lines_place_field(&f->text, r->line, r->field[0]).text, name, value[0], unit,
+                     value[-1], unit, name);
 }
 
 // Reads row `index`, the current line of `l`.

@@ -111,7 +111,7 @@ static void a_file_is_read_in_the_unit_of_the_study(void **state) {
     } wrong[] = {
         {"0.1 1e-2\n", "hazard.txt: a hazard curve has at least two points"},
         {"0.1 1e-2\n0.2 1e-2\n", "hazard.txt: the rate does not fall from intensity 0.1 to 0.2"},
-        {"0.1 1e-2\n0.1 1e-3\n", "must increase"},
+        {"0.1 1e-2\n0.1 1e-3\n", "must exceed the last"},
         {"0 1e-2\n0.1 1e-3\n", "hazard.txt:1:1: intensity is 0; it must be > 0"},
         {"0.1 1e-2\n0.2 -1e-3\n", "hazard.txt:2:5: rate is -0.001; it must be > 0"},
     };

@@ -81,7 +81,7 @@ static void what_is_no_target_is_refused_where_it_stands(void **state) {
     refused("period [s]  PSA [g]\n1 0.5\n2  -0.1\n", "3:4: PSA is -0.1; it must be > 0");
     refused("period [s]  PSA [g]\n-1 0.5\n2 0.4\n", "2:1: period is -1; it must be >= 0");
     refused("period [s]  PSA [g]\n1 0.5\n 1 0.4\n",
-            "3:2: period 1 s after 1 s; periods must increase");
+            "3:2: period 1 s after 1 s; each period must exceed the last");
 }
 
 static void a_power_of_the_period_is_kept_between_its_points(void **state) {

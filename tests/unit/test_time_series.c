@@ -79,7 +79,7 @@ static void what_is_wrong_is_named_with_its_line(void **state) {
     refused("no numbers\n", "the file has no line of numbers");
     refused("0 1 2\n", "force.txt:1: 3 columns; two are read, time and value");
     refused("0 1\n1 2\n2\n", "force.txt:3: 1 column; two are read");
-    refused("0 1\n1 2\n1 3\n", "force.txt:3:1: time 1 s after 1 s; times must increase");
+    refused("0 1\n1 2\n1 3\n", "force.txt:3:1: time 1 s after 1 s; each time must exceed the last");
     refused("0 1\n1 2x\n", "force.txt:2: value 2 '2x' is not a number");
     refused("0 1\n1 nan\n", "force.txt:2: value 2 'nan' is not a number");
     refused("time [s] force [mm]\n0 1\n1 2\n",
