@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Peak forces of isolated impacts over velocity, stiffness, mass and restitution.
 
-# force LAW -k K -m M -v V OPTION...: the peak force of two bodies of the mass M.
+# force LAW K M V OPTION...: the peak force of two bodies of the mass M.
 force() {
     law=$1 k=$2 m=$3 v=$4
     shift 4
