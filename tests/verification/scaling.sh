@@ -46,3 +46,25 @@ BEGIN {
     print "times\t" number(hard / soft, 2)
     print "power\t" number(log(hard / soft) / log(1000), 2)
 }'
+
+# For the picture: forces [MN] over velocity, restitution and stiffness, a block a law.
+over() {
+    while IFS=';' read -r law k; do
+        "$jostle" law $law -k "$k" -e 0.65 -calibrate -m1 300t -m2 300t -v 0.5 --over "$1" --tsv \
+            </dev/null | awk -F '\t' '
+                NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+                NR > 1 { print $2, $at["peak_force [N]"] / 1e6 }
+                END { printf "\n\n" }'
+    done <<'END'
+kelvin-voigt;1e9
+jankowski;2.75e9
+hunt-crossley;2.75e9
+END
+}
+
+if [ "${PICTURES-1}" != 0 ]; then
+    over v=0.05:1:20 >"$work/over_v"
+    over e=0.1:0.95:18 >"$work/over_e"
+    over k=1e9,2e9,3e9,4e9,5e9,6e9,7e9,8e9,9e9,10e9 >"$work/over_k"
+fi
+draw 330
