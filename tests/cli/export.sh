@@ -130,6 +130,8 @@ if type tclsh >/dev/null 2>&1; then
     expect "hostile texts stay in comments of Tcl" 'tclsh echo.tcl | plain >tcl.txt && ! grep -q evil tcl.txt && [ ! -e evil ] && plain <py.txt | cmp - tcl.txt'
 fi
 
+run "$jostle" export "$root/input/girder.deck" --opensees py
+expect "a gap of 0 is 0 and not -0" '[ $status -eq 0 ] && grep -q "uniaxialMaterial" "$out" && ! grep -qE "[ ,(]-0\.0[,) ]" "$out"'
 run "$jostle" export two.deck
 expect "the program must be named" '[ $status -eq 2 ] && grep -q -- "--opensees py" "$err"'
 run "$jostle" export two.deck --opensees fortran
