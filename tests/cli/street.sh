@@ -125,6 +125,10 @@ expect "200 houses become a deck without a word" '[ $status -eq 0 ] && [ ! -s "$
 echo "duration 2.5" >>street.deck
 run "$jostle" run street.deck -q
 expect "which runs without a warning" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+sed 's/ -tangent//' street.deck >balance.deck
+run "$jostle" run balance.deck
+# Contacts close in a step in which others of the same two houses, and of others, act already.
+expect "and whose energy is balanced, with floors in several blocks" '[ $status -eq 0 ] && awk "/^residual/ { found = \$(NF - 3) < 1e-11 } END { exit !found }" "$out"'
 run "$jostle" plot street.h5 street --script scripts
 expect "and has a map" '[ $status -eq 0 ] && [ -s scripts/street.dat ]'
 run "$jostle" plot row.h5 street --compare row.h5 -o two.png
