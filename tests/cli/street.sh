@@ -26,6 +26,7 @@ printf '0 0\n0.5 1\n1 0\n' >q.txt
 sed -i 's/"q.txt"/"q.txt" -unit g/' row.deck
 run "$jostle" modes row.deck --tsv
 expect "the first modes are straight lines with the periods that were wanted" '[ $status -eq 0 ] && awk -F "\t" "\$2 == 1 { n++; T = \$1 == \"left\" ? 0.75 : \$1 == \"mid\" ? 0.7 : \$1 == \"right\" ? 0.4 : 0.35; N = \$1 == \"left\" ? 5 : \$1 == \"mid\" ? 2 : \$1 == \"right\" ? 3 : 1; t = \$3 / T; u = \$9 / (\$8 / N); bad = bad || t < 0.99999 || t > 1.00001 || u < 0.9999 || u > 1.0001 } END { exit bad || n != 11 }" "$out"'
+expect "and have the damping of the table, also where it is on the tangent stiffness" 'awk -F "\t" "NR > 1 && \$2 <= 2 { n++; want = \$1 == \"mid\" ? 3 : 5; x = \$6 / want; bad = bad || x < 0.99999 || x > 1.00001 } END { exit bad || n != 21 }" "$out"'
 run "$jostle" run row.deck -q
 expect "the deck runs" '[ $status -eq 0 ] && [ -s row.h5 ]'
 run "$jostle" street row.csv
