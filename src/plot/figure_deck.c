@@ -210,7 +210,7 @@ static void write_head(const struct deck_view *v, const bool *there, struct canv
     }
     size_t stem;
     const char *name = text_stem(m->deck->path, &stem);
-    canvas_head(c, m->deck->title[0] ? m->deck->title : name, text);
+    canvas_head(c, m->deck->title[0] ? m->deck->title : name, "%s", text);
     for (int i = 0; i < N_LAYER; i++) {
         if (there[i] && layers[i].name) {
             legend_add(&l, layers[i].style, layers[i].name, "");
@@ -276,10 +276,9 @@ static void write_numbers(const struct deck_view *v, int k, struct canvas *c) {
     }
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+static void draw(const struct subject *p, struct canvas *c) {
     struct deck_view v = view_of(p->model);
     bool there[N_LAYER];
-    (void)e;
     for (int i = 0; i < N_LAYER; i++) {
         there[i] = layers[i].write(&v, NULL) > 0;
     }
@@ -296,16 +295,15 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     deck_links_write_gaps(&v, c, LINE_GAPS);
     for (int i = 0; i < N_LAYER; i++) {
         if (there[i]) {
-            script_block(c->data, layers[i].data, "place [em], level");
+            canvas_block(c, "place [em], level", "%s", layers[i].data);
             layers[i].write(&v, c->data);
-            fprintf(c->data, "EOD\n");
+            canvas_end(c);
             struct style style = layers[i].style;
             style.width *= v.dense ? 0.5 : 1;
             panel_series(c, style, "$%s using 1:2", layers[i].data);
         }
     }
     panel_close(c);
-    return STATUS_OK;
 }
 
 const struct figure figure_deck = {

@@ -24,10 +24,7 @@ int force_figure_write(const struct force_figure *f, const struct figure_files *
         }
     }
     struct canvas canvas;
-    const int status = figure_open(&head, to, &canvas, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
+    figure_open(&head, to, &canvas, e);
     const struct scale force = scale_for(scale_forces, y.high);
     struct legend l = {0};
     for (int c = 0; c < f->n_curve; c++) {
@@ -38,7 +35,7 @@ int force_figure_write(const struct force_figure *f, const struct figure_files *
         fprintf(to->data, "EOD\n");
         legend_add(&l, panel_line(script_colour[c], 0), f->curve[c].name, "");
     }
-    canvas_head(&canvas, "Peak force of an isolated impact", f->subtitle);
+    canvas_head(&canvas, "Peak force of an isolated impact", "%s", f->subtitle);
     legend_write(&l, &canvas);
     panel_open(&canvas,
                &(struct panel){.area = canvas_inset(canvas.area, 5.8, 0.8, 3.2, 0.7),
@@ -51,6 +48,5 @@ int force_figure_write(const struct force_figure *f, const struct figure_files *
         panel_series(&canvas, panel_line(script_colour[c], 0), "$force%d using 1:2", c);
     }
     panel_close(&canvas);
-    figure_close(&canvas);
-    return STATUS_OK;
+    return figure_close(&canvas);
 }

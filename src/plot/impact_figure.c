@@ -44,21 +44,20 @@ static void write_curve(const struct impact_curve *curve, int c, const struct sc
     fprintf(to, "EOD\n");
 }
 
-static int write_samples(const struct impact_figure *f, const struct scales *s, FILE *to,
-                         struct error *e) {
+static void write_samples(const struct impact_figure *f, const struct scales *s, struct canvas *c) {
     size_t *row = calloc(f->n_sample, sizeof *row);
     if (!row) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
+        return;
     }
     const size_t n = script_thin(&f->force, 1, f->n_sample, SAMPLES_SHOWN, row);
-    fprintf(to, "$measured << EOD\n# time force\n");
+    canvas_block(c, "time force", "measured");
     for (size_t i = 0; i < n; i++) {
-        fprintf(to, "%.9g %.9g\n", f->time[row[i]] / s->time.size,
+        fprintf(c->data, "%.9g %.9g\n", f->time[row[i]] / s->time.size,
                 f->force[row[i]] / s->force.size);
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
     free(row);
-    return STATUS_OK;
 }
 
 static void draw_panels(const struct impact_figure *f, const struct extent *x,
@@ -124,20 +123,17 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
                              .time = scale_for(times, x.time.high - x.time.low),
                              .length = scale_for(scale_lengths, x.depth.high)};
     struct canvas canvas;
-    int status = figure_open(&head, to, &canvas, e);
+    figure_open(&head, to, &canvas, e);
     const char *name[IMPACT_FIGURE_CURVES];
-    for (int c = 0; status == STATUS_OK && c < f->n_curve; c++) {
+    for (int c = 0; c < f->n_curve; c++) {
         name[c] = f->curve[c].name;
         write_curve(&f->curve[c], c, &s, to->data);
     }
-    if (status == STATUS_OK && f->n_sample > 0) {
-        status = write_samples(f, &s, to->data, e);
+    if (f->n_sample > 0) {
+        write_samples(f, &s, &canvas);
     }
-    if (status == STATUS_OK) {
-        canvas_head(&canvas, f->title, f->subtitle);
-        pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
-        draw_panels(f, &x, &s, &canvas);
-        figure_close(&canvas);
-    }
-    return status;
+    canvas_head(&canvas, f->title, "%s", f->subtitle);
+    pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
+    draw_panels(f, &x, &s, &canvas);
+    return figure_close(&canvas);
 }

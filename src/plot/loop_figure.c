@@ -132,10 +132,7 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
         .shear = scale_for(f->turns ? moments : scale_forces, largest(x.shear)),
         .energy = scale_for(scale_energies, largest(x.energy))};
     struct canvas canvas;
-    const int status = figure_open(&head, to, &canvas, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
+    figure_open(&head, to, &canvas, e);
     const char *name[LOOP_FIGURE_CURVES];
     for (int c = 0; c < f->n_curve; c++) {
         name[c] = f->curve[c].name;
@@ -149,9 +146,8 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
         }
         fprintf(to->data, "EOD\n");
     }
-    canvas_head(&canvas, f->title, f->subtitle);
+    canvas_head(&canvas, f->title, "%s", f->subtitle);
     pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
     draw_panels(f, &x, &s, &canvas);
-    figure_close(&canvas);
-    return STATUS_OK;
+    return figure_close(&canvas);
 }

@@ -45,12 +45,9 @@ int pounding_map_write(const struct pounding_map *map, const struct figure_files
                                      .version = map->version,
                                      .units = map->units};
     struct canvas c;
-    int status = figure_open(&head, to, &c, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
+    figure_open(&head, to, &c, e);
     const struct span force = write_data(map, c.data);
-    canvas_head(&c, map->title, map->subtitle);
+    canvas_head(&c, map->title, "%s", map->subtitle);
     const struct panel p = {.area = canvas_inset(c.area, 5.8, 9.5, 3.2, 0.7),
                             .x = period_axis(map, "T1, period of the left structure"),
                             .y = period_axis(map, "T2, period of the right structure")};
@@ -64,6 +61,5 @@ int pounding_map_write(const struct pounding_map *map, const struct figure_files
     shades_scale(&c, scale,
                  &(struct axis){
                      .name = "largest contact force", .dimension = dimension_force, .span = force});
-    figure_close(&c);
-    return STATUS_OK;
+    return figure_close(&c);
 }
