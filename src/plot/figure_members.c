@@ -10,7 +10,6 @@
 #include "plot/figure.h"
 #include "plot/legend.h"
 #include "plot/script.h"
-#include "plot/shades.h"
 
 enum { NUMBER_MAX = 1000 };
 #define N_KIND (FRAME_WALL + 1)  // enum frame_kind
@@ -289,13 +288,13 @@ static void draw(const struct subject *p, struct canvas *c) {
     const double right = c->area.right;
     c->area.right -= SCALE_ROOM;
     elevation_open(&v.at, c, lines + (v.plastic > 0));
-    shades_use(c, SHADES_LINES, 100);
+    panel_shades(c, SHADES_LINES, 100);
     write_lines(&v, c);
     draw_blocks(&v, c);
     panel_close(c);
     const struct area scale = {right - SCALE_WIDTH, right, v.at.area.bottom, v.at.area.top};
-    shades_scale(c, scale,
-                 &(struct axis){.name = "share of the largest", .unit = "%", .span = {0, 100}});
+    panel_shades_scale(
+        c, scale, &(struct axis){.name = "share of the largest", .unit = "%", .span = {0, 100}});
 }
 
 const struct figure figure_members = {
