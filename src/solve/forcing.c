@@ -23,8 +23,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct forcing, ground, FIELD_SIGNALS),
     FIELD_ARRAY(struct forcing, load, FIELD_LOADS),
     FIELD_ARRAY(struct forcing, lines, FIELD_GROUNDS),
-    FIELD_VALUE(struct forcing, sines),
-    FIELD_VALUE(struct forcing, corner),
+    FIELD_VALUES(struct forcing, sines, corner),
 };
 const struct fields forcing_fields = FIELDS(list);
 

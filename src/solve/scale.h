@@ -16,9 +16,9 @@ struct scales {
     double *over_u, *over_v;  // [1/L] [T/L] (n_dof) 1 over the sizes; 0: nothing moves
     double most_u, most_v;    // [L] [L/T] of any building so far
     double most_a;            // [L/T^2] of accelerations
-    double *square, *memory;  // [1/T^2] [T] (n_building) NULL: accelerations do not matter
     int noisy;  // a building whose displacements are rounded by more than its accelerations allow;
                 // -1
+    double *square, *memory;  // [1/T^2] [T] (n_building) NULL: accelerations do not matter
 };
 extern const struct fields scale_fields;  // but for `square` and `memory`, which stay
 

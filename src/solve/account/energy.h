@@ -13,10 +13,10 @@ struct energy_account {
     double input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
     double input, damping;  // other work: of links on the grounds, and of Dormand & Prince's steps
     double contact;
+    double storey;        // work on storeys that are not elastic, beyond that of the arrays
+    double stored_start;  // their recoverable energy at t = 0
     double *storey_2x;    // (n_dof) twice the work on storeys, where some are not elastic
     double *storey_own;   // (n_dof) work on storeys in steps of Dormand & Prince
-    double storey;        // work on storeys that are not elastic, beyond that
-    double stored_start;  // their recoverable energy at t = 0
 };
 extern const struct fields energy_fields;
 

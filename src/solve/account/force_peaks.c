@@ -8,8 +8,7 @@
 #include "solve/account/peaks.h"
 
 static const struct fields_row list[] = {
-    FIELD_VALUE(struct force_peaks, n),
-    FIELD_VALUE(struct force_peaks, time),
+    FIELD_VALUES(struct force_peaks, n, time),
     FIELD_ARRAY(struct force_peaks, action, FIELD_FORCE_STATES),
     FIELD_PART(struct force_peaks, yielding, yielding_fields),
 };

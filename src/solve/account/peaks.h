@@ -47,9 +47,6 @@ static inline void peak_smaller(double x, double time, double *peak, double *pea
     *peak = x < *peak ? x : *peak;
 }
 
-// Raises the largest velocity of any floor so far to the peaks of n floors.
-void peaks_speed(struct results *r, int n);
-
 // What counts of a force or penetration x of link k: of a bilateral one its size.
 static inline double peaks_size(const struct model *m, int k, double x) {
     return k >= m->n_contact ? fabs(x) : x;

@@ -34,11 +34,7 @@ static const double SAME = 1e-9;
 static const struct fields_row length_rows[] = {
     FIELD_PART(struct run, length.forcing, forcing_fields),
     FIELD_PART(struct run, length.scales, scale_fields),
-    FIELD_VALUE(struct run, length.pace),
-    FIELD_VALUE(struct run, length.trial),
-    FIELD_VALUE(struct run, length.last),
-    FIELD_VALUE(struct run, length.split),
-    FIELD_VALUE(struct run, length.turned),
+    FIELD_VALUES(struct run, length.pace, length.turned),
     FIELD_ARRAY(struct run, length.before, FIELD_FLOORS),
     FIELD_ARRAY(struct run, length.within, FIELD_FLOORS),
 };

@@ -214,7 +214,6 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     }
     gaps_update(&w->gaps, s);
     gaps_peaks(&w->gaps, s);
-    peaks_speed(f->account->results, m->n_dof);
     w->totals->steps += n - first;
     w->totals->iterations += n - first;
     return n;
