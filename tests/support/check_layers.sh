@@ -64,7 +64,7 @@ path_of() {
 solve_group() {
     case ${1#src/solve/} in
     fields.* | pace.* | scale.*) echo "0 base" ;;
-    floors/chain.* | floors/effective* | floors/floor_terms.h | floors/floor_vectors.h) echo "1 matrix" ;;
+    floors/effective* | floors/floor_terms.h | floors/floor_vectors.h) echo "1 matrix" ;;
     state.* | forcing.*) echo "2 state" ;;
     event/*) echo "3 event" ;;
     account/*) echo "4 account" ;;

@@ -26,7 +26,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "solve/floors/chain.h"
+#include "solve/floors/floor_terms.h"
 #include "solve/forcing.h"
 
 enum { SWEEPS_FEW = 10, SWEEPS_MAX = 20000 };
@@ -248,7 +248,10 @@ void rest_equilibrium(struct state *s, const struct model *m) {
         const int first = m->building[k].first;
         building_damping_force(&m->building[k], s->v + first, force + first);
     }
-    chain_residual(&m->chain, s->external, s->shear, force);
+    for (int i = 0; i < m->n_dof; i++) {
+        force[i] = RESIDUAL(s->external[i], force[i], s->shear[i],
+                            m->chain.joint[i + 1] * s->shear[i + 1]);
+    }
     state_add_link_forces(s, m, force);
     for (int i = 0; i < m->n_dof; i++) {
         s->a[i] = force[i] / m->mass[i];
