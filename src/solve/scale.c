@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/scale.h"
+#include "solve/pace.h"
 
 #include <math.h>
 

@@ -68,8 +68,8 @@ solve_group() {
     state.* | forcing.*) echo "2 state" ;;
     event/*) echo "3 event" ;;
     account/*) echo "4 account" ;;
-    contact/gaps.* | contact/cluster.h) echo "5 scratch" ;;
-    floors/floors.h | newmark/flight.h | work.h) echo "5 scratch" ;;
+    contact/gaps.*) echo "5 scratch" ;;
+    floors/floors.h | newmark/newmark.h | work.h) echo "5 scratch" ;;
     floors/*) echo "6 floors" ;;
     contact/*) echo "7 contact" ;;
     newmark/run_step.c | newmark/*_newmark.c) echo "10 method" ;;

@@ -11,7 +11,7 @@
 //
 // A link that is closed or strained at t = 0 holds the energy that its force, at rest, would take
 // to bring it there; it is initial energy, and the first of the work done on the link.
-#include "solve/account/energy.h"
+#include "solve/account/account.h"
 
 #include <gsl/gsl_integration.h>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/account/force_peaks.h"
+#include "solve/account/account.h"
 
 #include <math.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/account/peaks.h"
 
 static const struct fields_row list[] = {
     FIELD_VALUES(struct force_peaks, n, time),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The account of every impact: from closure to opening, located within their steps.
-#include "solve/account/impacts.h"
+#include "solve/account/account.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,6 @@
 
 #include "core/arena.h"
 #include "solve/account/impact_step.h"
-#include "solve/account/peaks.h"
 #include "solve/event/hermite.h"
 
 bool impacts_alloc(struct impact_log *log, const struct model *m, struct results *r,

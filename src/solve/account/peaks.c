@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Envelopes over every computed step.
-#include "solve/account/peaks.h"
+#include "solve/account/account.h"
 
 #include <math.h>
 #include <string.h>

@@ -6,10 +6,9 @@
 
 #include "core/number.h"
 #include "solve/contact/contact.h"
-#include "solve/contact/exact.h"
 #include "solve/contact/sweep_step.h"
+#include "solve/event/event.h"
 #include "solve/event/hermite.h"
-#include "solve/event/rest.h"
 
 // Link k, live and closed at the start of the step, begins it as it ended the last. Its force is
 // guessed, but not one that pulls where it has pushed. Forces of rigid contacts at rest hardly

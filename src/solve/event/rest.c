@@ -21,7 +21,7 @@
 // the step, or what a share of it leaves of v. And where 2 beta > gamma a velocity of zero or less
 // may lead inside, by h^2 |a| (beta / gamma - 1/2): there d = 0 counts too, and what asks for the
 // larger force prevails.
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 
 #include <math.h>
 #include <string.h>

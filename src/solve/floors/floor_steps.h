@@ -8,7 +8,7 @@
 
 #include "solve/floors/floor_step.h"
 #include "solve/floors/floors_full.h"
-#include "solve/newmark/flight.h"
+#include "solve/newmark/newmark.h"
 #include "solve/work.h"
 
 // The floors of a block. Where they are few, `few` of them in all, these are constants.

@@ -9,7 +9,7 @@
 #include "core/arena.h"
 #include "core/number.h"
 #include "solve/floors/floor_terms.h"
-#include "solve/newmark/flight.h"
+#include "solve/newmark/newmark.h"
 
 // A block has at least so many floors; buildings that are solved together stay together.
 enum { FLOORS_LEAST = 192 };

@@ -5,8 +5,7 @@
 #ifndef JOSTLE_FLOORS_H
 #define JOSTLE_FLOORS_H
 
-#include "solve/account/energy.h"
-#include "solve/account/force_peaks.h"
+#include "solve/account/account.h"
 #include "solve/state.h"
 
 // Consecutive buildings, and their floors in whole lanes.

@@ -17,8 +17,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "solve/account/peaks.h"
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 #include "solve/forcing.h"
 #include "solve/run.h"
 

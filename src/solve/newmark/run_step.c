@@ -9,9 +9,8 @@
 
 #include "core/arena.h"
 #include "core/root.h"
-#include "solve/account/peaks.h"
+#include "solve/event/event.h"
 #include "solve/event/hermite.h"
-#include "solve/event/rest.h"
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
 
