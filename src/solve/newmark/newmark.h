@@ -6,8 +6,6 @@
 #include "solve/account/account.h"
 #include "solve/work.h"
 
-// One step of Newmark's method.
-
 // Takes the committed state `now` over a step of size h to `next`, whose time is `end`. `now` is
 // not touched. Internal forces of linear models are left to floors_account. STATUS_RETRY: not
 // solved, `next` is meaningless. STATUS_FAILED: the state is not finite. The accounts of `w`
