@@ -13,7 +13,7 @@ struct model;
 // The actions that forces follow from, in whole lanes: drifts, then departures of hinges.
 int fields_actions(const struct model *m);
 
-// States whose forces are looked at together (account/force_peaks.h).
+// States whose forces are looked at together (account/force_peaks.c).
 enum { FORCES_BATCH = 32 };
 
 // How many elements a field has. The list allocates arrays from FIELDS_ALLOCATED on.

@@ -11,7 +11,7 @@
 // and forces may begin with an infinite slope. Then h (a1 - a0) / 4 replaces h^3 a'' / 12: the
 // error of the trapezoidal rule for t^(1/4), up to a fifth.
 //
-// The largest of the errors, over the sizes of scale.h, stays below the tolerance. It grows like
+// The largest of the errors, over the sizes of scale.c, stays below the tolerance. It grows like
 // h^3, so steps go with its cube root. They end at corners, in equal parts from one to the next;
 // small changes are not worth a new factorisation.
 #include <math.h>
