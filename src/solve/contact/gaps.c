@@ -8,7 +8,7 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
-#include "solve/account/peaks.h"
+#include "solve/account/account.h"
 
 // Does link k carry on the run? A wall is all zeros behind the floors, which are no more than a
 // vector.

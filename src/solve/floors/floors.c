@@ -8,9 +8,8 @@
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "solve/account/peaks.h"
 #include "solve/floors/floor_terms.h"
-#include "solve/newmark/flight.h"
+#include "solve/newmark/newmark.h"
 
 // A block has at least so many floors; buildings that are solved together stay together.
 enum { FLOORS_LEAST = 192 };
@@ -130,17 +129,16 @@ void floors_catch_up(struct work *w, const struct state *old, const struct state
     struct floors_account *account = &w->floors.account;
     if (account->due) {
         steps()->account(w, old, now, account->ground_a);
-        peaks_speed(account->results, w->model->n_dof);
         account->due = false;
     }
 }
 
 double floors_speed(const struct work *w, const struct state *now) {
     const struct floors_account *account = &w->floors.account;
-    double speed = w->totals->speed;
-    for (int i = 0, n = account->defers ? w->model->n_dof : 0; i < n; i++) {
-        double peak = account->results->peak[PEAK_VELOCITY][i];
-        speed = number_max(speed, number_max(peak, fabs(now->v[i])));
+    const double *peak = account->results->peak[PEAK_VELOCITY];
+    double speed = 0.0;
+    for (int i = 0; i < w->model->n_dof; i++) {
+        speed = number_max(speed, number_max(peak[i], account->defers ? fabs(now->v[i]) : 0.0));
     }
     return speed;
 }
@@ -149,8 +147,8 @@ void floors_account(struct work *w, const struct state *now, const struct state 
     struct floors_account *to = &w->floors.account;
     if (to->defers && state_is_linear(w->model)) {
         floors_defer(to, now);
-    } else if (steps()->account(w, now, next, now->ground_a[0])) {
-        peaks_speed(to->results, w->model->n_dof);
+    } else {
+        steps()->account(w, now, next, now->ground_a[0]);
     }
 }
 
