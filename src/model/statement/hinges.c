@@ -133,7 +133,7 @@ static void build(struct builder *b, const struct statement *s) {
     if (!selected || where < 0 || !c.law) {
         return;
     }
-    storey_choice_turn(c.law, turned);
+    storey_choice_turn(c.law->row, c.law->n_row, turned);
     struct row_set set[] = {{rows, N_ROW, a}, {turned, c.law->n_row, c.given}};
     struct building_draft *d = builder_draft(b, q.selection.building);
     if (!deck_options(b->deck, s, set, 2) || !frame_draft_has_frame(b, s, d)) {
