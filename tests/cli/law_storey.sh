@@ -69,6 +69,11 @@ link hook -stiffness 60MN/m -slack 5mm --protocol turns.txt --history hook.tsv
 cut -f 1,2 hook.tsv >hook.txt
 link hook --fit hook.txt -find slack --tsv
 expect "--fit finds a slack" '[ $status -eq 0 ] && near $(cell 3 2) 6e7 1e-6 && near $(cell 3 3) 0.005 1e-6'
+loop=$root/input/loops/friction_damper.txt
+link friction -find slack --fit "$loop" --tsv
+expect "the loop of a damper with backlash: its slip, its slack, and the error" 'near $(cell 3 2) 9.02e6 0.01 && near $(cell 3 3) 2.321e-3 1e-3 && near $(cell 3 4) 10142 1e-3 && near $(cell 3 5) 0.1226 1e-3'
+link friction --fit "$loop" --tsv
+expect "which is larger without the slack" 'near $(cell 3 4) 0.1932 1e-3'
 link viscous -dashpot 1 --protocol turns.txt
 expect "a dashpot needs a period" '[ $status -eq 2 ] && said "law viscous depends on the velocity: give -period, the time of a cycle of the protocol"'
 link viscous --protocol turns.txt -period 1
