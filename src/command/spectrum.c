@@ -16,7 +16,7 @@ const struct command command_spectrum = {
     .name = "spectrum",
     .usage =
         "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST]\n"
-        "           [--scale S|--pga A|--target FILE [--match FROM:TO:N|LIST] [--deck]]\n"
+        "           [--scale S|--pga A|--target SPECTRUM [--match FROM:TO:N|LIST] [--deck]]\n"
         "           [--format F] [--channel N] [--unit U] [--dt DT] [--demean]\n"
         "           [--intensities] [--tsv|--csv|--json] [-o FILE.png|.svg|.pdf] [--script DIR] "
         "[--force]\n"

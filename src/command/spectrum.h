@@ -37,7 +37,7 @@ struct spectrum_request {
     struct record_request record;  // without its path
     double scale;                  // factor of every record
     double pga;                    // [m/s^2] each is scaled to; 0: `scale` holds
-    const char *target;            // the file of a spectrum each is scaled to; NULL: none
+    const char *target;            // a file or a code whose spectrum each is scaled to; NULL: none
     struct periods match;          // those at which it is compared
     const double *damping;
     int n_damping;
@@ -74,6 +74,9 @@ int spectrum_check_deck(const struct spectrum_request *q);
 // Reads the target, and completes the request by the periods at which it is compared. Returns GO_ON
 // or the exit status.
 int spectrum_read_target(struct spectrum_request *q, struct arena *a, struct spectrum_set *set);
+
+// Prints the part of the help about the spectra of codes.
+void spectrum_print_codes(void);
 
 // Scales the grounds to the target.
 int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,

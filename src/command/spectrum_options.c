@@ -187,9 +187,10 @@ static const struct option_row rows[] = {
     {"scale", 0, "S", OPTION_OWN, .own = read_scale, .doc = "multiplies each record by S"},
     {"pga", 0, "A", OPTION_OWN, .own = read_pga,
      .doc = "scales each record to this peak, 0.35g or 3.4m/s2"},
-    {"target", 0, "FILE", OPTION_TEXT, 0, AT(target),
-     .doc = "scales each record to a target spectrum by the mean of ln(target / PSA); FILE has "
-            "rows of period and PSA below a line with their units, period [s], PSA [g]"},
+    {"target", 0, "SPECTRUM", OPTION_TEXT, 0, AT(target),
+     .doc = "scales each record to a target spectrum by the mean of ln(target / PSA). SPECTRUM is "
+            "that of a code, see below, or a file with rows of period and PSA below a line with "
+            "their units, period [s], PSA [g]"},
     {"match", 0, "P", OPTION_OWN, .own = read_match,
      .doc = "periods of this mean, as for --periods (default: 301 over the whole target)"},
     {"deck", .kind = OPTION_SET, .at = AT(form), .set = SPECTRUM_DECK,
@@ -225,9 +226,13 @@ static const struct option_row rows[] = {
     {0}};
 
 int spectrum_command(int argc, char **argv) {
-    static const struct option_part parts[] = {
-        {.text = introduction}, {.row = rows},         {.row = printer_rows, .at = AT(form)},
-        {.row = option_help},   {.text = explanation}, {0}};
+    static const struct option_part parts[] = {{.text = introduction},
+                                               {.row = rows},
+                                               {.row = printer_rows, .at = AT(form)},
+                                               {.row = option_help},
+                                               {.print = spectrum_print_codes},
+                                               {.text = explanation},
+                                               {0}};
     static const struct option_list list = {&command_spectrum, parts, DASH_ONE, .use = use};
     struct unit_system si;
     unit_system_init(&si);

@@ -9,6 +9,7 @@
 #include "core/text.h"
 
 enum { DEFAULT_MATCH = 301 };
+static const double DEFAULT_FIRST = 0.05;  // [s] for the spectra of codes, which begin at 0
 
 // What building codes ask of the mean of the scaled spectra.
 static const double CODE_SHARE = 0.9;
@@ -38,7 +39,7 @@ static int sample(const struct spectrum_request *q, struct arena *a, struct spec
         if (isnan(goal[p])) {
             return command_usage(&command_spectrum,
                                  "%s goes from %g to %g s, without %g s of --match", q->target,
-                                 t->period[0], t->period[t->n - 1], q->match.value[p]);
+                                 t->first, t->last, q->match.value[p]);
         }
     }
     set->goal = goal;
@@ -48,19 +49,19 @@ static int sample(const struct spectrum_request *q, struct arena *a, struct spec
 int spectrum_read_target(struct spectrum_request *q, struct arena *a, struct spectrum_set *set) {
     struct error e;
     const struct target *t = &set->target;
-    if (target_read(a, q->target, &set->target, &e) != STATUS_OK) {
+    if (target_open(a, q->target, q->damping[0], &set->target, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     size_t n;
     const char *stem = text_stem(q->target, &n);
-    set->target_name = arena_text(a, stem, n);
+    set->target_name = t->code ? t->code->name : arena_text(a, stem, n);
     if (!set->target_name) {
         return command_no_memory();
     }
     int status = EXIT_DONE;
     if (!q->match.value) {
-        const double first = t->period[t->period[0] > 0.0 ? 0 : 1], last = t->period[t->n - 1];
-        status = periods_range(&command_spectrum, first, last, DEFAULT_MATCH, a, &q->match);
+        const double first = t->code ? DEFAULT_FIRST : t->first == 0.0 ? t->period[1] : t->first;
+        status = periods_range(&command_spectrum, first, t->last, DEFAULT_MATCH, a, &q->match);
     }
     return status == EXIT_DONE ? sample(q, a, set) : status;
 }
@@ -120,4 +121,26 @@ void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum
         printf(" %.6g", set->match.factor[r]);
     }
     printf(" -as motion\n");
+}
+
+void spectrum_print_codes(void) {
+    enum { WIDTH = 95 };
+    printf("\nspectra of codes for --target:\n");
+    for (int i = 0; i < n_target_code; i++) {
+        const struct target_code *c = target_codes[i];
+        printf("  %s\n      %s\n", c->example, c->title);
+        for (int k = 0; k < c->n; k++) {
+            const struct row *r = &c->row[k].row;
+            char text[256], fallback[32] = "";
+            if (r->kind == ROW_CHOICE && !isnan(r->fallback)) {
+                snprintf(fallback, sizeof fallback, "; default: %s",
+                         r->range->word[(int)r->fallback]);
+            } else if (!isnan(r->fallback)) {
+                snprintf(fallback, sizeof fallback, "; default: %g", r->fallback);
+            }
+            snprintf(text, sizeof text, "%s%s%s%s", r->doc, r->kind == ROW_CHOICE ? ", " : "",
+                     r->kind == ROW_CHOICE ? r->range->text : "", fallback);
+            option_wrap(text, printf("      %-7s ", r->key), WIDTH);
+        }
+    }
 }

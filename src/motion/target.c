@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "motion/lines.h"
@@ -21,14 +22,32 @@ int target_read(struct arena *a, const char *path, struct target *out, struct er
     if (points.n < 2) {
         return lines_error(e, path, 0, "a target has at least two points");
     }
-    *out = (struct target){points.n, points.time, points.value};
+    *out = (struct target){.first = points.time[0],
+                           .last = points.time[points.n - 1],
+                           .n = points.n,
+                           .period = points.time,
+                           .psa = points.value};
     return STATUS_OK;
 }
 
+int target_open(struct arena *a, const char *text, double damping, struct target *out,
+                struct error *e) {
+    const struct target_code *code = target_code_find(text);
+    if (!code) {
+        const int status = target_read(a, text, out, e);
+        return status == STATUS_INPUT && strchr(text, '=') ? target_code_hint(e) : status;
+    }
+    *out = (struct target){.last = code->last, .code = code};
+    return target_code_read(code, text, damping, out->value, e);
+}
+
 double target_at(const struct target *t, double period) {
-    assert(t->n >= 2);
-    if (!(period >= t->period[0] && period <= t->period[t->n - 1])) {
+    assert(t->code || t->n >= 2);
+    if (!(period >= t->first && period <= t->last)) {
         return NAN;
+    }
+    if (t->code) {
+        return t->code->at(t->value, period);
     }
     size_t i = 1;
     while (t->period[i] < period) {

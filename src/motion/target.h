@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A target spectrum: pseudo-acceleration over period, from a building code or a hazard analysis, to
-// which ground motions are scaled.
+// A target spectrum to which ground motions are scaled: pseudo-acceleration over period, from a
+// file or by the formulas of a building code.
 #ifndef JOSTLE_MOTION_TARGET_H
 #define JOSTLE_MOTION_TARGET_H
 
@@ -8,14 +8,23 @@
 
 #include "jostle/error.h"
 #include "jostle/spectrum.h"
+#include "motion/target_code.h"
 
 struct arena;
 
 struct target {
+    double first, last;              // [s] the spectrum is defined between these periods
+    const struct target_code *code;  // NULL: the points below
+    double value[TARGET_CODE_ROWS_MAX];
     size_t n;              // at least 2
     const double *period;  // (n) [s] ascending, from >= 0
     const double *psa;     // (n) [m/s^2] > 0
 };
+
+// Makes the target of a text, which is that of a code, or the name of a file. `damping` is the
+// ratio for which it is wanted. Memory is from `a`. Errors: STATUS_INPUT, STATUS_SYSTEM.
+int target_open(struct arena *a, const char *text, double damping, struct target *out,
+                struct error *e);
 
 // Reads rows of period and pseudo-acceleration, laid out as for records. The line above the rows
 // gives the unit of the pseudo-acceleration in brackets: `period [s], PSA [g]`. Without a unit,
@@ -23,8 +32,9 @@ struct target {
 // STATUS_SYSTEM.
 int target_read(struct arena *a, const char *path, struct target *out, struct error *e);
 
-// The value at a period [m/s^2], linear between the logarithms of periods and values. After a point
-// at T = 0, which has no logarithm, it is linear between the values. NAN outside the target.
+// The value at a period [m/s^2]. Points of a file are joined by straight lines between the
+// logarithms of periods and values. After a point at T = 0, which has no logarithm, the line is
+// straight between the values. NAN outside the target.
 double target_at(const struct target *t, double period);
 
 // Scale factors that fit ground motions to a target spectrum.

@@ -99,6 +99,13 @@ sed 's/records\/napa.AT2/.\/centro.AT2/' elsewhere/study.deck >elsewhere/twins.d
 run "$jostle" check elsewhere/twins.deck -D record=centro
 expect "a name of two files chooses none" '[ $status -eq 2 ] && said "centro: No such file"'
 
+run "$jostle" spectrum centro.AT2 --target en1998:ground=B,ag=0.25g --match $match --tsv --intensities
+cp "$out" of_code
+run "$jostle" spectrum centro.AT2 --target code.txt --match $match --tsv --intensities
+expect "the file is the spectrum of the code" '[ $status -eq 0 ] && paste <(factors of_code) <(factors "$out") | awk "{ exit !((\$2 / \$5 - 1)^2 < 1e-24 && \$1 == \$4) }"'
+run "$jostle" spectrum centro.AT2 --target en1998:ground=B,ag=0.25g --periods 0,1,5 --damping 2% --tsv
+expect "and its damping is that of the spectra" '[ $status -eq 0 ] && awk -F "\t" "\$1 == \"target\" && \$2 == \"en1998\" { n++; if (\$4 == 1) ok = (\$5 / (0.375 * sqrt(10 / 7)) - 1)^2 < 1e-20 } END { exit !(ok && n == 2) }" "$out"'
+
 wrong() {
     local sentence=$1 words=$2
     shift 2
@@ -112,6 +119,7 @@ cp centro.AT2 'a"b.AT2'
 wrong "a target that is not there is named" "no.txt: No such file" centro.AT2 --target no.txt
 wrong "a target must say its unit" "bare.txt:2: the unit of PSA is not given" centro.AT2 --target bare.txt
 wrong "faults have their place" "negative.txt:3:3: PSA is -1; it must be > 0" centro.AT2 --target negative.txt
+wrong "a word of a code is named" "ground takes A, B, C, D or E, not 'F'" centro.AT2 --target en1998:ground=F
 wrong "the target must reach over the periods" "code.txt goes from 0 to 4 s, without 5 s of --match" centro.AT2 --target code.txt --match 1,5
 wrong "periods of --match ascend" "periods must ascend" centro.AT2 --target code.txt --match 2,1
 wrong "it takes periods" "--match takes FROM:TO:N or a list" centro.AT2 --target code.txt --match wide
