@@ -99,7 +99,7 @@ static double en_at(const double *value, double period) {
 
 static const struct target_code en1998 = {
     .name = "en1998",
-    .title = "EN 1998-1:2004, 3.2.2.2, up to 4 s",
+    .title = "elastic spectrum of EN 1998-1:2004, 3.2.2.2, to 4 s",
     .example = "en1998:ground=C,ag=0.25g",
     .row = en_rows,
     .n = N_EN,
@@ -141,7 +141,7 @@ static double asce_at(const double *value, double period) {
 
 static const struct target_code asce7 = {
     .name = "asce7",
-    .title = "ASCE/SEI 7-16, 11.4.6, design spectrum",
+    .title = "design spectrum of ASCE/SEI 7-16, 11.4.6",
     .example = "asce7:SDS=1.0,SD1=0.6,TL=8",
     .row = asce_rows,
     .n = N_ASCE,
@@ -209,7 +209,7 @@ static double nzs_at(const double *value, double period) {
 
 static const struct target_code nzs1170 = {
     .name = "nzs1170",
-    .title = "NZS 1170.5:2004, 3.1.1, elastic site spectrum",
+    .title = "elastic site spectrum of NZS 1170.5:2004, 3.1.1",
     .example = "nzs1170:class=C,Z=0.4",
     .row = nzs_rows,
     .n = N_NZS,
