@@ -15,10 +15,13 @@
 enum { BUILDINGS_MAX = 8, NAME_WIDTH_MIN = 12, NAME_WIDTH_MAX = 33 };
 
 void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u) {
-    printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of the "
-           "dispersion\n",
-           f->median, unit[0] ? " " : "", unit, study_print_g(u, unit, f->median).added,
-           f->dispersion, f->log_median_error, f->dispersion_error);
+    printf("median %.4g%s%s%s, dispersion %.4g", f->median, unit[0] ? " " : "", unit,
+           study_print_g(u, unit, f->median).added, f->dispersion);
+    if (!isnan(f->log_median_error)) {
+        printf("; standard errors: %.2g of ln median, %.2g of the dispersion", f->log_median_error,
+               f->dispersion_error);
+    }
+    putchar('\n');
 }
 
 void study_print_rate(double rate) {

@@ -2,11 +2,11 @@
 // Fragility: the share of the samples that exceed a limit at each intensity, and the lognormal
 // curve of largest likelihood through the shares, for each limit and group.
 #include <math.h>
-#include <stdlib.h>
 
+#include "core/arena.h"
 #include "plot/script.h"
 #include "plot/study_figure.h"
-#include "study/fragility.h"
+#include "study/fragility_runs.h"
 
 enum { STEPS = 200 };
 
@@ -41,24 +41,28 @@ static double limit_of(const struct view *v, int i) {
 
 static int write_counts(struct view *v, FILE *to, struct error *e) {
     const struct suite *s = v->p->suite;
-    struct fragility_level *level = malloc((size_t)s->n_point * sizeof *level);
+    struct fragility_runs runs;
+    int status = fragility_runs_create(s, &runs, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    struct fragility_level *level = arena_alloc(s->arena, (size_t)runs.n, sizeof *level);
     if (!level) {
         return error_no_memory(e);
     }
-    int status = STATUS_OK;
     for (int i = 0; i < v->n && status == STATUS_OK; i++) {
-        fragility_count(s, i % s->n_group, limit_of(v, i), level);
+        fragility_runs_take(&runs, s, i % s->n_group);
+        const int n_level = fragility_runs_count(&runs, limit_of(v, i), NULL, level);
         fprintf(to, "$counts%d << EOD\n# intensity, share above the limit, runs\n", i);
-        for (int j = 0; j < s->n_point; j++) {
+        for (int j = 0; j < n_level; j++) {
             const int n = level[j].n;
-            study_number(to, s->point[j]);
+            study_number(to, level[j].intensity);
             study_number(to, n > 0 ? (double)level[j].exceeded / n : (double)NAN);
             fprintf(to, " %d\n", n);
         }
         fprintf(to, "EOD\n");
-        status = fragility_fit(level, s->n_point, &v->fit[i], e);
+        status = fragility_fit(level, n_level, &v->fit[i], e);
     }
-    free(level);
     return status;
 }
 

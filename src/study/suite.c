@@ -256,6 +256,7 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     const struct sweep *dimension = v->sweep[m->roles.abscissa];
     s->abscissa = m->roles.along;
     s->is_intensity = m->roles.is_intensity;
+    s->im = s->abscissa->name;
     s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &s->abscissa_size);
     s->abscissa_units =
         dimension_equal(s->abscissa_dimension, dimension_none) ? "" : s->abscissa->units;
@@ -333,6 +334,10 @@ int suite_group_choice(const struct suite *s, int group, int i) {
 static size_t place_of(const struct suite *s, int group, int sample, int point) {
     const size_t row = (size_t)group * (size_t)s->n_sample + (size_t)sample;
     return row * (size_t)s->n_point + (size_t)point;
+}
+
+double suite_intensity(const struct suite *s, int group, int sample, int point) {
+    return s->intensity ? s->intensity[place_of(s, group, sample, point)] : s->point[point];
 }
 
 double suite_value(const struct suite *s, int group, int sample, int point) {
