@@ -44,18 +44,14 @@ struct fitting {
 static int fit_weighted(void *context, const int *weight, struct fragility *out, struct error *e) {
     struct fitting *f = context;
     struct fragility_result *r = f->result;
-    int n = 0, status;
+    int n, status;
     switch (r->method) {
         case METHOD_COUNTS:
             n = fragility_runs_count(&r->runs, r->limit, weight, f->level);
             return fragility_fit(f->level, n, out, e);
         case METHOD_IDA:
-            for (int k = 0; k < r->runs.n_unit; k++) {
-                for (int i = 0; i < (weight ? weight[k] : 1); i++) {
-                    f->record[n++] = r->record[k];
-                }
-            }
-            return fragility_fit_records(f->record, n, out, e);
+            return bootstrap_fit_records(
+                &(struct bootstrap_records){r->record, r->runs.n_unit, f->record}, weight, out, e);
         default:
             status = cloud_fit(&r->runs, weight, r->limit, edp_is_collapse(&r->suite->edp),
                                &f->cloud, e);

@@ -32,9 +32,6 @@ static const struct printer_column of_hazard[] = {COLUMN_DATA("annual_rate"),
 static const struct printer_column of_cloud[] = {COLUMN_DATA("intercept"), COLUMN_DATA("slope"),
                                                  COLUMN_DATA("scatter"),   COLUMN_DATA("collapsed"),
                                                  COLUMN_DATA("logit_0"),   COLUMN_DATA("logit_1")};
-static const struct printer_column of_bootstrap[] = {
-    COLUMN_DATA("median_low"), COLUMN_DATA("median_high"), COLUMN_DATA("dispersion_low"),
-    COLUMN_DATA("dispersion_high"), COLUMN_DATA("bootstraps")};
 
 // Where all runs are on one side of the limit, how far they are from it: it may be in a wrong unit.
 static void print_distance(const struct fragility_result *r) {
@@ -48,21 +45,6 @@ static void print_distance(const struct fragility_result *r) {
         safe_put(stdout, SAFE_TERMINAL, r->suite->edp.text);
         printf(" is %.4g%s%s", demand, unit[0] ? " " : "", unit);
     }
-}
-
-static void print_bootstrap(const struct fragility_result *r) {
-    const struct bootstrap *b = &r->bootstrap;
-    const char *unit = r->suite->abscissa_units;
-    if (b->n_draw == 0) {
-        return;
-    }
-    printf("95 %% of %d bootstraps: median %.4g to %.4g%s%s, dispersion %.4g to %.4g", b->n_fitted,
-           b->median[0], b->median[1], unit[0] ? " " : "", unit, b->dispersion[0],
-           b->dispersion[1]);
-    if (b->n_fitted < b->n_draw) {
-        printf("; %d more have no curve", b->n_draw - b->n_fitted);
-    }
-    putchar('\n');
 }
 
 // The line and the logit of a cloud.
@@ -89,7 +71,7 @@ static void print_parameters(const struct fragility_result *r) {
     const char *unit = r->suite->abscissa_units, *blank = unit[0] ? " " : "";
     if (f->outcome == FRAGILITY_FITTED) {
         study_print_curve(f, unit, &r->suite->view->units);
-        print_bootstrap(r);
+        study_print_bootstrap(&r->bootstrap, unit);
         if (r->hazard) {
             study_print_rate(r->rate);
         }
@@ -208,7 +190,7 @@ void fragility_print_columns(const struct fragility_result *r, struct printer *t
         PRINTER_ADD(t, of_cloud);
     }
     if (r->bootstrap.n_draw > 0) {
-        PRINTER_ADD(t, of_bootstrap);
+        study_print_bootstrap_columns(t);
     }
 }
 
@@ -275,9 +257,7 @@ void fragility_print_data(const struct fragility_result *r, struct printer *t) {
             print_cloud_data(r, t);
         }
         if (b->n_draw > 0) {
-            printer_numbers(t, b->median, 2);
-            printer_numbers(t, b->dispersion, 2);
-            printer_whole(t, b->n_fitted);
+            study_print_bootstrap_cells(b, t);
         }
         printer_line(t);
     }

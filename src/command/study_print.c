@@ -24,6 +24,37 @@ void study_print_curve(const struct fragility *f, const char *unit, const struct
     putchar('\n');
 }
 
+void study_print_bootstrap(const struct bootstrap *b, const char *unit) {
+    if (b->n_draw == 0) {
+        return;
+    }
+    printf("95 %% of %d bootstraps: median %.4g to %.4g%s%s, dispersion %.4g to %.4g", b->n_fitted,
+           b->median[0], b->median[1], unit[0] ? " " : "", unit, b->dispersion[0],
+           b->dispersion[1]);
+    if (b->n_fitted < b->n_draw) {
+        printf("; %d more have no curve", b->n_draw - b->n_fitted);
+    }
+    putchar('\n');
+}
+
+void study_print_bootstrap_columns(struct printer *t) {
+    static const struct printer_column columns[] = {
+        COLUMN_DATA("median_low"), COLUMN_DATA("median_high"), COLUMN_DATA("dispersion_low"),
+        COLUMN_DATA("dispersion_high"), COLUMN_DATA("bootstraps")};
+    PRINTER_ADD(t, columns);
+}
+
+void study_print_bootstrap_cells(const struct bootstrap *b, struct printer *t) {
+    for (int i = 0; i < 4; i++) {
+        if (b->n_fitted > 0) {
+            printer_number(t, i < 2 ? b->median[i] : b->dispersion[i - 2]);
+        } else {
+            printer_empty(t);
+        }
+    }
+    printer_whole(t, b->n_fitted);
+}
+
 void study_print_rate(double rate) {
     printf("exceeded %.4g times a year, once in %.4g years; probability in 50 years %.4g %%\n",
            rate, 1.0 / rate, -100.0 * expm1(-50.0 * rate));

@@ -74,3 +74,15 @@ int bootstrap_run(const struct bootstrap_request *q, struct bootstrap *out, stru
     gsl_rng_free(d.random);
     return status;
 }
+
+int bootstrap_fit_records(void *context, const int *weight, struct fragility *out,
+                          struct error *e) {
+    const struct bootstrap_records *r = context;
+    int n = 0;
+    for (int i = 0; i < r->n; i++) {
+        for (int k = 0; k < (weight ? weight[i] : 1); k++) {
+            r->drawn[n++] = r->record[i];
+        }
+    }
+    return fragility_fit_records(r->drawn, n, out, e);
+}

@@ -30,4 +30,13 @@ struct bootstrap {
 // STATUS_FAILED, which is a draw without a curve.
 int bootstrap_run(const struct bootstrap_request *q, struct bootstrap *out, struct error *e);
 
+// First exceedances as units: a `fit` of the request, whose context this is. weight NULL: each
+// counts once.
+struct bootstrap_records {
+    const struct fragility_record *record;  // (n)
+    int n;
+    struct fragility_record *drawn;  // (n) room
+};
+int bootstrap_fit_records(void *context, const int *weight, struct fragility *out, struct error *e);
+
 #endif

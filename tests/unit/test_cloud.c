@@ -144,38 +144,22 @@ static void the_hazard_takes_a_curve_with_collapses(void **state) {
                  1e-4 * exp(-k * 3.0 / 4.0) * angle / sin(angle), 1e-8);
 }
 
-// The sample: n normal logarithms, as first exceedances.
-struct sample {
-    const struct fragility_record *record;
-    int n;
-};
-
-static int fit_sample(void *context, const int *weight, struct fragility *out, struct error *e) {
-    const struct sample *s = context;
-    struct fragility_record drawn[MOST];
-    int n = 0;
-    for (int i = 0; i < s->n; i++) {
-        for (int k = 0; k < weight[i]; k++) {
-            drawn[n++] = s->record[i];
-        }
-    }
-    assert_int_equal(n, s->n);
-    return fragility_fit_records(drawn, n, out, e);
-}
-
 // The bootstrap of a mean of n logarithms is nearly normal, with the deviation of the sample over
 // sqrt(n), so that 95 % lie within 1.96 of these.
 static void the_bootstrap_of_a_median_is_known(void **state) {
     (void)state;
-    struct fragility_record record[MOST];
+    struct fragility_record record[MOST], drawn[MOST];
     struct random random = {.state = 5};
     for (int i = 0; i < MOST; i++) {
         const double z = gsl_cdf_ugaussian_Pinv(random_uniform(&random, 0.0, 1.0));
         record[i] = (struct fragility_record){CROSSING_AT, 3.0 * exp(0.4 * z)};
     }
-    struct sample sample = {record, MOST};
-    struct bootstrap_request q = {
-        .n_unit = MOST, .n_draw = 4000, .seed = 1, .fit = fit_sample, .context = &sample};
+    struct bootstrap_records sample = {record, MOST, drawn};
+    struct bootstrap_request q = {.n_unit = MOST,
+                                  .n_draw = 4000,
+                                  .seed = 1,
+                                  .fit = bootstrap_fit_records,
+                                  .context = &sample};
     struct bootstrap b, again;
     struct fragility f;
     struct error e;
