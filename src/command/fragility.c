@@ -2,20 +2,23 @@
 // jostle fragility: lognormal fragility curves of a study, with the counts they follow from.
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #include "command/crash.h"
 #include "command/fragility_print.h"
+#include "command/study_deck.h"
 #include "command/study_print.h"
 #include "command/suite_options.h"
 #include "core/arena.h"
 #include "core/safe.h"
+#include "study/roles.h"
 
 static int fragility_command(int argc, char **argv);
 
 const struct command command_fragility = {
     .name = "fragility",
     .usage = "FILE.h5 [--tsv|--csv|--json] --edp EDP --limit VALUE[,VALUE...]|--collapse\n"
-             "                        [--im NAME] [--over NAME] [--at NAME=VALUE]\n"
+             "                        [--im NAME] [--over NAME] [--at NAME=VALUE] [--deck DECK]\n"
              "                        [--failed above|left-out] [--method counts|ida|cloud]\n"
              "                        [--bootstrap N [--seed S]] [--hazard FILE]",
     .summary = "fits lognormal fragility curves to a study",
@@ -25,6 +28,8 @@ const struct command command_fragility = {
 struct request {
     struct suite_options suite;
     enum fragility_method method;
+    const char *im;      // NULL: found
+    const char *deck;    // of the study; NULL: that which the file names
     const char *hazard;  // path of a hazard curve; NULL: none
     int n_bootstrap, seed;
     enum printer_form form;
@@ -179,7 +184,7 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
 // Whether the suite is one that the method can do with.
 static int check_suite(const struct request *q, const struct suite *s, const double *limit, int n,
                        struct error *e) {
-    if (s->point_name) {
+    if (s->point_name && !s->intensity) {
         return error_set(e, STATUS_INPUT, "--im %s: %s", s->abscissa->name,
                          s->mixed ? "it only numbers paired sweeps" : "its values are not numbers");
     }
@@ -204,21 +209,48 @@ static int fit_all(const struct request *q, const struct suite *s, struct error 
     return status;
 }
 
+// Takes the intensity that --im names from the ground motions, if no sweep has its name.
+static int measure(const struct request *q, struct study_file *f, struct suite *s) {
+    struct measure m;
+    struct error e;
+    double *value = arena_alloc(s->arena, (size_t)s->view->n_run, sizeof *value);
+    int status =
+        value ? measure_parse(&s->view->units, q->im, s->arena, &m, &e) : error_no_memory(&e);
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    status = study_deck_measure(f, q->deck, &m, 1, value);
+    if (status == EXIT_DONE && suite_measure(s, &m, value, &e) != STATUS_OK) {
+        status = command_fail(&e);
+    }
+    return status;
+}
+
 static int open_and_fit(struct request *q, const char *path) {
     struct study_file *f;
     struct suite *s;
     struct error e;
+    int sweep;
     crash_reading(NULL, path);
     if (study_file_open(path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    int status = suite_create(f, suite_options_request(&q->suite), &s, &e);
-    if (status == STATUS_OK) {
-        status = fit_all(q, s, &e);
+    struct suite_request *r = &q->suite.request;
+    r->measured = q->im && measure_is_named(q->im) &&
+                  !roles_find_name(study_file_view(f), q->im, strlen(q->im), &sweep);
+    r->abscissa = r->measured ? NULL : q->im;
+    int status = EXIT_DONE;
+    if (suite_create(f, suite_options_request(&q->suite), &s, &e) != STATUS_OK) {
+        status = command_fail(&e);
+    } else {
+        status = r->measured ? measure(q, f, s) : EXIT_DONE;
+        if (status == EXIT_DONE && fit_all(q, s, &e) != STATUS_OK) {
+            status = command_fail(&e);
+        }
         suite_free(s);
     }
     study_file_close(f);
-    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    return status;
 }
 
 static int use(void *request, struct arena *a, const struct words *operand) {
@@ -238,9 +270,10 @@ static const struct option_row rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
      .doc = "limits of the demand: 20mm, 0.5%, 2MN; default unit: that of the deck"},
-    {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
+    {"im", 0, "NAME", OPTION_TEXT, 0, AT(im),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
-            "only sweep of numbers)"},
+            "only sweep of numbers), or a measure of the ground motions, such as PGV or Sa(1s)"},
+    STUDY_DECK_ROW(AT(deck)),
     {0}};
 
 static const struct option_row form_rows[] = {
@@ -268,6 +301,7 @@ static int fragility_command(int argc, char **argv) {
         {.row = printer_rows, .at = AT(form)},
         {.row = option_help},
         {.print = suite_options_print_edps},
+        {.text = measure_help},
         {.text =
              "\nThe median and the dispersion maximise the likelihood of the counts (Baker 2015, "
              "Earthquake Spectra\n31, 579-599), or of the first exceedances. A value equal to the "

@@ -17,8 +17,8 @@ enum { CAPACITY_POINTS_MAX = 200 };  // runs of one sample
 
 // Where the limit is crossed between the intensities on both sides of it: at their geometric mean;
 // on a straight line; on a natural cubic spline of the demand through all runs, as Vamvatsikos &
-// Cornell (2004) interpolate. A demand that jumps, such as that of a collapse, has no line there, but
-// the mean.
+// Cornell (2004) interpolate. A demand that jumps, such as that of a collapse, has no line there:
+// then it is the mean.
 enum capacity_curve { CAPACITY_SPLINE, CAPACITY_LINE, CAPACITY_MIDDLE };
 
 struct capacity_request {
