@@ -47,21 +47,24 @@ static void print_distance(const struct fragility_result *r) {
     }
 }
 
+// " = A + B ln IM"
+static void print_line(const char *before, double constant, double slope, const char *im) {
+    printf("%s%.4g %c %.4g ln ", before, constant, slope < 0.0 ? '-' : '+', fabs(slope));
+    safe_put(stdout, SAFE_TERMINAL, im);
+}
+
 // The line and the logit of a cloud.
 static void print_cloud(const struct fragility_result *r) {
     const struct cloud *c = &r->cloud;
-    const char *im = r->suite->im;
     if (isfinite(c->slope)) {
         printf("ln ");
         safe_put(stdout, SAFE_TERMINAL, r->suite->edp.text);
-        printf(" = %.4g %+.4g ln ", c->intercept, c->slope);
-        safe_put(stdout, SAFE_TERMINAL, im);
+        print_line(" = ", c->intercept, c->slope, r->suite->im);
         printf(", scatter %.4g, of %d runs\n", c->scatter, c->n);
     }
     if (r->fit.mixed) {
-        printf("collapse of %d of %d runs: logit %.4g %+.4g ln ", c->n_collapsed,
-               c->n + c->n_collapsed, r->fit.logit[0], r->fit.logit[1]);
-        safe_put(stdout, SAFE_TERMINAL, im);
+        printf("collapse of %d of %d runs: ", c->n_collapsed, c->n + c->n_collapsed);
+        print_line("logit ", r->fit.logit[0], r->fit.logit[1], r->suite->im);
         putchar('\n');
     }
 }

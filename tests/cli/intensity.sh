@@ -58,7 +58,7 @@ expect "a cloud is the regression of these columns" '[ $status -eq 0 ] && awk -F
     }
     function same(x, y) { return (x / y - 1) ^ 2 < 1e-16 }" wide.csv "$out"'
 run "$jostle" fragility grid.h5 --edp drift-ratio --limit 1.6% --im PGA --method cloud --bootstrap 100
-expect "its text has the line and the bootstrap" '[ $status -eq 0 ] && grep -qE "^ln drift-ratio = -[0-9.]+ \+[0-9.]+ ln PGA, scatter [0-9.]+, of 18 runs$" "$out" && grep -q "^95 % of " "$out" && ! grep -q "standard errors" "$out"'
+expect "its text has the line and the bootstrap" '[ $status -eq 0 ] && grep -qE "^ln drift-ratio = -[0-9.]+ \+ [0-9.]+ ln PGA, scatter [0-9.]+, of 18 runs$" "$out" && grep -q "^95 % of " "$out" && ! grep -q "standard errors" "$out"'
 run "$jostle" fragility grid.h5 --edp drift-ratio --limit 1.6% --im "Sa(1s)" --method ida --tsv
 one=$(awk -F '\t' 'NR == 2 { print $9 }' "$out")
 run "$jostle" fragility grid.h5 --edp drift-ratio --limit 1.6% --method ida --tsv
