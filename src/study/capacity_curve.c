@@ -33,7 +33,7 @@ static double on_spline(const double *x, const double *y, int n, int i, double l
 }
 
 double capacity_curve_crossing(const struct capacity *c, double limit, enum capacity_curve curve) {
-    double x[CAPACITY_POINTS_MAX], y[CAPACITY_POINTS_MAX];
+    double x[CAPACITY_POINTS_MAX] = {0.0}, y[CAPACITY_POINTS_MAX] = {0.0};
     int n = 0, over = 0;
     while (!c->point[over].exceeded) {
         over++;

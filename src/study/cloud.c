@@ -96,7 +96,7 @@ static int fit_logit(const struct logit *l, double *out, struct error *e) {
         if (!isfinite(step)) {
             break;
         }
-        double next = -INFINITY, at[2];
+        double next = -INFINITY, at[2] = {c[0], c[1]};
         for (int k = 0; k < HALVINGS_MAX && !(next >= now - 1e-12 * fabs(now)); k++) {
             at[0] = c[0] + d[0];
             at[1] = c[1] + d[1];

@@ -163,17 +163,18 @@ int origin_check(struct manifest *m, const struct plan *p, const struct study_vi
                                         .define = p->define,
                                         .n_define = p->n_define,
                                         .numerics = NUMERICS_VERSION};
-    const char *current;
-    int status = origin_study(m->arena, &study, p->table->n_value, &current, e);
-    if (status == STATUS_OK && !v->origin.study) {
+    const char *current = NULL;
+    if (!v->origin.study) {
         return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from", v->path);
     }
-    if (status == STATUS_OK) {
+    int status = origin_study(m->arena, &study, p->table->n_value, &current, e);
+    if (status == STATUS_OK && current) {
         status = origin_compare(m, current, &v->origin, e);
     }
+    if (status != STATUS_INPUT) {
+        return status;
+    }
     const struct error cause = *e;
-    return status == STATUS_INPUT
-               ? error_set(e, STATUS_INPUT, "%s cannot be computed again: %s has changed since",
-                           v->path, cause.message)
-               : status;
+    return error_set(e, STATUS_INPUT, "%s cannot be computed again: %s has changed since", v->path,
+                     cause.message);
 }

@@ -43,7 +43,7 @@ static int measured(const struct model *m, const char *text, struct measure *out
 static double value_of(const struct model *m, const char *text) {
     struct measure parsed;
     struct error e;
-    double value;
+    double value = NAN;
     assert_int_equal(measured(m, text, &parsed, &value, &e), STATUS_OK);
     return value;
 }
