@@ -8,9 +8,7 @@
 #include "core/safe.h"
 #include "plot/figure.h"
 #include "plot/panel.h"
-#include "plot/scale.h"
 #include "plot/script.h"
-#include "plot/shades.h"
 
 enum { NAMES_MAX = 24 };  // more buildings have numbers at the axis
 
@@ -77,35 +75,35 @@ static void survey(struct street *s) {
     }
 }
 
-static void write_storeys(const struct street *s, FILE *to) {
-    script_block(to, "storeys", "building, level, left, right, bottom, top, drift");
+static void write_storeys(const struct street *s, struct canvas *c) {
+    canvas_block(c, "building, level, left, right, bottom, top, drift", "storeys");
     for (int k = 0; k < s->r->n_building; k++) {
         const struct report_building *b = &s->r->building[k];
         for (int i = 0; i < b->n_floor; i++) {
             const double low = runs_level(b, i, s->heights),
                          high = runs_level(b, i + 1, s->heights);
-            fprintf(to, "%d %.7g %.7g %.7g %.7g %.7g %.7g\n", k + 1, (low + high) / 2, k + 1 - HALF,
-                    k + 1 + HALF, low, high, drift_of(s, b, i));
+            fprintf(c->data, "%d %.7g %.7g %.7g %.7g %.7g %.7g\n", k + 1, (low + high) / 2,
+                    k + 1 - HALF, k + 1 + HALF, low, high, drift_of(s, b, i));
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
-static void write_gaps(const struct street *s, double unit, FILE *to) {
-    script_block(to, "hits", "gap, level of each contact that has closed");
-    fprintf(to, "NaN NaN\n");
+static void write_gaps(const struct street *s, struct canvas *c) {
+    canvas_block(c, "gap, level of each contact that has closed", "hits");
+    fprintf(c->data, "NaN NaN\n");
     for (int i = 0; i < s->r->n_contact; i++) {
-        const struct report_link *c = &s->r->contact[i];
-        if (has_closed(c)) {
-            fprintf(to, "%.7g %.7g\n", gap_of(s->r, c) + 0.5, level_of(s, c));
+        const struct report_link *l = &s->r->contact[i];
+        if (has_closed(l)) {
+            fprintf(c->data, "%.7g %.7g\n", gap_of(s->r, l) + 0.5, level_of(s, l));
         }
     }
-    fprintf(to, "EOD\n");
-    script_block(to, "forces", "gap, largest force");
+    canvas_end(c);
+    canvas_block(c, "gap, largest force", "forces");
     for (int k = 0; k <= s->r->n_building; k++) {
-        fprintf(to, "%.7g %.9g\n", k + 0.5, s->force[k] / unit);
+        fprintf(c->data, "%.7g %.9g\n", k + 0.5, s->force[k]);
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static void write_names(const struct street *s, double room, struct canvas *c) {
@@ -121,12 +119,10 @@ static void write_names(const struct street *s, double room, struct canvas *c) {
 }
 
 static void write_head(const struct street *s, const struct runs *runs, struct canvas *c) {
-    char text[160];
-    snprintf(text, sizeof text,
-             "%d buildings; %ld of %d contacts have closed; below, the largest contact force in "
-             "each gap",
-             s->r->n_building, s->n_hit, s->r->n_contact);
-    canvas_head(c, runs->title, text);
+    canvas_head(c, runs->title,
+                "%d buildings; %ld of %d contacts have closed; below, the largest contact force in "
+                "each gap",
+                s->r->n_building, s->n_hit, s->r->n_contact);
     struct legend l = {0};
     legend_add(&l, panel_points("#0072b2", POINT_DISC, 0.8), "contacts that have closed", "");
     legend_write(&l, c);
@@ -142,7 +138,7 @@ static void draw_map(const struct street *s, struct area a, const struct axis *x
     across.kind = AXIS_WITHOUT_NUMBERS;
     panel_open(c, &(struct panel){
                       .area = a, .x = across, .y = runs_height_axis(true, s->heights, s->top)});
-    shades_use(c, SHADES_LINES, most);
+    panel_shades(c, SHADES_LINES, most);
     panel_series(c, (struct style){.kind = STYLE_BOXES}, "$storeys using 1:2:3:4:5:6:7");
     const double size = s->r->n_building > 2 * NAMES_MAX ? 0.35 : 0.8;
     panel_series(c, panel_points("#0072b2", POINT_DISC, size), "$hits using 1:2");
@@ -151,24 +147,23 @@ static void draw_map(const struct street *s, struct area a, const struct axis *x
                                .unit = s->heights ? "%" : NULL,
                                .dimension = dimension_length,
                                .span = {0, most}};
-    shades_scale(c, (struct area){a.right + 6, a.right + 7.2, a.bottom, a.top}, &drift);
+    panel_shades_scale(c, (struct area){a.right + 6, a.right + 7.2, a.bottom, a.top}, &drift);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     struct street s = {.r = subject->runs->r[0]};
     s.force = calloc((size_t)s.r->n_building + 1, sizeof *s.force);
     if (!s.force) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
+        return;
     }
     survey(&s);
     struct span force = {0, 0};
     for (int k = 0; k <= s.r->n_building; k++) {
         span_add(&force, s.force[k]);
     }
-    const double unit = unit_size(c->units, dimension_force);
-    const struct scale scale = scale_for(scale_forces, force.high * unit);
-    write_storeys(&s, c->data);
-    write_gaps(&s, scale.size / unit, c->data);
+    write_storeys(&s, c);
+    write_gaps(&s, c);
     write_head(&s, subject->runs, c);
     const bool names = s.r->n_building <= NAMES_MAX;
     const struct axis x = {.name = names ? NULL : "building, from the left",
@@ -177,8 +172,8 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
     const struct area map = canvas_inset(canvas_part(c, 0, 1, 1 - MAP_SHARE, 1), 5.5, 1, 1, 0.5);
     draw_map(&s, map, &x, c);
     struct area below = canvas_inset(canvas_part(c, 0, 1, 0, 1 - MAP_SHARE), 5.5, 8.5, 3.2, 0.5);
-    const struct axis up =
-        scale_axis("force", &scale, span_with_room((struct span){0, force.high * unit}, 0));
+    const struct axis up = {
+        .name = "force", .dimension = dimension_force, .span = span_with_room(force, 0)};
     panel_open(c, &(struct panel){.area = below, .x = x, .y = up});
     if (names) {
         write_names(&s, (below.right - below.left) / (s.r->n_building + 0.2), c);
@@ -187,7 +182,6 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
                  "$forces using 1:2");
     panel_close(c);
     free(s.force);
-    return STATUS_OK;
 }
 
 static int check(const struct subject *p, struct error *e) {
