@@ -183,7 +183,7 @@ static bool cut_value(const struct header_row *row, int channel, struct piece *v
 
 bool header_rows(const struct header *h, const struct header_row *row, int channel) {
     for (; row->key; row++) {
-        struct header_entry entry;
+        struct header_entry entry = {.key = row->key};
         if (row->optional && !header_find(h, row->key, &entry)) {
             continue;
         }
