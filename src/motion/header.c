@@ -75,6 +75,9 @@ bool header_text(const struct header *h, const char *key, struct header_entry *o
 }
 
 bool header_number(const struct record_reader *r, const struct header_entry *from, double *number) {
+    if (from->value.n == 0) {
+        return record_fail(r, from->line, "%s is empty", from->key);
+    }
     return lines_number(from->value, number) == NUMBER_OK ||
            record_fail(r, from->line, "%s '%s' is not a number", from->key,
                        lines_excerpt(from->value).text);
