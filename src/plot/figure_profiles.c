@@ -200,48 +200,40 @@ static void draw_series(const struct selection *s, const struct profile *p, stru
     panel_close(c);
 }
 
-// The panel `at` of `n` beside each other.
-static void draw_panel(const struct selection *s, const struct profile *p, int at, int n,
-                       struct canvas *c) {
-    struct canvas within = *c;
-    within.area.left += 4.2;
-    const struct area part = canvas_part(&within, (double)at / n, (at + 1.0) / n, 0, 1);
-    panel_open(c, &(struct panel){.area = canvas_inset(part, 1.1, 1.1, 3.2, 0.5),
-                                  .x = value_axis(s, p),
-                                  .y = runs_height_axis(at == 0, s->heights, top_level(s))});
-    draw_series(s, p, c);
+// Names of buildings beside their rows.
+static void write_names(const struct selection *s, FILE *to) {
+    fprintf(to, "set ytics (");
+    for (int k = 0; k < s->n; k++) {
+        char name[64];
+        script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
+        fprintf(to, "%s", k > 0 ? ", " : "");
+        safe_put(to, SAFE_TIC, name);
+        fprintf(to, " %d", s->n - k);
+    }
+    fprintf(to, ")\n");
 }
 
-// Panel `at` of `n`, two above each other where there is room.
-static void draw_rows(const struct selection *s, const struct profile *p, int at, int n,
-                      struct canvas *c) {
+// Panel `at` of `n` beside each other; of rows, two above each other where there is room.
+static void draw_panel(const struct selection *s, const struct profile *p, int at, int n,
+                       struct canvas *c) {
     struct canvas within = *c;
     double names = 0;
     for (int k = 0; k < s->n; k++) {
         names = fmax(names, fmin(NAME_WIDTH, script_width(shown(s, 0, k)->name)));
     }
-    within.area.left += names;
+    within.area.left += s->rows ? names : 4.2;
     const double height = c->area.top - c->area.bottom;
-    const int across = height > 2 * (ROW_HEIGHT * (s->n + 0.2) + 3.7) ? 2 : n;
-    const int column = at % across, line = at / across, lines = n / across;
-    const struct area a =
-        canvas_inset(canvas_part(&within, (double)column / across, (column + 1.0) / across,
-                                 1 - (line + 1.0) / lines, 1 - (double)line / lines),
-                     1.1, 1.1, 3.2, 0.5);
+    const bool two = s->rows && height > 2 * (ROW_HEIGHT * (s->n + 0.2) + 3.7);
+    const int across = two ? 2 : n, column = at % across, line = at / across, lines = n / across;
+    const struct area a = canvas_part(&within, (double)column / across, (column + 1.0) / across,
+                                      1 - (line + 1.0) / lines, 1 - (double)line / lines);
+    const struct axis rows = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
     panel_open(c, &(struct panel){
-                      .area = a,
+                      .area = canvas_inset(a, 1.1, 1.1, 3.2, 0.5),
                       .x = value_axis(s, p),
-                      .y = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1}});
-    if (column == 0) {
-        fprintf(c->to, "set ytics (");
-        for (int k = 0; k < s->n; k++) {
-            char name[64];
-            script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
-            fprintf(c->to, "%s", k > 0 ? ", " : "");
-            safe_put(c->to, SAFE_TIC, name);
-            fprintf(c->to, " %d", s->n - k);
-        }
-        fprintf(c->to, ")\n");
+                      .y = s->rows ? rows : runs_height_axis(at == 0, s->heights, top_level(s))});
+    if (s->rows && column == 0) {
+        write_names(s, c->to);
     }
     draw_series(s, p, c);
 }
@@ -287,7 +279,7 @@ static void draw(const struct subject *subject, struct canvas *c) {
     const int n = s.storeys ? PANELS : PANELS - 2;
     for (int i = 0, at = 0; i < PANELS; i++) {
         if (s.storeys || !profiles[i].storeys) {
-            (s.rows ? draw_rows : draw_panel)(&s, &profiles[i], at++, n, c);
+            draw_panel(&s, &profiles[i], at++, n, c);
         }
     }
 }
