@@ -2,11 +2,11 @@
 // Fragility: the share of the samples that exceed a limit at each intensity, and the lognormal
 // curve of largest likelihood through the shares, for each limit and group.
 #include <math.h>
-#include <stdlib.h>
 
+#include "core/arena.h"
 #include "plot/script.h"
 #include "plot/study_figure.h"
-#include "study/fragility.h"
+#include "study/fragility_runs.h"
 
 enum { STEPS = 200 };
 
@@ -41,23 +41,30 @@ static double limit_of(const struct view *v, int i) {
 
 static void write_counts(struct view *v, struct canvas *c) {
     const struct suite *s = v->p->suite;
-    struct fragility_level *level = malloc((size_t)s->n_point * sizeof *level);
+    struct fragility_runs runs;
+    if (c->status == STATUS_OK) {
+        c->status = fragility_runs_create(s, &runs, c->e);
+    }
+    if (c->status != STATUS_OK) {
+        return;
+    }
+    struct fragility_level *level = arena_alloc(s->arena, (size_t)runs.n, sizeof *level);
     if (!level) {
         c->status = error_no_memory(c->e);
     }
     for (int i = 0; i < v->n && c->status == STATUS_OK; i++) {
-        fragility_count(s, i % s->n_group, limit_of(v, i), level);
+        fragility_runs_take(&runs, s, i % s->n_group);
+        const int n_level = fragility_runs_count(&runs, limit_of(v, i), NULL, level);
         canvas_block(c, "intensity, share above the limit, runs", "counts%d", i);
-        for (int j = 0; j < s->n_point; j++) {
+        for (int j = 0; j < n_level; j++) {
             const int n = level[j].n;
-            study_number(c->data, s->point[j]);
+            study_number(c->data, level[j].intensity);
             study_number(c->data, n > 0 ? (double)level[j].exceeded / n : (double)NAN);
             fprintf(c->data, " %d\n", n);
         }
         canvas_end(c);
-        c->status = fragility_fit(level, s->n_point, &v->fit[i], c->e);
+        c->status = fragility_fit(level, n_level, &v->fit[i], c->e);
     }
-    free(level);
 }
 
 // Where shares coincide the later mark lies on the earlier ones, which are larger.
