@@ -131,7 +131,7 @@ static bool take_count(const struct record_reader *r, const struct header_entry 
 
 static bool take_duration(const struct record_reader *r, const struct header_entry *from) {
     struct record_content *out = r->out;
-    double duration;
+    double duration = 0;
     if (!header_positive(r, from, &duration)) {
         return false;
     }
