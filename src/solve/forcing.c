@@ -158,8 +158,7 @@ static void forcing_grounds_at(struct state *s, const struct model *m, double t)
 // not come from pieces.
 static void forcing_on_floors(struct state *s, const struct model *m, const struct forcing *f,
                               double t) {
-    for (int k = 0; k < m->n_body; k++) {
-        const struct building *g = &m->building[k];
+    for (const struct building *g = m->building; g < m->building + m->n_body; g++) {
         const double a = s->ground_a[g->ground];
         for (int i = g->first; i < g->first + g->n_dof; i++) {
             s->base[i] = a;

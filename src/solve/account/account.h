@@ -82,6 +82,10 @@ int impacts_start(struct impact_log *log, const struct state *s, struct error *e
 int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
                  struct error *e);
 
+// Time from the start of the step of length h at which link k opens, and how fast it grows then.
+double impacts_opening(const struct model *m, const struct state *now, const struct state *next,
+                       double h, int k, double *rate);
+
 // Adds to the totals of link k and, if one is under way, to its impact.
 void impacts_add(const struct impact_log *log, int k, const struct impact_share *share);
 

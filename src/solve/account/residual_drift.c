@@ -175,8 +175,7 @@ static void residual_drift_storeys(const struct model *m, const struct state *s,
 bool residual_drifts(const struct model *m, const struct state *s, double *out) {
     double drift[FLOORS_MAX], shear[FLOORS_MAX];
     bool has_memory = true;
-    for (int k = 0; k < m->n_body; k++) {
-        const struct building *b = &m->building[k];
+    for (const struct building *b = m->building; b < m->building + m->n_body; b++) {
         const struct building *own = b->fixed ? b->fixed : b;
         if (own->n_part > 0 && !b->elastic) {
             has_memory &= residual_drift_settle(m, s, b, out + b->first);
