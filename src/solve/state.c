@@ -157,7 +157,7 @@ void state_totals(struct state *s, const struct model *m) {
 
 void state_complete(struct state *s, const struct model *m) {
     if (!m->adaptive) {
-        forcing_floors(s, m, s->time);
+        forcing_floors(s, m, NULL, s->time);
     }
     if (state_is_linear(m)) {
         state_forces(s, m, s->storey_history, NULL);

@@ -120,8 +120,8 @@ void peaks_finish(struct results *r, const struct model *m);
 
 // In residual_drift.c: the size of the residual drift [L] of each storey (n_dof): where its law has
 // no shear when the storey unloads from state `s`; 0 of elastic ones. NAN: the law does not unload
-// to zero. False: no memory.
-bool residual_drifts(const struct model *m, const struct state *s, double *out);
+// to zero. The arena is for scratch. False: no memory.
+bool residual_drifts(const struct model *m, const struct state *s, double *out, struct arena *a);
 
 // The same for bilateral links: what they have lost, and their residual deformations.
 void residual_links(const struct model *m, const struct state *s, struct link_peak *link);

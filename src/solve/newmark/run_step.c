@@ -103,9 +103,7 @@ static int run_step_commit(struct run *r) {
     r->now = r->next;
     r->next = old;
     r->results->totals.steps++;
-    if (force_peaks_due(&r->forces)) {
-        force_peaks_note(&r->forces, r->now);
-    }
+    force_peaks_note(&r->forces, r->now);
     if (status == STATUS_OK && r->results->collapse.happened) {
         return STATUS_COLLAPSE;
     }
