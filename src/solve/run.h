@@ -87,6 +87,7 @@ struct run {
     struct flight flight;
     double *row_force;              // [F] (n_link) of a row
     double *row_members;            // (model.n_force) of a row
+    double *row_struck;             // [L] (n_dof) displacements of struck points of a row
     double *row_drift, *row_shear;  // [L] [F] (n_dof) the same of storeys, with any foundation
     struct meeting *meeting;        // (n_contact) of rigid impacts
 };

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/parts.h"
+#include "model/struck_column.h"
 #include "solve/forcing.h"
 
 static const struct fields_row list[] = {
@@ -192,6 +193,16 @@ double state_pressing(const struct state *s, const struct model *m, int k) {
 
 double state_rate(const struct state *s, const struct model *m, int k) {
     return state_gap(&m->link[k], m, s->v, s->ground_v);
+}
+
+void state_struck(const struct state *s, const struct model *m, double *u) {
+    for (int i = 0; i < m->n_column; i++) {
+        const int spring = m->n_link - m->n_column + i, point = m->column[i].dof[0];
+        if (m->column[i].yields) {
+            u[point] = struck_column_elastic(
+                &m->column[i], s->u[point], state_penetration(s, m, spring), s->link[spring].force);
+        }
+    }
 }
 
 void state_close_link(struct state *s, const struct model *m, int k) {

@@ -282,6 +282,7 @@ static inline void force_peaks_note(struct force_peaks *p, const struct state *s
     for (int i = 0; i < c->n; i++) {
         action[i] = s->u[i] - c->joint[i] * s->u[i - 1];
     }
+    state_struck(s, m, action);
     for (int k = 0; m->n_hinge > 0 && k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         memcpy(action + c->n + g->first_hinge, s->storey_history + g->departure,
