@@ -106,7 +106,7 @@ static bool read_law(struct law_storeys *l, const struct law_words *words, struc
                      const struct statement *first, struct argument *own) {
     struct deck *d = l->deck;
     struct law_storey *at = &l->storey[l->n];
-    bool found[LOOP_ROWS_MAX];
+    bool found[LOOP_ROWS_MAX] = {false};
     struct row row[N_ROW], turned[LOOP_ROWS_MAX];
     if (!find_law(l, &s->word[0], &at->law) ||
         (first && s->n_word == 1 && !law_words_lend(d, first, has_key, &at->law, s)) ||

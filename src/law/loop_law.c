@@ -24,9 +24,10 @@ void loop_law_of_storey(const struct storey_law *from, struct loop_law *out) {
     }
 }
 
-// The first row of all laws of links is the stiffness.
+static_assert(BILATERAL_STIFFNESS == 0 && (int)MAXWELL_STIFFNESS == 0 &&
+                  (int)LINK_ROW_STIFFNESS == 0,
+              "the first row of all laws of links is the stiffness");
 void loop_law_of_link(const struct link_law *from, struct loop_law *out) {
-    assert(BILATERAL_STIFFNESS == 0 && MAXWELL_STIFFNESS == 0 && LINK_ROW_STIFFNESS == 0);
     *out = (struct loop_law){.name = from->name,
                              .storey = from->storey,
                              .link = *from,
