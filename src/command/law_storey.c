@@ -24,7 +24,7 @@ static const struct row rows[N_ROW] = {
 
 const struct law_storey_kind law_storey_kinds[LAW_STOREY_KINDS] = {
     {"storey", "drift", "shear", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false, false},
-    {"hinge", "rotation", "moment", OF_NONE, {1, 1, 0}, {1, 1, 0}, "rad", "N*m", true, false},
+    {"hinge", "rotation", "moment", OF_NONE, OF_MOMENT, OF_MOMENT, "rad", "N*m", true, false},
     {"link", "lengthening", "tension", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false, true},
 };
 

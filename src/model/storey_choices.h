@@ -49,4 +49,13 @@ bool storey_choices_law(struct builder *b, const struct word *w, const struct st
 bool storey_choices_prepare(struct builder *b, const struct word *w, const struct storey_choices *c,
                             int k, double stiffness, struct storey *out);
 
+// Marks that storey i (from 0) has a law from statement `s`; false after a report if it had one.
+bool storey_choices_take(struct builder *b, struct building_draft *d, int i,
+                         const struct statement *s);
+
+// Marks storey i (from 0) as an isolator; false after a report at `w` if another one of the
+// building is.
+bool storey_choices_isolate(struct builder *b, struct building_draft *d, int i,
+                            const struct word *w);
+
 #endif
