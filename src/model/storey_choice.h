@@ -4,7 +4,7 @@
 #define JOSTLE_STOREY_CHOICE_H
 
 #include "jostle/deck.h"
-#include "law/loop_law.h"
+#include "law/storey_loop.h"
 
 struct storey_choice {
     const struct storey_law *law;          // NULL: another law, or none

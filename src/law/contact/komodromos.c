@@ -5,14 +5,13 @@
 // relaxes without force. The law dissipates less energy than kelvin-voigt: with the published zeta
 // an e of 0.65 gives 0.6748. The force jumps at closure. Its slope jumps where the force reaches
 // zero.
-#include "law/dashpot.h"
 #include "law/lists.h"
 #include "law/restitution.h"
 
 static int komodromos_prepare(const double *value, double m_eff, double *constant,
                               struct error *e) {
     (void)e;
-    dashpot_prepare(value, m_eff, restitution_kelvin_voigt, constant);
+    restitution_dashpot(value, m_eff, restitution_kelvin_voigt, constant);
     return STATUS_OK;
 }
 
@@ -47,7 +46,7 @@ const struct contact_law contact_komodromos = {
         "1605-1622",
     .remarks = "Use it for flat faces. It delivers more than e: 0.675 for 0.65.",
     .example = "-k 93.5MN/m -e 0.65",
-    .row = dashpot_rows,
+    .row = restitution_dashpot_rows,
     .n_row = DASHPOT_ROWS,
     .n_constant = DASHPOT_CONSTANTS,
     .traits = CONTACT_JUMPS | CONTACT_NEEDS_MASS,
