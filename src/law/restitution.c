@@ -122,3 +122,9 @@ void restitution_dashpot(const double *value, double m_eff, double (*relation)(d
     constant[DASHPOT_STIFFNESS] = value[DASHPOT_K];
     constant[DASHPOT_COEFFICIENT] = 2.0 * zeta * sqrt(value[DASHPOT_K] * m_eff);
 }
+
+int restitution_prepare(const double *value, double m_eff, double *constant, struct error *e) {
+    (void)e;
+    restitution_dashpot(value, m_eff, restitution_kelvin_voigt, constant);
+    return STATUS_OK;
+}

@@ -82,4 +82,7 @@ enum dashpot_constant { DASHPOT_STIFFNESS, DASHPOT_COEFFICIENT, DASHPOT_CONSTANT
 void restitution_dashpot(const double *value, double m_eff, double (*relation)(double e),
                          double *constant);
 
+// The same with the relation of Anagnostopoulos: `prepare` of laws with these rows.
+int restitution_prepare(const double *value, double m_eff, double *constant, struct error *e);
+
 #endif

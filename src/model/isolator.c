@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "law/lists.h"
-#include "model/storey_choices.h"
+#include "model/storey_choice.h"
 
 // Initial stiffness of a bearing of lead and rubber over that after yield, if it is not given: a
 // usual value (Naeim & Kelly 1999, Design of Seismic Isolated Structures, chapter 4).

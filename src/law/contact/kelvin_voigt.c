@@ -8,13 +8,6 @@
 #include "law/lists.h"
 #include "law/restitution.h"
 
-static int kelvin_voigt_prepare(const double *value, double m_eff, double *constant,
-                                struct error *e) {
-    (void)e;
-    restitution_dashpot(value, m_eff, restitution_kelvin_voigt, constant);
-    return STATUS_OK;
-}
-
 LANES_INLINE struct contact_response kelvin_voigt_force(const double *c, const double *h, double d,
                                                         double v) {
     (void)h;
@@ -43,7 +36,7 @@ const struct contact_law contact_kelvin_voigt = {
     .n_row = DASHPOT_ROWS,
     .n_constant = DASHPOT_CONSTANTS,
     .traits = CONTACT_JUMPS | CONTACT_MAY_PULL | CONTACT_NEEDS_MASS | CONTACT_SMOOTH,
-    .prepare = kelvin_voigt_prepare,
+    .prepare = restitution_prepare,
     .force = kelvin_voigt_force,
     .force_lanes = kelvin_voigt_lanes,
     .exact = restitution_kelvin_voigt,

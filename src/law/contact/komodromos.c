@@ -8,13 +8,6 @@
 #include "law/lists.h"
 #include "law/restitution.h"
 
-static int komodromos_prepare(const double *value, double m_eff, double *constant,
-                              struct error *e) {
-    (void)e;
-    restitution_dashpot(value, m_eff, restitution_kelvin_voigt, constant);
-    return STATUS_OK;
-}
-
 static double with_tension(const double *c, double d, double v) {
     return c[DASHPOT_STIFFNESS] * d + c[DASHPOT_COEFFICIENT] * v;
 }
@@ -50,7 +43,7 @@ const struct contact_law contact_komodromos = {
     .n_row = DASHPOT_ROWS,
     .n_constant = DASHPOT_CONSTANTS,
     .traits = CONTACT_JUMPS | CONTACT_NEEDS_MASS,
-    .prepare = komodromos_prepare,
+    .prepare = restitution_prepare,
     .force = komodromos_force,
     .kink = komodromos_kink,
     .exact = restitution_no_tension,

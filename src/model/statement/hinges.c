@@ -6,7 +6,6 @@
 #include "deck/reader.h"
 #include "model/frame_draft.h"
 #include "model/storey_choice.h"
-#include "model/storey_choices.h"
 
 enum { STIFFNESS, LINES, BAYS, DAMAGE, N_ROW = DAMAGE + STOREY_DAMAGE_COUNT };
 

@@ -3,7 +3,7 @@
 #include "model/isolator.h"
 #include "deck/reader.h"
 #include "model/builder.h"
-#include "model/storey_choices.h"
+#include "model/storey_choice.h"
 
 enum { MU, MU_SLOW, RATE, WEIGHT, YIELD_DRIFT, N_SLIDING_ROW, RADIUS = N_SLIDING_ROW, N_FPS_ROW };
 enum { Q, KD, KI, N_LRB_ROW };

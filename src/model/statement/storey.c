@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "deck/reader.h"
-#include "model/storey_choices.h"
+#include "model/storey_choice.h"
 
 enum { STIFFNESS, DAMAGE, N_ROW = DAMAGE + STOREY_DAMAGE_COUNT };
 
