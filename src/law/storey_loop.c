@@ -2,11 +2,12 @@
 #include "law/storey_loop.h"
 
 #include <assert.h>
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <string.h>
 
 #include "law/bilateral.h"
 #include "law/maxwell.h"
+#include "law/yield.h"
 
 static void storey_loop_add_row(struct loop_law *law, const struct row *row, int place) {
     assert(law->n_row < LOOP_ROWS_MAX);
@@ -44,9 +45,9 @@ void storey_loop_of_link(const struct link_law *from, struct loop_law *out) {
     }
 }
 
-int storey_loop_row(const struct loop_law *law, const char *key) {
-    int r = law->n_row - 1;
-    while (r >= 0 && strcmp(law->row[r].key, key) != 0) {
+int storey_loop_row(const struct row *row, int n, const char *key) {
+    int r = n - 1;
+    while (r >= 0 && strcmp(row[r].key, key) != 0) {
         r--;
     }
     return r;
@@ -56,7 +57,7 @@ int storey_loop_prepare(const struct loop_law *law, const double *value, double 
                         double *constant, struct error *e) {
     double all[LOOP_ROWS_MAX];
     if (!law->link.name) {
-        return law->storey->prepare(value, stiffness, constant, e);
+        return storey_law_prepare(law->storey, value, stiffness, constant, e);
     }
     for (int r = 0; r < LOOP_ROWS_MAX; r++) {
         all[r] = NAN;
@@ -106,14 +107,13 @@ static double storey_loop_stored(const struct loop_law *law, const double *const
 // Where the path is at this share of the time from one target to the next, and its rate.
 static double storey_loop_place(const struct storey_path *path, double from, double to,
                                 double share, double *rate) {
-    static const double PI = 3.14159265358979323846;
     *rate = 0.0;
     if (share >= 1.0) {
         return to;
     }
     if (path->period > 0.0) {
-        *rate = (to - from) * PI * sin(PI * share) / path->period;
-        return from + (to - from) * (1.0 - cos(PI * share)) / 2.0;
+        *rate = (to - from) * M_PI * sin(M_PI * share) / path->period;
+        return from + (to - from) * (1.0 - cos(M_PI * share)) / 2.0;
     }
     return from + share * (to - from);
 }

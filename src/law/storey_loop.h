@@ -30,8 +30,8 @@ struct loop_law {
 void storey_loop_of_storey(const struct storey_law *from, struct loop_law *out);
 void storey_loop_of_link(const struct link_law *from, struct loop_law *out);
 
-// The place of the row with this key; -1: none.
-int storey_loop_row(const struct loop_law *law, const char *key);
+// The place of the row with this key among n; -1: none.
+int storey_loop_row(const struct row *row, int n, const char *key);
 
 // Computes the constants from the values of the rows (NAN: not given) and the initial stiffness
 // (NAN: 0, for a law that does not need one).

@@ -30,13 +30,9 @@ struct magnitude {
 };
 static const double STOREY_PERIOD_MIN = 0.01;  // [s]
 static struct magnitude first_period(int n_floor) {
-    return (struct magnitude){
-        .what = "first period of building",
-        .doubt = "are its mass and stiffness in the units of the deck?",
-        .unit = "s",
-        .min = STOREY_PERIOD_MIN * n_floor,
-        .max = 15.0,
-    };
+    return (struct magnitude){"first period of building",
+                              "are its mass and stiffness in the units of the deck?", "s",
+                              STOREY_PERIOD_MIN * n_floor, 15.0};
 }
 static const struct magnitude mean_storey = {"mean storey height of building",
                                              "are its heights in the units of the deck?", "m", 0.01,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "deck/reader.h"
+#include "law/yield.h"
 
 const struct storey_law *storey_choice_find(struct deck *d, const struct word *name) {
     const char *text = deck_text(d, name);
@@ -26,15 +27,6 @@ const struct storey_law *storey_choice_find_rateless(struct deck *d, const struc
         return NULL;
     }
     return law;
-}
-
-int storey_choice_row(const struct storey_law *law, const char *key) {
-    for (int r = 0; r < law->n_row; r++) {
-        if (strcmp(law->row[r].key, key) == 0) {
-            return r;
-        }
-    }
-    return -1;
 }
 
 bool storey_choice_find_link(struct deck *d, const struct word *name, struct link_law *out) {
@@ -114,7 +106,7 @@ bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, c
     const bool good =
         storey_choices_rows(b, law->row, law->n_row, c->given, n, owner, c->value) &&
         storey_choices_rows(b, damage, STOREY_DAMAGE_COUNT, c->damage, n, owner, c->damage_value);
-    const int yield = storey_choice_row(law, "yield");
+    const int yield = storey_loop_row(law->row, law->n_row, "yield");
     if (yield >= 0 && c->value[yield]) {
         c->yield = c->value[yield];
         c->yield_row = yield;
@@ -129,7 +121,7 @@ bool storey_choices_law(struct builder *b, const struct word *w, const struct st
         return false;
     }
     struct error e;
-    if (law->prepare(value, stiffness, constant, &e) != STATUS_OK) {
+    if (storey_law_prepare(law, value, stiffness, constant, &e) != STATUS_OK) {
         return deck_error(b->deck, w, "%s", e.message);
     }
     out->law = law;

@@ -23,9 +23,6 @@ const struct storey_law *storey_choice_find_rateless(struct deck *d, const struc
 // The law of a link that the word names; false after a report that there is none.
 bool storey_choice_find_link(struct deck *d, const struct word *name, struct link_law *out);
 
-// The place of the law's row; -1: it has none of this name.
-int storey_choice_row(const struct storey_law *law, const char *key);
-
 // n rows of a law as those of one of moment and rotation: forces become moments, and lengths become
 // angles.
 void storey_choice_turn(const struct row *from, int n, struct row *row);

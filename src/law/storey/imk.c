@@ -142,9 +142,6 @@ static int imk_prepare_side(const double *value, double stiffness, const char *s
 }
 
 static int imk_prepare(const double *value, double stiffness, double *constant, struct error *e) {
-    if (stiffness == 0.0) {
-        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
-    }
     double left[N_SIDE];
     for (int i = 0; i < N_SIDE; i++) {
         left[i] = isnan(value[LEFT + i]) ? value[i] : value[LEFT + i];

@@ -27,6 +27,7 @@ enum { N_CLOUGH_ROW = sizeof clough_rows / sizeof clough_rows[0] };
 
 static int takeda_prepare(const double *value, double stiffness, double *constant,
                           struct error *e) {
+    (void)e;
     const double own[PEAK_ORIENTED_CONSTANTS] = {
         [PEAK_ORIENTED_STIFFNESS] = stiffness,
         [PEAK_ORIENTED_YIELD] = value[YIELD],
@@ -35,7 +36,8 @@ static int takeda_prepare(const double *value, double stiffness, double *constan
         [PEAK_ORIENTED_BETA] = value[BETA],
         [PEAK_ORIENTED_YIELD_LEFT] = value[YIELD_NEGATIVE],
     };
-    return peak_oriented_prepare(own, constant, e);
+    peak_oriented_prepare(own, constant);
+    return STATUS_OK;
 }
 
 static int clough_prepare(const double *value, double stiffness, double *constant,
