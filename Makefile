@@ -298,6 +298,12 @@ docs: papers  ## write what the program prints into docs/ and README.md, and dra
 	    -o docs/pictures/pounding.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 
+.PHONY: adaptive
+adaptive: $(PROGRAM)  ## the table of adaptive searches in docs/ida.md, in half a minute
+	@sh tests/support/adaptive.sh $(PROGRAM) $(B) >$(B)/adaptive.txt
+	@sh tests/support/with_block.sh adaptive-runs $(B)/adaptive.txt <docs/ida.md >$(B)/ida.md
+	@mv $(B)/ida.md docs/ida.md
+
 .PHONY: verification papers
 verification: papers  ## run the cases of docs/verification.md and write it with its pictures
 papers: $(PROGRAM)  ## the same for docs/papers.md, in seconds; `make docs` does it too

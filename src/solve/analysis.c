@@ -12,8 +12,7 @@
 #include "core/wall.h"
 #include "model/forces.h"
 #include "model/foundation.h"
-#include "solve/account/peaks.h"
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 #include "solve/run.h"
 
 int run_poll_now(struct run *r, double time) {

@@ -4,10 +4,8 @@
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
-#include "solve/account/energy.h"
-#include "solve/account/force_peaks.h"
-#include "solve/account/impacts.h"
-#include "solve/newmark/flight.h"
+#include "solve/account/account.h"
+#include "solve/newmark/newmark.h"
 #include "solve/pace.h"
 #include "solve/work.h"
 

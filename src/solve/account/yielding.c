@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/account/yielding.h"
+#include "solve/account/account.h"
 
 #include <math.h>
 

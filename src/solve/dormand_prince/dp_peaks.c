@@ -12,7 +12,6 @@
 #include "core/number.h"
 #include "model/forces.h"
 #include "model/struck_column.h"
-#include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
 
 // A peak of an acceleration is the top of a parabola through three that are this far apart in the
