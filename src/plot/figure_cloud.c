@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cloud analysis: the demand of each run over its intensity, and the line of the regression with
+// its scatter. Runs that collapsed are at the upper edge.
+#include <math.h>
+
+#include "core/arena.h"
+#include "core/safe.h"
+#include "plot/script.h"
+#include "plot/study_figure.h"
+#include "study/cloud.h"
+
+enum { STEPS = 100 };
+
+// Collapses of a group are so far below those of the group before, over the range of demands.
+static const double APART = 0.03;
+
+struct view {
+    const struct suite *s;
+    struct study_demand demand;
+    struct span x, y;                    // of the points, logarithmic
+    struct cloud cloud[SCRIPT_COLOURS];  // (n_group)
+    int n_collapsed;
+};
+
+static int check(const struct subject *p, struct error *e) {
+    const struct suite *s = p->suite;
+    if (s->point_name && !s->intensity) {
+        return error_set(e, STATUS_INPUT, "'%s' is not a sweep of numbers; see --im",
+                         s->abscissa->name);
+    }
+    if (edp_is_collapse(&s->edp)) {
+        return error_set(e, STATUS_INPUT, "a collapse has no demand; see fragility");
+    }
+    if (s->n_group > SCRIPT_COLOURS) {
+        return error_set(e, STATUS_INPUT,
+                         "%d groups (%s ...) are more than %d; choose with --at, or make samples "
+                         "with --over",
+                         s->n_group, s->group[0], SCRIPT_COLOURS);
+    }
+    return STATUS_OK;
+}
+
+// Points with logarithms.
+static bool is_shown(const struct fragility_run *run) {
+    return run->intensity > 0.0 && run->demand > 0.0 && isfinite(run->demand);
+}
+
+static int write_points(struct view *v, FILE *to, struct error *e) {
+    const struct suite *s = v->s;
+    struct fragility_runs runs;
+    int status = fragility_runs_create(s, &runs, e);
+    for (int g = 0; g < s->n_group && status == STATUS_OK; g++) {
+        fragility_runs_take(&runs, s, g);
+        status = cloud_fit(&runs, NULL, 1.0, false, &v->cloud[g], e);
+        v->n_collapsed += v->cloud[g].n_collapsed;
+        fprintf(to, "$runs%d << EOD\n# intensity, demand; ", g);
+        safe_put(to, SAFE_COMMENT, s->group[g]);
+        fputc('\n', to);
+        for (int i = 0; i < runs.n; i++) {
+            const double y = v->demand.factor * runs.run[i].demand;
+            if (is_shown(&runs.run[i])) {
+                study_point(to, runs.run[i].intensity, y);
+                span_add(&v->x, runs.run[i].intensity);
+                span_add(&v->y, y);
+            }
+        }
+        fprintf(to, "EOD\n$collapses%d << EOD\n# intensity\n", g);
+        for (int i = 0; i < runs.n; i++) {
+            if (isinf(runs.run[i].demand) && runs.run[i].intensity > 0.0) {
+                span_add(&v->x, runs.run[i].intensity);
+                fprintf(to, "%.7g\n", runs.run[i].intensity);
+            }
+        }
+        fprintf(to, "EOD\n");
+    }
+    return status;
+}
+
+// The line, and one scatter below and above it, in steps that may leave the panel.
+static void write_lines(const struct view *v, FILE *to) {
+    for (int g = 0; g < v->s->n_group; g++) {
+        const struct cloud *c = &v->cloud[g];
+        fprintf(to, "$line%d << EOD\n# intensity, demand, less and more by the scatter\n", g);
+        for (int i = 0; i <= STEPS; i++) {
+            const double x = v->x.low * pow(v->x.high / v->x.low, (double)i / STEPS);
+            const double y = v->demand.factor * exp(c->intercept + c->slope * log(x));
+            study_number(to, x);
+            study_number(to, y);
+            study_number(to, y * exp(-c->scatter));
+            study_number(to, y * exp(c->scatter));
+            fputc('\n', to);
+        }
+        fprintf(to, "EOD\n");
+    }
+}
+
+static struct span with_room(struct span s) {
+    const double room = pow(s.high / s.low, 0.05) * 1.01;
+    return (struct span){s.low / room, s.high * room};
+}
+
+static void write_legend(const struct view *v, const struct subject *p, struct canvas *c) {
+    struct legend l = {0};
+    char text[128];
+    for (int g = 0; g < v->s->n_group && v->s->n_group > 1; g++) {
+        study_group_text(v->s, g, text, sizeof text);
+        legend_add(&l,
+                   (struct style){
+                       .kind = STYLE_BOTH, .colour = script_colour[g], .point = script_point[g]},
+                   "", text);
+    }
+    if (v->s->n_group == 1) {
+        legend_add(&l, panel_line(script_colour[0], 1.5), "regression", "");
+        legend_add(&l, (struct style){STYLE_LINE, script_colour[0], 1, "(10,6)", 0, 0},
+                   "plus and minus its scatter", "");
+    }
+    if (p->n_limit > 0) {
+        legend_add(&l, panel_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
+    }
+    if (v->n_collapsed > 0) {
+        legend_add(&l, panel_points("#000000", POINT_CROSS, 0), "collapsed or failed", "");
+    }
+    legend_write(&l, c);
+}
+
+static void draw_panel(const struct view *v, const struct subject *p, struct canvas *c) {
+    const struct suite *s = v->s;
+    const bool number = dimension_equal(s->abscissa_dimension, dimension_none);
+    const struct axis x = {.name = s->im,
+                           .unit = number ? "" : NULL,
+                           .dimension = s->abscissa_dimension,
+                           .span = with_room(v->x),
+                           .kind = AXIS_LOGARITHMIC};
+    struct axis y = study_demand_axis(&v->demand, s, v->y);
+    y.span = with_room(v->y);
+    y.kind = AXIS_LOGARITHMIC;
+    study_panel(c, 3.2, &x, &y);
+    for (int g = 0; g < s->n_group; g++) {
+        panel_series(c, panel_points(script_colour[g], script_point[g], 0), "$runs%d using 1:2", g);
+        panel_series(c, panel_line(script_colour[g], 1.5), "$line%d using 1:2", g);
+        for (int k = 3; k <= 4 && s->n_group == 1; k++) {
+            panel_series(c, (struct style){STYLE_LINE, script_colour[g], 1, "(10,6)", 0, 0},
+                         "$line%d using 1:%d", g, k);
+        }
+        if (v->cloud[g].n_collapsed > 0) {
+            const double at = v->y.high * pow(v->y.low / v->y.high, APART * g);
+            panel_series(c, panel_points(script_colour[g], POINT_CROSS, 0),
+                         "$collapses%d using 1:(%g)", g, at);
+        }
+    }
+    if (p->n_limit > 0) {
+        panel_series(c, panel_line("#000000", 1.5), "$limits using 1:2");
+    }
+    panel_close(c);
+}
+
+static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+    const struct suite *s = p->suite;
+    struct view v = {.s = s, .x = span_none, .y = span_none};
+    char text[256], line[96] = "";
+    study_demand_init(&v.demand, s);
+    int status = write_points(&v, c->data, e);
+    if (status == STATUS_OK && !(v.y.low <= v.y.high)) {
+        return error_set(e, STATUS_INPUT, "no run has a demand > 0 at an intensity > 0");
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    for (int i = 0; i < p->n_limit; i++) {
+        span_add(&v.y, v.demand.factor * p->limit[i]);
+    }
+    write_lines(&v, c->data);
+    fprintf(c->data, "$limits << EOD\n# intensity, limit\n");
+    for (int i = 0; i < p->n_limit; i++) {
+        study_point(c->data, v.x.low, v.demand.factor * p->limit[i]);
+        study_point(c->data, v.x.high, v.demand.factor * p->limit[i]);
+        fputc('\n', c->data);
+    }
+    fprintf(c->data, "EOD\n");
+    if (s->n_group == 1 && isfinite(v.cloud[0].slope)) {
+        snprintf(line, sizeof line, "; slope %.3g, scatter %.3g", v.cloud[0].slope,
+                 v.cloud[0].scatter);
+    }
+    snprintf(text, sizeof text, "%s: %ld runs%s", v.demand.name, s->n_run - s->n_missing, line);
+    study_head(c, s, text);
+    write_legend(&v, p, c);
+    draw_panel(&v, p, c);
+    return STATUS_OK;
+}
+
+const struct figure figure_cloud = {
+    .name = "cloud",
+    .doc = "the demand of each run over its intensity, and the regression of a cloud analysis",
+    .of = SUBJECT_STUDY,
+    .guess = SUITE_INTENSITY,
+    .by_run = true,
+    .check = check,
+    .draw = draw,
+};
