@@ -282,7 +282,7 @@ opensees: $(PROGRAM)  ## the table of docs/opensees.md, by PYTHON=... that has O
 docs: papers  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
 	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg \
-	    docs/pictures/storey_comparison.svg
+	    docs/pictures/storey_comparison.svg docs/pictures/link_comparison.svg docs/pictures/link_fit.svg
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/law-command.md \
 	    $(B)/docs/contact-values.md $(B)/docs/ground-motions.md $(B)/docs/studies.md \
 	    $(B)/docs/ida.md $(B)/docs/gap.md docs

@@ -23,7 +23,9 @@ sh tests/support/with_block.sh deck "$folder/deck" <README.md |
 sed -e "s|$folder/||" -e '/^wall time/d' "$folder/printed" >"$folder/study"
 sh tests/support/with_block.sh study "$folder/study" <docs/studies.md >"$folder/studies.md"
 "$jostle" sensitivity input/monte_carlo.deck --edp force -D record=ELCENTRO_1940_NS >"$folder/ranked"
-sh tests/support/with_block.sh sensitivity "$folder/ranked" <"$folder/studies.md" >"$folder/studies.ranked"
+"$jostle" sensitivity input/monte_carlo.deck --edp force -D record=ELCENTRO_1940_NS --morris 10 >"$folder/effects"
+sh tests/support/with_block.sh sensitivity "$folder/ranked" <"$folder/studies.md" |
+    sh tests/support/with_block.sh morris "$folder/effects" >"$folder/studies.ranked"
 mv "$folder/studies.ranked" "$folder/studies.md"
 "$jostle" run input/ida.deck -o "$folder/ida.h5" -q --force
 "$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% >"$folder/fragility"

@@ -2,12 +2,12 @@
 // Zeros of the cubic through both ends of a step.
 #include <math.h>
 
-#include "solve/event/crossing.h"
+#include "solve/event/hermite.h"
 #include "support/support.h"
 
 static double time_of(double d0, double v0, double d1, double v1, double h, double *rate) {
     struct path path = {d0, v0, d1, v1, h};
-    return crossing_find(&path, rate);
+    return hermite_crossing(&path, rate);
 }
 
 static void a_straight_path_is_crossed_where_it_is(void **state) {
