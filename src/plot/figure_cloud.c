@@ -3,8 +3,6 @@
 // its scatter. Runs that collapsed are at the upper edge.
 #include <math.h>
 
-#include "core/arena.h"
-#include "core/safe.h"
 #include "plot/script.h"
 #include "plot/study_figure.h"
 #include "study/cloud.h"
@@ -45,53 +43,69 @@ static bool is_shown(const struct fragility_run *run) {
     return run->intensity > 0.0 && run->demand > 0.0 && isfinite(run->demand);
 }
 
-static int write_points(struct view *v, FILE *to, struct error *e) {
+static void write_group(struct view *v, int g, const struct fragility_runs *runs,
+                        struct canvas *c) {
+    canvas_block(c, "intensity, demand", "runs%d", g);
+    for (int i = 0; i < runs->n; i++) {
+        const double y = v->demand.factor * runs->run[i].demand;
+        if (is_shown(&runs->run[i])) {
+            study_point(c->data, runs->run[i].intensity, y);
+            span_add(&v->x, runs->run[i].intensity);
+            span_add(&v->y, y);
+        }
+    }
+    canvas_end(c);
+    canvas_block(c, "intensity of a run above all values", "collapses%d", g);
+    for (int i = 0; i < runs->n; i++) {
+        if (isinf(runs->run[i].demand) && runs->run[i].intensity > 0.0) {
+            span_add(&v->x, runs->run[i].intensity);
+            fprintf(c->data, "%.7g\n", runs->run[i].intensity);
+        }
+    }
+    canvas_end(c);
+}
+
+static void write_points(struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     struct fragility_runs runs;
-    int status = fragility_runs_create(s, &runs, e);
-    for (int g = 0; g < s->n_group && status == STATUS_OK; g++) {
+    c->status = fragility_runs_create(s, &runs, c->e);
+    for (int g = 0; g < s->n_group && c->status == STATUS_OK; g++) {
         fragility_runs_take(&runs, s, g);
-        status = cloud_fit(&runs, NULL, 1.0, false, &v->cloud[g], e);
+        write_group(v, g, &runs, c);
+        c->status = cloud_fit(&runs, NULL, 1.0, false, &v->cloud[g], c->e);
         v->n_collapsed += v->cloud[g].n_collapsed;
-        fprintf(to, "$runs%d << EOD\n# intensity, demand; ", g);
-        safe_put(to, SAFE_COMMENT, s->group[g]);
-        fputc('\n', to);
-        for (int i = 0; i < runs.n; i++) {
-            const double y = v->demand.factor * runs.run[i].demand;
-            if (is_shown(&runs.run[i])) {
-                study_point(to, runs.run[i].intensity, y);
-                span_add(&v->x, runs.run[i].intensity);
-                span_add(&v->y, y);
-            }
-        }
-        fprintf(to, "EOD\n$collapses%d << EOD\n# intensity\n", g);
-        for (int i = 0; i < runs.n; i++) {
-            if (isinf(runs.run[i].demand) && runs.run[i].intensity > 0.0) {
-                span_add(&v->x, runs.run[i].intensity);
-                fprintf(to, "%.7g\n", runs.run[i].intensity);
-            }
-        }
-        fprintf(to, "EOD\n");
     }
-    return status;
+    if (c->status == STATUS_OK && !(v->y.low <= v->y.high)) {
+        c->status = error_set(c->e, STATUS_INPUT, "no run has a demand > 0 at an intensity > 0");
+    }
 }
 
 // The line, and one scatter below and above it, in steps that may leave the panel.
-static void write_lines(const struct view *v, FILE *to) {
+static void write_lines(const struct view *v, struct canvas *c) {
     for (int g = 0; g < v->s->n_group; g++) {
-        const struct cloud *c = &v->cloud[g];
-        fprintf(to, "$line%d << EOD\n# intensity, demand, less and more by the scatter\n", g);
+        const struct cloud *of = &v->cloud[g];
+        canvas_block(c, "intensity, demand, less and more by the scatter", "line%d", g);
         for (int i = 0; i <= STEPS; i++) {
             const double x = v->x.low * pow(v->x.high / v->x.low, (double)i / STEPS);
-            const double y = v->demand.factor * exp(c->intercept + c->slope * log(x));
-            study_number(to, x);
-            study_number(to, y);
-            study_number(to, y * exp(-c->scatter));
-            study_number(to, y * exp(c->scatter));
-            fputc('\n', to);
+            const double y = v->demand.factor * exp(of->intercept + of->slope * log(x));
+            study_number(c->data, x);
+            study_number(c->data, y);
+            study_number(c->data, y * exp(-of->scatter));
+            study_number(c->data, y * exp(of->scatter));
+            fputc('\n', c->data);
         }
-        fprintf(to, "EOD\n");
+        canvas_end(c);
     }
+}
+
+static void write_limits(const struct view *v, const struct subject *p, struct canvas *c) {
+    canvas_block(c, "intensity, limit", "limits");
+    for (int i = 0; i < p->n_limit; i++) {
+        study_point(c->data, v->x.low, v->demand.factor * p->limit[i]);
+        study_point(c->data, v->x.high, v->demand.factor * p->limit[i]);
+        fputc('\n', c->data);
+    }
+    canvas_end(c);
 }
 
 static struct span with_room(struct span s) {
@@ -154,38 +168,28 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
     panel_close(c);
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .x = span_none, .y = span_none};
-    char text[256], line[96] = "";
     study_demand_init(&v.demand, s);
-    int status = write_points(&v, c->data, e);
-    if (status == STATUS_OK && !(v.y.low <= v.y.high)) {
-        return error_set(e, STATUS_INPUT, "no run has a demand > 0 at an intensity > 0");
-    }
-    if (status != STATUS_OK) {
-        return status;
+    write_points(&v, c);
+    if (c->status != STATUS_OK) {
+        return;
     }
     for (int i = 0; i < p->n_limit; i++) {
         span_add(&v.y, v.demand.factor * p->limit[i]);
     }
-    write_lines(&v, c->data);
-    fprintf(c->data, "$limits << EOD\n# intensity, limit\n");
-    for (int i = 0; i < p->n_limit; i++) {
-        study_point(c->data, v.x.low, v.demand.factor * p->limit[i]);
-        study_point(c->data, v.x.high, v.demand.factor * p->limit[i]);
-        fputc('\n', c->data);
-    }
-    fprintf(c->data, "EOD\n");
+    write_lines(&v, c);
+    write_limits(&v, p, c);
+    const long n = s->n_run - s->n_missing;
     if (s->n_group == 1 && isfinite(v.cloud[0].slope)) {
-        snprintf(line, sizeof line, "; slope %.3g, scatter %.3g", v.cloud[0].slope,
-                 v.cloud[0].scatter);
+        study_head(c, s, "%s: %ld runs; slope %.3g, scatter %.3g", v.demand.name, n,
+                   v.cloud[0].slope, v.cloud[0].scatter);
+    } else {
+        study_head(c, s, "%s: %ld runs", v.demand.name, n);
     }
-    snprintf(text, sizeof text, "%s: %ld runs%s", v.demand.name, s->n_run - s->n_missing, line);
-    study_head(c, s, text);
     write_legend(&v, p, c);
     draw_panel(&v, p, c);
-    return STATUS_OK;
 }
 
 const struct figure figure_cloud = {
