@@ -147,7 +147,7 @@ static int do_job(void *context, struct workers *workers, long number, void *scr
     const int status = find(&job, e);
     if (status == STATUS_OK && job.capacity->crossing == CROSSING_AT) {
         job.capacity->crossing_at =
-            capacity_curve_crossing(job.capacity, s->request->limit, s->request->curve);
+            capacity_curve_reaches(job.capacity, s->request->limit, s->request->curve);
     }
     return status;
 }
