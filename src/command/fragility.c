@@ -127,7 +127,7 @@ static int print_all(const struct request *q, const struct suite *s, const struc
                      const double *limit, int n, struct error *e) {
     struct fragility_result r = {
         .suite = s, .method = q->method, .hazard = hazard, .bootstrap = {.n_draw = q->n_bootstrap}};
-    const struct bootstrap none = {q->n_bootstrap, 0, {NAN, NAN}, {NAN, NAN}};
+    const struct bootstrap none = {q->seed, q->n_bootstrap, 0, {NAN, NAN}, {NAN, NAN}};
     struct fitting f = {.result = &r};
     struct printer t = {.to = stdout, .form = q->form};
     int status = allocate(&f, e);
