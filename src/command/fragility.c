@@ -2,7 +2,6 @@
 // jostle fragility: lognormal fragility curves of a study, with the counts they follow from.
 #include <limits.h>
 #include <math.h>
-#include <string.h>
 
 #include "command/crash.h"
 #include "command/fragility_print.h"
@@ -11,7 +10,6 @@
 #include "command/suite_options.h"
 #include "core/arena.h"
 #include "core/safe.h"
-#include "study/roles.h"
 
 static int fragility_command(int argc, char **argv);
 
@@ -28,7 +26,6 @@ const struct command command_fragility = {
 struct request {
     struct suite_options suite;
     enum fragility_method method;
-    const char *im;      // NULL: found
     const char *deck;    // of the study; NULL: that which the file names
     const char *hazard;  // path of a hazard curve; NULL: none
     int n_bootstrap, seed;
@@ -66,6 +63,7 @@ static int fit_weighted(void *context, const int *weight, struct fragility *out,
 }
 
 // Stripes with records of their own: the bootstrap draws runs of one intensity for each other.
+// Where each run has another intensity, it draws among all.
 static void set_strata(const struct fragility_runs *r, int *stratum) {
     for (int i = 0; i < r->n; i++) {
         const bool higher = i > 0 && r->run[i].intensity > r->run[i - 1].intensity;
@@ -88,7 +86,7 @@ static int fit(const struct request *q, struct fitting *f, struct error *e) {
                                       .seed = q->seed,
                                       .fit = fit_weighted,
                                       .context = f};
-        if (r->runs.each && r->method == METHOD_COUNTS && !r->suite->intensity) {
+        if (r->runs.each && r->method == METHOD_COUNTS && r->n_level < r->runs.n) {
             set_strata(&r->runs, f->stratum);
             b.stratum = f->stratum;
         }
@@ -129,7 +127,7 @@ static int print_all(const struct request *q, const struct suite *s, const struc
                      const double *limit, int n, struct error *e) {
     struct fragility_result r = {
         .suite = s, .method = q->method, .hazard = hazard, .bootstrap = {.n_draw = q->n_bootstrap}};
-    const struct bootstrap none = {q->n_bootstrap, 0, {NAN, NAN}, {NAN, NAN}};
+    const struct bootstrap none = {q->seed, q->n_bootstrap, 0, {NAN, NAN}, {NAN, NAN}};
     struct fitting f = {.result = &r};
     struct printer t = {.to = stdout, .form = q->form};
     int status = allocate(&f, e);
@@ -209,44 +207,17 @@ static int fit_all(const struct request *q, const struct suite *s, struct error 
     return status;
 }
 
-// Takes the intensity that --im names from the ground motions, if no sweep has its name.
-static int measure(const struct request *q, struct study_file *f, struct suite *s) {
-    struct measure m;
-    struct error e;
-    double *value = arena_alloc(s->arena, (size_t)s->view->n_run, sizeof *value);
-    int status =
-        value ? measure_parse(&s->view->units, q->im, s->arena, &m, &e) : error_no_memory(&e);
-    if (status != STATUS_OK) {
-        return command_fail(&e);
-    }
-    status = study_deck_measure(f, q->deck, &m, 1, value);
-    if (status == EXIT_DONE && suite_measure(s, &m, value, &e) != STATUS_OK) {
-        status = command_fail(&e);
-    }
-    return status;
-}
-
 static int open_and_fit(struct request *q, const char *path) {
     struct study_file *f;
     struct suite *s;
     struct error e;
-    int sweep;
     crash_reading(NULL, path);
     if (study_file_open(path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    struct suite_request *r = &q->suite.request;
-    r->measured = q->im && measure_is_named(q->im) &&
-                  !roles_find_name(study_file_view(f), q->im, strlen(q->im), &sweep);
-    r->abscissa = r->measured ? NULL : q->im;
-    int status = EXIT_DONE;
-    if (suite_create(f, suite_options_request(&q->suite), &s, &e) != STATUS_OK) {
-        status = command_fail(&e);
-    } else {
-        status = r->measured ? measure(q, f, s) : EXIT_DONE;
-        if (status == EXIT_DONE && fit_all(q, s, &e) != STATUS_OK) {
-            status = command_fail(&e);
-        }
+    int status = study_deck_suite(f, q->deck, *suite_options_request(&q->suite), &s);
+    if (status == EXIT_DONE) {
+        status = fit_all(q, s, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
         suite_free(s);
     }
     study_file_close(f);
@@ -270,7 +241,7 @@ static const struct option_row rows[] = {
     {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
      .doc = "limits of the demand: 20mm, 0.5%, 2MN; default unit: that of the deck"},
-    {"im", 0, "NAME", OPTION_TEXT, 0, AT(im),
+    {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers), or a measure of the ground motions, such as PGV or Sa(1s)"},
     STUDY_DECK_ROW(AT(deck)),

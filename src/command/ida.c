@@ -14,11 +14,11 @@ static int ida_command(int argc, char **argv);
 
 const struct command command_ida = {
     .name = "ida",
-    .usage =
-        "DECK --limit EDP=VALUE|--collapse [--im NAME] [--over NAME] [--range FROM:TO]\n"
-        "                  [--factor F|--step FIRST[:GROWTH]] [--tolerance T] [--runs N]\n"
-        "                  [--curve spline|line|middle] [--bootstrap N [--seed S]] [--points]\n"
-        "                  [--hazard FILE] [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]",
+    .usage = "DECK --limit EDP=VALUE|--collapse [--im NAME] [--over NAME] [--range FROM:TO]\n"
+             "                  [--factor F|--step FIRST[:GROWTH]] [--tolerance T] [--runs N]\n"
+             "                  [--curve spline|line|middle] [--bootstrap N [--seed S]]\n"
+             "                  [--curves N|--points] [--hazard FILE] [-D NAME=VALUE]... [-j "
+             "THREADS] [--tsv|--csv|--json]",
     .summary = "finds the intensities at which records exceed a limit",
     .run = ida_command,
 };
@@ -43,11 +43,13 @@ struct options {
     struct load_request load;
     int n_thread;
     enum printer_form form;
-    int collapse, points, n_run, n_bootstrap, seed;
+    int collapse, points, n_curve, n_run, n_bootstrap, seed;
     enum capacity_curve curve;
     const char *limit, *im, *over, *range, *factor, *step, *tolerance, *hazard;
 };
 #define AT(member) offsetof(struct options, member)
+
+enum { DEMANDS_MAX = 10000 };  // of --curves
 
 static const double FACTOR = 1.3, TOLERANCE = 0.01;  // the defaults
 
@@ -158,7 +160,9 @@ static int search(const struct options *o, const struct plan *plan, const struct
         .seed = o->seed,
         .table = {.to = stdout, .form = o->form, .units = &view->units, .at_head = UNITS_BELOW}};
     if (status == STATUS_OK) {
-        status = o->points ? ida_print_points(&p, &e) : ida_print_samples(&p, &e);
+        status = o->points    ? ida_print_points(&p, &e)
+                 : o->n_curve ? ida_print_curves(&p, o->n_curve, &e)
+                              : ida_print_samples(&p, &e);
     }
     status = status == STATUS_OK ? judge(&p) : command_fail(&e);
     capacity_close(&found);
@@ -195,6 +199,9 @@ static int use_plan(void *options, const struct plan *plan) {
                                  .n_thread = o->n_thread};
     int status = suite_options_edp_limit(
         &command_ida, plan, o->collapse ? EDP_COLLAPSE "=0" : o->limit, &q.edp, &q.limit);
+    if (status == EXIT_DONE && o->n_curve && !(q.limit > 0.0)) {
+        status = command_usage(&command_ida, "--curves needs a limit above 0");
+    }
     status = status == EXIT_DONE ? parse_range(o, &view.units, s, &q) : status;
     if (status == EXIT_DONE && o->factor) {
         status = parse_number(&view.units, "--factor", o->factor, 1.0, &q.factor);
@@ -225,6 +232,9 @@ static int settle(void *options) {
     const struct options *o = options;
     return !o->limit == !o->collapse
                ? command_usage(&command_ida, "give --limit EDP=VALUE or --collapse")
+           : o->n_curve && (o->collapse || o->points)
+               ? command_usage(&command_ida,
+                               "--curves is for a demand, without --collapse and --points")
            : o->factor && o->step ? command_usage(&command_ida, "give --factor or --step, not both")
                                   : EXIT_DONE;
 }
@@ -259,9 +269,8 @@ static int ida_command(int argc, char **argv) {
              "makes N runs for each record: those that the tolerance leaves fill the widest gaps "
              "below the limit; default: as many as the tolerance needs"},
         {"curve", 0, "spline|line|middle", OPTION_CHOICE, 0, AT(curve),
-         .doc = "where the limit is crossed between the last two intensities: on a natural cubic "
-                "spline through the demands of all runs (the default), on a straight line, or at "
-                "their geometric mean"},
+         .doc = "where the limit is crossed between two intensities: on a natural cubic spline "
+                "through all runs (the default), on a line, or at their geometric mean"},
         {"bootstrap", 0, "N", OPTION_WHOLE, 0, AT(n_bootstrap), 1, BOOTSTRAP_MAX,
          .what = "a number of bootstraps",
          .doc = "fits N times again, with records drawn at random, and prints between which values "
@@ -272,6 +281,9 @@ static int ida_command(int argc, char **argv) {
          .doc =
              "rows of intensity and mean annual rate of exceedance at the site: prints how often "
              "in a year the limit is exceeded"},
+        {"curves", 0, "N", OPTION_WHOLE, 0, AT(n_curve), 1, DEMANDS_MAX,
+         .what = "a number of demands",
+         .doc = "prints the intensities at which 16, 50 and 84 % of the records reach N demands"},
         {"points", .kind = OPTION_SET, .at = AT(points), .set = 1,
          .doc = "prints every run in place of the intensities found"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,

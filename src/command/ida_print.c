@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/ida_print.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "command/study_print.h"
 #include "core/safe.h"
+#include "study/percentile.h"
 
 // The run with these values of all sweeps but the intensity: sample `sample` of group `group`.
 static long run_of(const struct ida_print *p, int group, int sample) {
@@ -223,5 +225,74 @@ int ida_print_points(struct ida_print *p, struct error *e) {
             printer_line(&p->table);
         }
     }
+    return printer_end(&p->table, STATUS_OK, e);
+}
+
+// The intensities at which the samples of a group reach a demand, sorted: n of those that did not
+// fail.
+static int reach(const struct ida_print *p, int group, double demand, double *intensity) {
+    const int n_sample = roles_count(p->view, p->roles, ROLE_SAMPLE);
+    int n = 0;
+    for (int k = 0; k < n_sample; k++) {
+        const struct capacity *c = &p->found->each[run_of(p, group, k)];
+        if (c->crossing != CROSSING_NO_RUNS) {
+            intensity[n++] = capacity_curve_reaches(c, demand, p->request->curve);
+        }
+    }
+    gsl_sort(intensity, 1, (size_t)n);
+    return n;
+}
+
+static void print_curve(struct ida_print *p, int group, int n_demand, double *intensity) {
+    static const double fraction[] = {0.16, 0.50, 0.84};
+    int choice[STUDY_SWEEPS_MAX];
+    plan_choose(&p->found->at.plan, run_of(p, group, 0), choice);
+    for (int k = 1; k <= n_demand; k++) {
+        const double demand = p->request->limit * k / n_demand;
+        const int n = reach(p, group, demand, intensity);
+        for (int i = 0; i < p->view->n_sweep; i++) {
+            if (p->roles->role[i] == ROLE_GROUP) {
+                printer_sweep(&p->table, p->view->sweep[i], choice[i]);
+            }
+        }
+        printer_number(&p->table, demand);
+        for (int i = 0; i < 3; i++) {
+            const double x =
+                n > 0 ? percentile_sorted(intensity, (size_t)n, fraction[i]) : (double)NAN;
+            printer_number(&p->table, isinf(x) ? (double)NAN : x);
+        }
+        printer_line(&p->table);
+    }
+}
+
+int ida_print_curves(struct ida_print *p, int n, struct error *e) {
+    const char *unit = p->request->unit[0] ? p->request->unit : NULL;
+    const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
+    const int n_group = roles_count(p->view, p->roles, ROLE_GROUP);
+    const size_t n_sample = (size_t)roles_count(p->view, p->roles, ROLE_SAMPLE);
+    double *intensity = malloc(n_sample * sizeof *intensity);
+    struct printer_column columns[] = {
+        {.head = "demand", .key = "demand", .unit = edp_unit, .width = 14, .digits = 5},
+        {.head = "16 %", .key = "intensity_16", .unit = unit, .width = 12, .digits = 5},
+        {.head = "50 %", .key = "intensity_50", .unit = unit, .width = 12, .digits = 5},
+        {.head = "84 %", .key = "intensity_84", .unit = unit, .width = 12, .digits = 5}};
+    if (!intensity) {
+        return error_no_memory(e);
+    }
+    for (int i = 0; i < p->view->n_sweep; i++) {
+        if (p->roles->role[i] == ROLE_GROUP) {
+            printer_show_sweep(&p->table, p->view->sweep[i]);
+        }
+    }
+    PRINTER_ADD(&p->table, columns);
+    if (p->table.form == FORM_TEXT) {
+        safe_line(stdout, "intensities of %s at which records reach %s", p->request->intensity,
+                  p->request->edp.text);
+    }
+    printer_head(&p->table);
+    for (int g = 0; g < n_group; g++) {
+        print_curve(p, g, n, intensity);
+    }
+    free(intensity);
     return printer_end(&p->table, STATUS_OK, e);
 }

@@ -25,7 +25,11 @@ bool ida_print_is_short(const struct capacity_request *q, const struct capacity 
 // The intensity found for each sample, and the curve of each group.
 int ida_print_samples(struct ida_print *p, struct error *e);
 
-// Every run, for curves.
+// The curves of each group: the intensities at which 16, 50 and 84 % of its samples reach each of
+// `n` demands up to the limit.
+int ida_print_curves(struct ida_print *p, int n, struct error *e);
+
+// Every run.
 int ida_print_points(struct ida_print *p, struct error *e);
 
 #endif

@@ -7,6 +7,7 @@
 #include "command/option.h"
 #include "command/picture.h"
 #include "command/progress.h"
+#include "command/study_deck.h"
 #include "command/suite_options.h"
 #include "core/safe.h"
 #include "core/text.h"
@@ -35,6 +36,7 @@ struct request {
     struct runs runs;
     struct picture_options picture;
     struct suite_options study;  // for studies
+    const char *deck;            // of a study; NULL: that which the file names
     char default_output[PLOT_PATH_SIZE];
 };
 #define AT(member) offsetof(struct request, member)
@@ -120,25 +122,32 @@ static int plot_runs(struct request *q, struct error *e) {
     return status;
 }
 
-static int plot_suite(struct request *q, struct error *e) {
+// EXIT_DONE or, after a message, the exit status.
+static int plot_suite(struct request *q) {
     struct suite_request request = *suite_options_request(&q->study);
     struct study_file *f;
     struct suite *s;
+    struct error e;
     double *limit = NULL;
-    int status = study_file_open(q->result, &f, e);
+    int status = study_file_open(q->result, &f, &e);
     if (status != STATUS_OK) {
-        return status;
+        return command_fail(&e);
     }
     request.guess = q->figure ? q->figure->guess : SUITE_ANY;
-    status = suite_create(f, &request, &s, e);
-    if (status == STATUS_OK) {
-        status = suite_options_limits(&q->study, s, &limit, &q->subject.n_limit, e);
+    if (q->figure && q->figure->by_run) {
+        status = study_deck_suite(f, q->deck, request, &s);
+    } else {
+        status = suite_create(f, &request, &s, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    }
+    if (status == EXIT_DONE) {
+        status = suite_options_limits(&q->study, s, &limit, &q->subject.n_limit, &e);
         if (status == STATUS_OK) {
             suite_options_warn(s);
             q->subject.suite = s;
             q->subject.limit = limit;
-            status = make(q, e);
+            status = make(q, &e);
         }
+        status = status == STATUS_OK ? EXIT_DONE : command_fail(&e);
         suite_free(s);
     }
     study_file_close(f);
@@ -255,8 +264,10 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (status != EXIT_DONE) {
         return status;
     }
-    status = study ? plot_suite(q, &e) : plot_runs(q, &e);
-    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    if (study) {
+        return plot_suite(q);
+    }
+    return plot_runs(q, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static const struct option_row rows[] = {
@@ -278,12 +289,15 @@ static const struct option_row study_rows[] = {
      .doc = "the demand: drift, drift:A, drift:A:3, force ... (default: drift-ratio, or drift "
             "without heights); 'jostle fragility --help' lists all"},
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
-     .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
-            "only sweep of numbers)"},
+     .doc =
+         "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
+         "only sweep of numbers); for cloud also a measure of the ground motions, such as PGV or "
+         "Sa(1s)"},
+    STUDY_DECK_ROW(AT(deck)),
     {"against", 0, "NAME", OPTION_TEXT, 0, AT(study.request.abscissa),
      .doc = "the sweep or random parameter on the horizontal axis of response"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(study.limits),
-     .doc = "limits of the demand, for fragility and ida"},
+     .doc = "limits of the demand, for fragility, ida and cloud"},
     {0}};
 
 static int plot_command(int argc, char **argv) {

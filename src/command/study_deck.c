@@ -5,6 +5,7 @@
 
 #include "command/interrupt.h"
 #include "core/arena.h"
+#include "study/roles.h"
 
 // The -D of the study as an array; NULL: no memory.
 static const char **split_lines(struct arena *a, const char *lines, int *n) {
@@ -61,5 +62,39 @@ int study_deck_measure(struct study_file *f, const char *path, const struct meas
         }
     }
     study_deck_close(&d);
+    return status;
+}
+
+static int measure(struct study_file *f, const char *path, const char *name, struct suite *s) {
+    struct measure m;
+    struct error e;
+    double *value = arena_alloc(s->arena, (size_t)s->view->n_run, sizeof *value);
+    int status =
+        value ? measure_parse(&s->view->units, name, s->arena, &m, &e) : error_no_memory(&e);
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    status = study_deck_measure(f, path, &m, 1, value);
+    if (status == EXIT_DONE && suite_measure(s, &m, value, &e) != STATUS_OK) {
+        status = command_fail(&e);
+    }
+    return status;
+}
+
+int study_deck_suite(struct study_file *f, const char *path, struct suite_request request,
+                     struct suite **out) {
+    struct error e;
+    int sweep;
+    const char *im = request.abscissa;
+    request.measured =
+        im && measure_is_named(im) && !roles_find_name(study_file_view(f), im, strlen(im), &sweep);
+    request.abscissa = request.measured ? NULL : im;
+    if (suite_create(f, &request, out, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    const int status = request.measured ? measure(f, path, im, *out) : EXIT_DONE;
+    if (status != EXIT_DONE) {
+        suite_free(*out);
+    }
     return status;
 }

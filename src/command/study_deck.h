@@ -4,7 +4,7 @@
 #define JOSTLE_STUDY_DECK_H
 
 #include "command/deck_command.h"
-#include "study/measure.h"
+#include "study/suite.h"
 
 struct study_deck {
     struct report *report;
@@ -21,6 +21,11 @@ void study_deck_close(struct study_deck *d);
 // cores. EXIT_DONE or, after a message, the exit status.
 int study_deck_measure(struct study_file *f, const char *path, const struct measure *measure, int n,
                        double *value);
+
+// The suite of a request whose abscissa may also be a measure of the ground motion, if no sweep has
+// its name. EXIT_DONE with *out to be given to suite_free or, after a message, the exit status.
+int study_deck_suite(struct study_file *f, const char *path, struct suite_request request,
+                     struct suite **out);
 
 // The row of --deck.
 #define STUDY_DECK_ROW(place)                                                                      \

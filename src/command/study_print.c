@@ -28,9 +28,9 @@ void study_print_bootstrap(const struct bootstrap *b, const char *unit) {
     if (b->n_draw == 0) {
         return;
     }
-    printf("95 %% of %d bootstraps: median %.4g to %.4g%s%s, dispersion %.4g to %.4g", b->n_fitted,
-           b->median[0], b->median[1], unit[0] ? " " : "", unit, b->dispersion[0],
-           b->dispersion[1]);
+    printf("95 %% of %d bootstraps, seed %d: median %.4g to %.4g%s%s, dispersion %.4g to %.4g",
+           b->n_fitted, b->seed, b->median[0], b->median[1], unit[0] ? " " : "", unit,
+           b->dispersion[0], b->dispersion[1]);
     if (b->n_fitted < b->n_draw) {
         printf("; %d more have no curve", b->n_draw - b->n_fitted);
     }

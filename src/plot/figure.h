@@ -30,6 +30,7 @@ struct figure {
     enum sheet sheet;
     enum subject_kind of;
     enum suite_guess guess;  // of a suite: the sweep that the figure goes along
+    bool by_run;  // it shows each run at its own intensity, which may be one of the ground motion
     // Why the figure cannot be drawn, as the end of "NAME cannot be drawn: "; NULL: it always can.
     // Errors: STATUS_INPUT.
     int (*check)(const struct subject *p, struct error *e);

@@ -66,7 +66,7 @@ int bootstrap_run(const struct bootstrap_request *q, struct bootstrap *out, stru
                       .dispersion = malloc(n_draw * sizeof *d.dispersion),
                       .random = gsl_rng_alloc(gsl_rng_mt19937)};
     const bool room = d.weight && d.median && d.dispersion && d.random;
-    *out = (struct bootstrap){.n_draw = q->n_draw};
+    *out = (struct bootstrap){.seed = q->seed, .n_draw = q->n_draw};
     const int status = room ? fit_all(q, &d, out, e) : error_no_memory(e);
     free(d.weight);
     free(d.median);

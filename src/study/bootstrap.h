@@ -22,7 +22,7 @@ struct bootstrap_request {
 
 // Between the 2.5 and 97.5 % of the fits. Draws from which no curve follows are left out.
 struct bootstrap {
-    int n_draw, n_fitted;
+    int seed, n_draw, n_fitted;
     double median[2], dispersion[2];  // low, high; NAN: nothing was fitted
 };
 

@@ -33,13 +33,13 @@ static double hunt_next(const struct capacity_request *q, double at, int i) {
 }
 
 int capacity_runs(const struct capacity_request *q) {
-    double at = q->from, before = at;
+    double at = q->from, widest = 1.0;
     int n = 1;
     for (; at < q->to && n <= CAPACITY_POINTS_MAX; n++) {
-        before = at;
-        at = hunt_next(q, at, n - 1);
+        const double next = hunt_next(q, at, n - 1);
+        widest = fmax(widest, next / at);
+        at = next;
     }
-    const double widest = fmax(at / before, hunt_next(q, q->from, 0) / q->from);
     const double halvings = ceil(log2(log(widest) / log1p(q->tolerance)));
     return (int)fmin(n + fmax(halvings, 0.0), CAPACITY_POINTS_MAX + 1.0);
 }
@@ -147,7 +147,7 @@ static int do_job(void *context, struct workers *workers, long number, void *scr
     const int status = find(&job, e);
     if (status == STATUS_OK && job.capacity->crossing == CROSSING_AT) {
         job.capacity->crossing_at =
-            capacity_curve_crossing(job.capacity, s->request->limit, s->request->curve);
+            capacity_curve_reaches(job.capacity, s->request->limit, s->request->curve);
     }
     return status;
 }

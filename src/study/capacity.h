@@ -85,9 +85,9 @@ void capacity_close(struct capacities *c);
 // The crossing of a sample for fragility_fit_records.
 struct fragility_record capacity_record(const struct capacity *c);
 
-// The intensity at which the curve through the points of a sample with a crossing reaches the
-// limit.
-double capacity_curve_crossing(const struct capacity *c, double limit, enum capacity_curve curve);
+// The intensity at which the curve through the points of a sample first reaches a demand; INFINITY:
+// no run is above it.
+double capacity_curve_reaches(const struct capacity *c, double demand, enum capacity_curve curve);
 
 // Whether both sides of the limit are as near as the tolerance.
 bool capacity_is_found(const struct capacity_request *q, const struct capacity *c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The demand of a sample between the intensities that were run.
+// The demand of a sample between the intensities that were run, and on a line from 0 to the first.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
 #include <math.h>
@@ -32,24 +32,28 @@ static double on_spline(const double *x, const double *y, int n, int i, double l
     return at;
 }
 
-double capacity_curve_crossing(const struct capacity *c, double limit, enum capacity_curve curve) {
+double capacity_curve_reaches(const struct capacity *c, double demand, enum capacity_curve curve) {
     double x[CAPACITY_POINTS_MAX] = {0.0}, y[CAPACITY_POINTS_MAX] = {0.0};
     int n = 0, over = 0;
-    while (!c->point[over].exceeded) {
+    while (over < c->n_point && !(c->point[over].value > demand)) {
         over++;
     }
-    const struct capacity_point *low = &c->point[over - 1], *high = &c->point[over];
+    if (over == c->n_point) {
+        return INFINITY;
+    }
+    const struct capacity_point none = {.intensity = 0.0}, *high = &c->point[over];
+    const struct capacity_point *low = over > 0 ? &c->point[over - 1] : &none;
     // A demand that is at the limit below the crossing, such as 0 collapses, jumps.
-    if (curve == CAPACITY_MIDDLE || isinf(high->value) || low->value == limit) {
+    if (over > 0 && (curve == CAPACITY_MIDDLE || isinf(high->value) || low->value == demand)) {
         return sqrt(low->intensity * high->intensity);
     }
     for (int i = 0; i < c->n_point && isfinite(c->point[i].value); i++) {
         x[n] = c->point[i].intensity;
         y[n++] = c->point[i].value;
     }
-    const double share = (limit - low->value) / (high->value - low->value);
+    const double share = (demand - low->value) / (high->value - low->value);
     const double line = low->intensity + share * (high->intensity - low->intensity);
     const double spline =
-        curve == CAPACITY_SPLINE && n >= 3 ? on_spline(x, y, n, over, limit) : line;
+        curve == CAPACITY_SPLINE && over > 0 && n >= 3 ? on_spline(x, y, n, over, demand) : line;
     return isnan(spline) ? line : spline;
 }

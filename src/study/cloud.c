@@ -171,8 +171,8 @@ static void fit_line(struct cloud *c, const struct moments *m, double limit) {
                                                : FRAGILITY_FITTED;
 }
 
-int cloud_fit(const struct fragility_runs *r, const int *weight, double limit, bool collapses,
-              struct cloud *out, struct error *e) {
+static int fit(const struct fragility_runs *r, const int *weight, double limit, bool collapses,
+               struct cloud *out, struct error *e) {
     struct moments standing = {.lowest = INFINITY}, collapsed = {.lowest = INFINITY};
     for (int i = 0; i < r->n; i++) {
         const double times = times_of(r, weight, i);
@@ -212,6 +212,16 @@ int cloud_fit(const struct fragility_runs *r, const int *weight, double limit, b
     const int status = fit_logit(&l, f->logit, e);
     if (status == STATUS_OK) {
         summarise(f, l.middle);
+    }
+    return status;
+}
+
+int cloud_fit(const struct fragility_runs *r, const int *weight, double limit, bool collapses,
+              struct cloud *out, struct error *e) {
+    const int status = fit(r, weight, limit, collapses, out, e);
+    if (status != STATUS_OK || out->fit.outcome != FRAGILITY_FITTED) {
+        out->fit.median = out->fit.dispersion = NAN;
+        out->fit.mixed = false;
     }
     return status;
 }

@@ -50,7 +50,15 @@ expect "too few runs are told" '[ $status -eq 1 ] && grep -q "too few runs" "$ou
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --bootstrap 200 --seed 3
 cp "$out" seeded.txt
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --bootstrap 200 --seed 3 -j 2
-expect "a bootstrap depends on its seed only" '[ $status -eq 0 ] && [ "$(grep -c "^95 % of [0-9]* bootstraps: median [0-9.]* to [0-9.]*, dispersion" "$out")" -eq 2 ] && cmp seeded.txt "$out"'
+expect "a bootstrap depends on its seed only" '[ $status -eq 0 ] && [ "$(grep -c "^95 % of [0-9]* bootstraps, seed 3: median [0-9.]* to [0-9.]*, dispersion" "$out")" -eq 2 ] && cmp seeded.txt "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --curves 4 --tsv
+expect "curves of an elastic oscillator are straight, and their middle is the median of three" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qxP "mass\tdemand \[m\]\tintensity_16\tintensity_50\tintensity_84" && awk -F "\t" "
+    NR == FNR { if (FNR > 1 && \$2 == 1) { n++; at[n] = \$5 } next }
+    FNR == 2 { for (i = 1; i <= 3; i++) for (j = 1; j < 3; j++) if (at[j] > at[j + 1]) { t = at[j]; at[j] = at[j + 1]; at[j + 1] = t } }
+    FNR > 1 && \$1 == 1 { m++; d = \$4 / (at[2] * m / 4) - 1; if (d * d > 1e-16 || \$3 > \$4 || \$4 > \$5) bad = 1 }
+    END { exit bad || m != 4 }" one.tsv "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --curves 4 --points
+expect "runs or curves are printed" '[ $status -eq 2 ] && said "--curves is for a demand, without --collapse and --points"'
 run "$jostle" ida linear.deck --limit drift=20mm --factor 2 --step 1
 expect "a search goes by a factor or by steps" '[ $status -eq 2 ] && said "give --factor or --step, not both"'
 run "$jostle" ida linear.deck --limit drift=20mm --step 0.1:x

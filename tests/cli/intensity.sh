@@ -69,6 +69,11 @@ expect "what is no measure is a sweep that is unknown" '[ $status -eq 2 ] && sai
 run "$jostle" fragility grid.h5 --edp drift-ratio --limit 1.6% --im "Sa(1m)"
 expect "a period is a time" '[ $status -eq 2 ] && said "'"'Sa(1m)'"' is no intensity; known are"'
 
+run "$jostle" plot grid.h5 cloud --edp drift-ratio --limit 1.6% --im PGA --script g
+expect "the picture of a cloud has a point for each run" '[ $status -eq 0 ] && [ "$(sed -n "/runs0 <</,/^EOD/p" g/cloud.dat | grep -cE "^ *[0-9]")" -eq 18 ] && grep -q "PGA \[m/s² = 0.102 g\]" g/cloud.gp'
+run "$jostle" plot grid.h5 ida --edp drift-ratio --im PGA --script g
+expect "other pictures go along sweeps" '[ $status -eq 2 ] && said "the study has no sweep '"'PGA'"'"'
+
 # Records that are not scaled, with no sweep of intensities: other sweeps of numbers stay groups.
 sed -e '/^sweep sa/s/.*/sweep gap values 1 2/' -e 's/-mass 100t/-mass ${100t * gap}/' -e 's/ -sa .*/ -scale 1.5/' grid.deck >cloud.deck
 "$jostle" run cloud.deck -q

@@ -48,5 +48,6 @@ draw members.png frame_wall members
 draw street.png street street
 draw ida.png ida ida
 draw fragility.png ida fragility --edp drift-ratio:A --limit 1%,2%
+draw cloud.png ida cloud --edp drift-ratio:A --limit 2% --im "Sa_avg(0.2s:2s)"
 draw collapse.png collapse fragility --collapse
 draw response.png gap_study response --edp force --against gap --at pga=3

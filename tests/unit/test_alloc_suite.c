@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "plot/figure.h"
+#include "study/bootstrap.h"
 #include "support/fail_alloc.h"
 #include "support/suite.h"
 #include "support/support.h"
@@ -67,8 +68,27 @@ static void every_allocation_that_fails_ends_in_an_error(void **state) {
     study_file_close(f);
 }
 
+// With a sample that never exceeds the limit, fits need memory, too.
+static int draw_again(void *context, struct error *e) {
+    static const struct fragility_record record[] = {
+        {CROSSING_AT, 1.0}, {CROSSING_AT, 2.0}, {CROSSING_AT, 1.5}, {CROSSING_ABOVE, 3.0}};
+    struct fragility_record drawn[4];
+    struct bootstrap_records records = {record, 4, drawn};
+    const struct bootstrap_request q = {
+        .n_unit = 4, .n_draw = 3, .seed = 1, .fit = bootstrap_fit_records, .context = &records};
+    struct bootstrap b;
+    (void)context;
+    return bootstrap_run(&q, &b, e);
+}
+
+static void so_does_a_bootstrap(void **state) {
+    (void)state;
+    fail_alloc_each(draw_again, NULL, 4);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(so_does_a_bootstrap),
         cmocka_unit_test(every_allocation_that_fails_ends_in_an_error),
     };
     gsl_set_error_handler_off();

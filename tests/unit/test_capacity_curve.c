@@ -12,7 +12,7 @@ static double crossing(const double *x, const double *y, int n, double limit,
     for (int i = 0; i < n; i++) {
         c.point[i] = (struct capacity_point){x[i], y[i], y[i] > limit};
     }
-    return capacity_curve_crossing(&c, limit, curve);
+    return capacity_curve_reaches(&c, limit, curve);
 }
 
 // The natural spline through (1, 0), (2, 1), (3, 0) is 1.5 t - 0.5 t^3 in the first half, t = x
@@ -43,11 +43,20 @@ static void a_jump_is_in_the_middle(void **state) {
     assert_close(crossing(x, last, 4, 0.3, CAPACITY_SPLINE), 3.0, 1e-11);
 }
 
+// Below the first run the curve is a line from the origin; above the last there is none.
+static void the_curve_has_ends(void **state) {
+    (void)state;
+    const double x[] = {2, 4, 6}, y[] = {1, 2.5, 3};
+    assert_close(crossing(x, y, 3, 0.25, CAPACITY_SPLINE), 0.5, 1e-15);
+    assert_true(isinf(crossing(x, y, 3, 3.0, CAPACITY_SPLINE)));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_spline_is_natural),
         cmocka_unit_test(a_line_is_its_own_spline),
         cmocka_unit_test(a_jump_is_in_the_middle),
+        cmocka_unit_test(the_curve_has_ends),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests(tests, NULL, NULL);
