@@ -32,12 +32,15 @@ paste <(column parameter) <(column first) <(column first_low) <(column first_hig
     <(column total_low) <(column total_high) | sort | join - want.tsv >both
 expect "the shares are those of Ishigami's function" '[ $status -eq 0 ] && [ ! -s "$err" ] && [ "$(awk "{ d = \$2 - \$8; t = \$5 - \$9; n += d * d < 1e-4 && t * t < 1e-4 && d * d < (\$4 - \$3) ^ 2 && t * t < (\$7 - \$6) ^ 2 } END { print n }" both)" = 3 ]'
 expect "the largest total share comes first" '[ "$(column parameter | tr "\n" " ")" = "x1 x2 x3 " ]'
-cp "$out" one.tsv
-run "$jostle" sensitivity ishigami.deck --edp displacement --variance --tsv -j 3
-expect "threads change nothing" 'cmp one.tsv "$out"'
-
-run "$jostle" sensitivity ishigami.deck --edp displacement --variance --samples 100 --tsv
-expect "--samples sets the number of points" '[ $status -eq 0 ] && ! cmp -s one.tsv "$out"'
+for method in "--variance --samples 100" "--morris 100"; do
+    # shellcheck disable=SC2086  # several words
+    "$jostle" sensitivity ishigami.deck --edp displacement $method --tsv -j 1 >one.tsv
+    # shellcheck disable=SC2086
+    run "$jostle" sensitivity ishigami.deck --edp displacement $method --tsv -j 3
+    expect "threads change nothing: $method" '[ $status -eq 0 ] && cmp one.tsv "$out"'
+done
+run "$jostle" sensitivity ishigami.deck --edp displacement --variance --samples 100
+expect "--samples sets the number of points" '[ $status -eq 0 ] && grep -q "; 500 runs$" "$out"'
 
 # On the levels -pi, -pi/3, pi/3 and pi the effects have these means of their sizes, and these
 # standard deviations (tests/unit/test_morris.c derives them); that of x2 has always the same size.
