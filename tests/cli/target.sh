@@ -50,6 +50,7 @@ least=$(awk -F '\t' '$1 == "target" { goal[$4] = $5 } $2 == "mean" { mean[$4] = 
     printf "%.4g at %.4g s", least, at }' scaled.tsv)
 run "$jostle" spectrum centro.AT2 napa.AT2 --target code.txt --match $match
 expect "the least ratio of the mean and its period are told" 'grep -q "^mean of the scaled spectra over the target: from $least to " "$out"'
+expect "and the mean PGA over that of the target" 'grep -q "^mean PGA over the target at 0 s: $(awk "/ centro\$| napa\$/ && NF == 9 { sum += \$1 } END { printf \"%.3f\", sum / 2 / 0.3 }" "$out")" "$out"'
 expect "no line is wider than 100 characters" '[ "$(wc -l <"$out")" -gt 30 ] && ! grep -qE "^.{101,}" "$out"'
 common=$(sed -n 's/.* with all factors times //p' "$out")
 awk -v f="$common" '/^[0-9]/ { $2 *= f } 1' code.txt >higher.txt
