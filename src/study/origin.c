@@ -6,6 +6,7 @@
 
 #include "core/checksum.h"
 #include "deck/parameter.h"
+#include "jostle/numerics.h"
 #include "jostle/study_merge.h"
 
 static struct checksum sum_sweep(const struct sweep *s) {
@@ -154,4 +155,26 @@ int origin_compare(struct manifest *m, const char *study, const struct study_ori
         }
     }
     return STATUS_OK;
+}
+
+int origin_check(struct manifest *m, const struct plan *p, const struct study_view *v,
+                 struct error *e) {
+    const struct study_request study = {.first = p->first,
+                                        .define = p->define,
+                                        .n_define = p->n_define,
+                                        .numerics = NUMERICS_VERSION};
+    const char *current = NULL;
+    if (!v->origin.study) {
+        return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from", v->path);
+    }
+    int status = origin_study(m->arena, &study, p->table->n_value, &current, e);
+    if (status == STATUS_OK && current) {
+        status = origin_compare(m, current, &v->origin, e);
+    }
+    if (status != STATUS_INPUT) {
+        return status;
+    }
+    const struct error cause = *e;
+    return error_set(e, STATUS_INPUT, "%s cannot be computed again: %s has changed since", v->path,
+                     cause.message);
 }

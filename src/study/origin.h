@@ -43,4 +43,10 @@ int origin_part(const struct plan *p, const struct manifest *m, struct study_par
 int origin_compare(struct manifest *m, const char *study, const struct study_origin *o,
                    struct error *e);
 
+// The deck of the plan must be that of the study of a file, and so must the files that its runs
+// have read. Errors: STATUS_INPUT (something has changed, or the file does not tell),
+// STATUS_SYSTEM.
+int origin_check(struct manifest *m, const struct plan *p, const struct study_view *v,
+                 struct error *e);
+
 #endif

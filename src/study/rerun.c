@@ -8,7 +8,6 @@
 
 #include "core/number.h"
 #include "jostle/ensemble.h"
-#include "jostle/numerics.h"
 #include "motion/record_cache.h"
 #include "study/manifest.h"
 #include "study/number_list.h"
@@ -71,29 +70,6 @@ static int choose(struct rerun *r, struct error *e) {
         r->chosen[i] = 1;
     }
     return q->n_draw > 0 ? draw(r, e) : STATUS_OK;
-}
-
-// The deck must be that of the study, and so must the files that its runs have read.
-static int check_origin(struct rerun *r, struct error *e) {
-    const struct study_rerun_request *q = r->request;
-    const struct study_request study = {.first = q->first,
-                                        .define = q->define,
-                                        .n_define = q->n_define,
-                                        .numerics = NUMERICS_VERSION};
-    const char *current;
-    int status = origin_study(r->manifest.arena, &study, r->plan.table->n_value, &current, e);
-    if (status == STATUS_OK && !r->view->origin.study) {
-        return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from",
-                         r->view->path);
-    }
-    if (status == STATUS_OK) {
-        status = origin_compare(&r->manifest, current, &r->view->origin, e);
-    }
-    const struct error cause = *e;
-    return status == STATUS_INPUT
-               ? error_set(e, STATUS_INPUT, "%s cannot be computed again: %s has changed since",
-                           r->view->path, cause.message)
-               : status;
 }
 
 static int map_items(struct rerun *r, struct error *e) {
@@ -226,7 +202,7 @@ int study_rerun(struct study_file *f, const struct study_rerun_request *q, struc
     }
     status = manifest_init(&r.manifest, q->first->deck->path, e);
     status = status == STATUS_OK ? allocate(&r, e) : status;
-    status = status == STATUS_OK ? check_origin(&r, e) : status;
+    status = status == STATUS_OK ? origin_check(&r.manifest, &r.plan, r.view, e) : status;
     status = status == STATUS_OK ? map_items(&r, e) : status;
     status = status == STATUS_OK ? choose(&r, e) : status;
     status = status == STATUS_OK ? run_chosen(&r, e) : status;
