@@ -64,6 +64,7 @@ static int load_and_rerun(struct study_file *f, struct verify_options *o, struct
     o->rerun.first = m;
     o->rerun.define = o->load.define.word;
     o->rerun.n_define = o->load.define.n;
+    o->rerun.n_thread = deck_command_threads();
     interrupt_catch();
     status = study_rerun(f, &o->rerun, &out, &e);
     model_free(m);

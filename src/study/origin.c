@@ -138,20 +138,3 @@ int origin_part(const struct plan *p, const struct manifest *m, struct study_par
     *out = (struct study_part){.shard = p->shard, .run = run};
     return STATUS_OK;
 }
-
-int origin_compare(struct manifest *m, const char *study, const struct study_origin *o,
-                   struct error *e) {
-    int length;
-    if (strcmp(o->study, study) != 0) {
-        const char *cause = origin_difference(o->study, study, &length);
-        return error_set(e, STATUS_INPUT, "%.*s", length, cause);
-    }
-    for (int i = 0; i < o->n_source; i++) {
-        const struct study_source *s = &o->source[i];
-        const int status = manifest_expect(m, s->path, &s->sum, e);
-        if (status != STATUS_OK) {
-            return status;
-        }
-    }
-    return STATUS_OK;
-}

@@ -10,9 +10,8 @@
 #include "jostle/ensemble.h"
 #include "jostle/numerics.h"
 #include "motion/record_cache.h"
-#include "study/manifest.h"
+#include "study/keys.h"
 #include "study/number_list.h"
-#include "study/origin.h"
 #include "study/plan.h"
 #include "study/roles.h"
 #include "study/trial.h"
@@ -23,6 +22,8 @@ struct rerun {
     struct study_file *file;
     struct plan plan;
     struct manifest manifest;
+    struct keys keys;
+    struct study_key *key;  // (n_run of the file)
     struct trial_watch watch;
     unsigned char *chosen;   // (n_run of the file)
     double *stored, *value;  // (n_value) of the file; (ENSEMBLE_MAX, n_value)
@@ -73,27 +74,43 @@ static int choose(struct rerun *r, struct error *e) {
     return q->n_draw > 0 ? draw(r, e) : STATUS_OK;
 }
 
-// The deck must be that of the study, and so must the files that its runs have read.
-static int check_origin(struct rerun *r, struct error *e) {
+// The keys of the runs of the deck, and those of the file.
+static int make_keys(struct rerun *r, struct error *e) {
     const struct study_rerun_request *q = r->request;
     const struct study_request study = {.first = q->first,
                                         .define = q->define,
                                         .n_define = q->n_define,
+                                        .n_thread = q->n_thread,
                                         .numerics = NUMERICS_VERSION};
-    const char *current;
-    int status = origin_study(r->manifest.arena, &study, r->plan.table->n_value, &current, e);
-    if (status == STATUS_OK && !r->view->origin.study) {
-        return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from",
-                         r->view->path);
-    }
-    if (status == STATUS_OK) {
-        status = origin_compare(&r->manifest, current, &r->view->origin, e);
-    }
-    const struct error cause = *e;
-    return status == STATUS_INPUT
-               ? error_set(e, STATUS_INPUT, "%s cannot be computed again: %s has changed since",
-                           r->view->path, cause.message)
+    int status = keys_make(&r->keys, &study, &r->plan, &r->manifest, e);
+    status = status == STATUS_OK ? study_file_keys(r->file, &r->key, e) : status;
+    return status == STATUS_OK && !r->key
+               ? error_set(e, STATUS_INPUT,
+                           "%s does not have the keys of its runs: an earlier version wrote it",
+                           r->view->path)
                : status;
+}
+
+// The run of row `i` of the file among those of the deck, perhaps at another number; -1: there is
+// none. A run whose statements cannot be read has no key, in the file nor in the deck.
+static long find(const struct rerun *r, long i) {
+    const long same = study_view_run(r->view, i);
+    return keys_is_known(&r->key[i]) ? keys_find(&r->keys, &r->key[i])
+           : same < r->keys.n && !keys_is_known(&r->keys.key[same]) ? same
+                                                                    : -1;
+}
+
+// Row `i` of the file is the next run.
+static int take(struct rerun *r, long i, struct trial *next, struct error *e) {
+    const long run = find(r, i);
+    if (run < 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s: run %ld cannot be computed again: its statements, a file that they "
+                         "name or the version of the numerics has changed since",
+                         r->view->path, study_view_run(r->view, i) + 1);
+    }
+    *next = (struct trial){.run = run, .entry = i, .value = next->value};
+    return STATUS_OK;
 }
 
 static int map_items(struct rerun *r, struct error *e) {
@@ -166,7 +183,7 @@ static int run_batch(struct rerun *r, int n, struct error *e) {
     int status = STATUS_OK;
     trial_run(&r->plan, r->trial, n, &r->watch);
     for (int i = 0; i < n && status == STATUS_OK; i++) {
-        number_list_add(&r->numbers, r->trial[i].run + 1);
+        number_list_add(&r->numbers, study_view_run(r->view, r->trial[i].entry) + 1);
         status = compare(r, &r->trial[i], e);
     }
     return status;
@@ -185,10 +202,9 @@ static int run_chosen(struct rerun *r, struct error *e) {
         const bool missing = status == STATUS_OK && outcome.status == STUDY_MISSING;
         r->out->n_missing += missing;
         if (status == STATUS_OK && !missing) {
-            r->trial[n] = (struct trial){.run = study_view_run(r->view, i),
-                                         .entry = i,
-                                         .value = r->value + (size_t)n * r->plan.table->n_value};
-            n++;
+            r->trial[n].value = r->value + (size_t)n * r->plan.table->n_value;
+            status = take(r, i, &r->trial[n], e);
+            n += status == STATUS_OK;
         }
         if (status == STATUS_OK && n == most) {
             status = run_batch(r, n, e);
@@ -226,12 +242,14 @@ int study_rerun(struct study_file *f, const struct study_rerun_request *q, struc
     }
     status = manifest_init(&r.manifest, q->first->deck->path, e);
     status = status == STATUS_OK ? allocate(&r, e) : status;
-    status = status == STATUS_OK ? check_origin(&r, e) : status;
+    status = status == STATUS_OK ? make_keys(&r, e) : status;
     status = status == STATUS_OK ? map_items(&r, e) : status;
     status = status == STATUS_OK ? choose(&r, e) : status;
     status = status == STATUS_OK ? run_chosen(&r, e) : status;
     number_list_end(&r.numbers);
     free(r.chosen);
+    free(r.key);
+    keys_close(&r.keys);
     free(r.stored);
     free(r.value);
     free(r.item);
