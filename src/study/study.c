@@ -196,7 +196,7 @@ static int take_runs(struct study *s, struct stock *out, struct error *e) {
                            t->view->path);
     }
     status = status == STATUS_OK ? study_file_endings(t->file, &ending, e) : status;
-    *out = (struct stock){.same = status == STATUS_OK && is_same(s, t->view, key)};
+    *out = (struct stock){.same = key && status == STATUS_OK && is_same(s, t->view, key)};
     if (status == STATUS_OK && s->again) {
         status = choose(s, t, out, e);
     }
