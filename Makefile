@@ -279,7 +279,7 @@ opensees: $(PROGRAM)  ## the table of docs/opensees.md, by PYTHON=... that has O
 	@mv $(B)/export.tsv tests/peers/export.tsv
 	$(PYTHON) tests/peers/export.py --page
 
-docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
+docs: papers  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
 	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg \
 	    docs/pictures/storey_comparison.svg
@@ -298,11 +298,13 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	    -o docs/pictures/pounding.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 
-.PHONY: verification
-verification: $(PROGRAM)  ## run the cases of docs/verification.md and write it with its pictures
-	@JOBS=$(CORES) sh tests/verification/make.sh $(PROGRAM) $(B)/verification
-	@cp $(B)/verification/verification.md docs
-	@cp $(B)/verification/verification_*.svg docs/pictures
+.PHONY: verification papers
+verification: papers  ## run the cases of docs/verification.md and write it with its pictures
+papers: $(PROGRAM)  ## the same for docs/papers.md, in seconds; `make docs` does it too
+verification papers:
+	@JOBS=$(CORES) sh tests/verification/make.sh $(PROGRAM) $(B)/$@ $@
+	@cp $(B)/$@/$@.md docs
+	@cp $(B)/$@/verification_*.svg docs/pictures
 
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help

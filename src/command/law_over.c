@@ -54,7 +54,7 @@ static bool law_over_range(struct law_over *o, const char *text) {
     o->value = arena_alloc(o->arena, (size_t)o->n_value, sizeof *o->value);
     for (int i = 0; o->value && i < o->n_value; i++) {
         struct text_exact t;
-        const double x = from + (to - from) * i / (n - 1.0);
+        const double x = i == o->n_value - 1 ? to : from + (to - from) * i / (n - 1.0);
         o->value[i] = arena_format(o->arena, "%s", text_exact(&t, x));
     }
     return true;

@@ -125,6 +125,12 @@ static int list_folder(struct table *t, const char *path, struct words *out, str
 static int add_folder(struct table *t, const char *path, struct error *e) {
     struct words list;
     int status = list_folder(t, path, &list, e);
+    if (status == STATUS_OK && list.n == 0) {
+        status = error_set(e, STATUS_INPUT,
+                           "the folder %s has no study: no NAME.h5 of a study and no "
+                           "NAME.h5.runs",
+                           path);
+    }
     for (int i = 0; i < list.n && status == STATUS_OK; i++) {
         if (i == 0 || strcmp(list.word[i], list.word[i - 1]) != 0) {
             status = add_study(t, list.word[i], e);

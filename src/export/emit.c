@@ -46,10 +46,11 @@ void emit_whole(const struct emitter *s, int place, int value) {
     fprintf(s->to, "%d", value);
 }
 
-// A number with a point or an exponent: Python tells whole numbers from others.
+// A number with a point or an exponent: Python tells whole numbers from others. The sum makes 0 of
+// -0, which a gap of 0 becomes in a material.
 static void emit_value(const struct emitter *s, double value) {
     struct text_exact t;
-    const char *text = text_exact(&t, value);
+    const char *text = text_exact(&t, value + 0.0);
     fprintf(s->to, strpbrk(text, ".e") ? "%s" : "%s.0", text);
 }
 

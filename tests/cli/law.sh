@@ -206,6 +206,8 @@ law hertz -k 1 $bodies --over k=1e9:9e9:5 --tsv
 expect "--over takes a range of stiffnesses in place of -k" '[ "$(cut -f 2 "$out" | tr "\n" " ")" = "k [N/m^1.5] 1000000000 3000000000 5000000000 7000000000 9000000000 " ] && awk -F "\t" "NR > 1 { r = \$3 / \$2 ^ 0.4; if (f && (r / f > 1 + 1e-9 || r / f < 1 - 1e-9)) exit 1; f = r }" "$out"'
 law jankowski -k 2.75e9N/m^1.5 -calibrate $bodies --over e=0.4,0.8 --compare hunt-crossley --tsv
 expect "--over of e calibrates each law again" 'awk -F "\t" "NR > 1 && (\$7 / \$2 > 1 + 1e-9 || \$7 / \$2 < 1 - 1e-9) { exit 1 } END { exit NR != 5 }" "$out"'
+law jankowski -k 1e9 -calibrate $bodies --over e=0.1:1:19 --tsv
+expect "a range ends with its last number" '[ $status -eq 0 ] && [ "$(tail -n 1 "$out" | cut -f 2)" = 1 ]'
 law hertz $bodies --over q=3
 expect "--over takes v, e or k" '[ $status -eq 2 ] && grep -q "takes v, e or k" "$err"'
 law hertz -k 1e9 -m1 25t -m2 40t --over v=3,-1

@@ -47,6 +47,9 @@ expect "a file that is not there is an error" '[ $status -eq 2 ] && said "none.h
 echo 'not a journal' >odd.h5.runs
 run "$jostle" status odd.h5
 expect "a file of another kind too" '[ $status -eq 2 ] && said "odd.h5.runs is not the journal of a study"'
+mkdir empty
+run "$jostle" status empty
+expect "a folder without studies too" '[ $status -eq 2 ] && said "the folder empty has no study"'
 
 # --- limits of a run -------------------------------------------------------------------------------
 cat >long.deck <<'END'
