@@ -169,8 +169,10 @@ static int choose(struct study *s, const struct take_file *t, struct stock *old,
                          noun(s));
     }
     s->chosen = calloc((size_t)s->keys.n + 1, 1);
-    const int status =
-        s->chosen ? selection_read(t->file, s->again, s->chosen, e) : error_no_memory(e);
+    if (!s->chosen) {
+        return error_no_memory(e);
+    }
+    const int status = selection_read(t->file, s->again, s->chosen, e);
     for (long i = 0; i < s->keys.n && status == STATUS_OK; i++) {
         if (s->chosen[i]) {
             const long first = keys_find(&s->keys, &s->keys.key[i]);
