@@ -91,7 +91,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
 static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     const struct suite *s = p->suite;
     struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
-    study_demand_init(&v.demand, s);
+    study_demand_init(&v.demand, &s->edp);
     int status = write_counts(&v, c->data, e);
     if (status != STATUS_OK) {
         return status;
