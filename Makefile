@@ -282,7 +282,7 @@ opensees: $(PROGRAM)  ## the table of docs/opensees.md, by PYTHON=... that has O
 docs: papers  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
 	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg \
-	    docs/pictures/storey_comparison.svg
+	    docs/pictures/storey_comparison.svg docs/pictures/link_comparison.svg docs/pictures/link_fit.svg
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/law-command.md \
 	    $(B)/docs/contact-values.md $(B)/docs/ground-motions.md $(B)/docs/studies.md \
 	    $(B)/docs/ida.md $(B)/docs/gap.md docs
@@ -297,6 +297,12 @@ docs: papers  ## write what the program prints into docs/ and README.md, and dra
 	@$(PROGRAM) spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:40 \
 	    -o docs/pictures/pounding.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
+
+.PHONY: adaptive
+adaptive: $(PROGRAM)  ## the table of adaptive searches in docs/ida.md, in half a minute
+	@sh tests/support/adaptive.sh $(PROGRAM) $(B) >$(B)/adaptive.txt
+	@sh tests/support/with_block.sh adaptive-runs $(B)/adaptive.txt <docs/ida.md >$(B)/ida.md
+	@mv $(B)/ida.md docs/ida.md
 
 .PHONY: verification papers
 verification: papers  ## run the cases of docs/verification.md and write it with its pictures

@@ -121,7 +121,6 @@ struct totals {
     long block;       // that took Newton steps on clusters of links
     long unsolved;    // accepted at the smallest step without meeting the tolerance
     long coarse;      // impacts under a force that opened within IMPACT_STEPS_MIN computed steps
-    double speed;     // [L/T] largest velocity of any floor
     double seconds;   // wall time
 };
 

@@ -61,6 +61,8 @@ struct deck_path {
 
 enum { STUDY_SWEEPS_MAX = 8, SWEEP_VALUES_MAX = 1000000, STUDY_RUNS_MAX = 10000000 };
 
+struct random_values;
+
 // The values that a sweep gives to its parameter, in the order of the deck.
 struct sweep {
     const char *name;
@@ -77,7 +79,8 @@ struct sweep {
     // The next of the paired sweeps, whose value i belongs to number i of this dimension. NULL:
     // none.
     const struct sweep *along;
-    bool random;  // the values are drawn
+    bool random;                      // the values are drawn
+    const struct random_values *law;  // from this distribution, if the deck has been read
     const struct sweep *next;
 };
 

@@ -16,8 +16,10 @@ struct intensity {
     double pgd, pgd_time;  // [L], [T] largest |displacement| from rest, within the record
     double arias;          // [L/T] pi / (2 g) times the integral of the squared acceleration
     double cav;            // [L/T] cumulative absolute velocity, the integral of |acceleration|
-    double time_5;         // [T] at which 5 % of the Arias intensity is reached
-    double d5_75, d5_95;   // [T] from time_5 to 75 % and 95 %: significant durations
+    double arias_trapezoid, cav_trapezoid;  // [L/T] the same integrals by the trapezoidal rule of
+                                            // the samples, as other programs print them
+    double time_5;                          // [T] at which 5 % of the Arias intensity is reached
+    double d5_75, d5_95;  // [T] from time_5 to 75 % and 95 %: significant durations
 };
 
 // `gravity` [L/T^2] is the g of the Arias intensity.

@@ -114,6 +114,9 @@ struct chain {
     bool parts;         // some building has parts
 };
 
+// Constants of the damage index that a deck gives: [L] the ultimate drift; and beta.
+enum { STOREY_DAMAGE_ULTIMATE, STOREY_DAMAGE_BETA, STOREY_DAMAGE_COUNT };
+
 // The restoring law of one storey.
 struct storey {
     const struct storey_law *law;
@@ -121,6 +124,8 @@ struct storey {
     double yield;            // [F] shear at yield; infinite: elastic
     double pdelta;           // [F/L] P/h of a storey with a history; elastic laws have it inside
     int history;             // offset of its values in the state's storey history
+    const double *damage;    // (STOREY_DAMAGE_COUNT) of the damage index, NAN: as its law has it;
+                             // NULL: all are so
 };
 
 // The end of a link that is not one floor: a sparse row b over the degrees of freedom of one

@@ -45,6 +45,7 @@ struct storey_figures {
     double strength[2];  // [F] shear there
     double ultimate[2];  // [L] drift at which all strength is lost; infinite: never
     double capacity;     // [F L] least energy that a mode of deterioration has; infinite: none
+    double beta;         // of the energy in the damage index
 };
 
 struct storey_law {
@@ -89,7 +90,8 @@ struct storey_law {
     double (*consumed)(const double *constant, const double *history);
 };
 
-// The figures of a law; infinite where it has none.
+// The figures of a law; infinite where it has none. beta is 0.05, that of reinforced concrete in
+// the mean.
 struct storey_figures storey_law_figures(const struct storey_law *law, const double *constant);
 
 // Ductility: the larger of the largest drifts `most` to the right and to the left over those at
@@ -97,7 +99,7 @@ struct storey_figures storey_law_figures(const struct storey_law *law, const dou
 double storey_law_ductility(const struct storey_figures *f, const double most[2]);
 
 // The damage index of Park & Ang (1985), J. Struct. Eng. ASCE 111, 722-739, of the direction in
-// which it is larger: most / ultimate + 0.05 energy / (strength ultimate). 0: nothing is ultimate.
+// which it is larger: most / ultimate + beta energy / (strength ultimate). 0: nothing is ultimate.
 double storey_law_damage(const struct storey_figures *f, const double most[2], double energy);
 
 extern const struct storey_law *const storey_laws[];

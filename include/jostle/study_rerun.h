@@ -12,8 +12,8 @@ struct study_rerun_request {
     const struct model *first;  // the model of the deck of the study
     const char *const *define;  // (n_define) NAME=VALUE it was read with
     int n_define;
-    int n_thread;     // at least 1
-    const long *run;  // (n_run) numbers of runs in the study, from 1
+    int n_thread;            // at least 1
+    const char *const *run;  // (n_run) texts that choose runs (study/selection.h)
     int n_run;
     long n_draw;  // so many runs of the file are drawn besides
     int seed;     // of the draw

@@ -7,7 +7,7 @@
 #include "command/crash.h"
 #include "command/printer.h"
 #include "core/safe.h"
-#include "study/fragility.h"
+#include "study/fragility_runs.h"
 #include "study/run_pairs.h"
 
 struct comparison_of_studies {
@@ -114,13 +114,14 @@ static int print_table(struct comparison_of_studies *c, struct error *e) {
 // The fragility of a group of a study; not fitted if there is no such group.
 static int fit(const struct suite *s, int group, double limit, struct fragility *out,
                struct error *e) {
-    struct fragility_level *level = arena_alloc(s->arena, (size_t)s->n_point, sizeof *level);
-    *out = (struct fragility){.outcome = FRAGILITY_NO_RUNS};
-    if (!level) {
-        return error_no_memory(e);
+    struct fragility_runs runs;
+    const int status = fragility_runs_create(s, &runs, e);
+    struct fragility_level *level = arena_alloc(s->arena, (size_t)runs.n, sizeof *level);
+    if (status != STATUS_OK || !level) {
+        return status != STATUS_OK ? status : error_no_memory(e);
     }
-    fragility_count(s, group, limit, level);
-    return fragility_fit(level, s->n_point, out, e);
+    fragility_runs_take(&runs, s, group);
+    return fragility_fit(level, fragility_runs_count(&runs, limit, NULL, level), out, e);
 }
 
 // The group of the other study with the same values, or its only one; -1: there is none.

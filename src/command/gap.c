@@ -16,7 +16,8 @@ static int gap_command(int argc, char **argv);
 const struct command command_gap = {
     .name = "gap",
     .usage =
-        "DECK [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]\n"
+        "DECK [--factor [BUILDING=]F]... [--gb INTENSITY] [--ntc ZONE] [-D NAME=VALUE]...\n"
+        "                  [-j THREADS] [--tsv|--csv|--json]\n"
         "       jostle gap DECK --limit EDP=VALUE [--range FROM:TO:N] [--tolerance LENGTH]\n"
         "                  [--percentile P] [--parameter PARAM] [-D NAME=VALUE]... [-j THREADS]\n"
         "                  [--tsv|--csv|--json]",
@@ -39,17 +40,72 @@ struct options {
     int n_thread;
     enum printer_form form;
     const char *limit, *range, *tolerance, *percentile, *parameter;
+    struct words factor;
+    int gb, gb_type, ntc;  // intensity, 0: none; -1: none
 };
 #define AT(member) offsetof(struct options, member)
 
+// Reads a word of --factor into the factors of its building, or of all.
+static int parse_factor(const struct model *m, const char *word, double *factor) {
+    const char *equals = strchr(word, '='), *number = equals ? equals + 1 : word;
+    int only = -1;
+    for (int i = 0; equals && i < m->n_building; i++) {
+        const char *name = m->building[i].name;
+        const size_t n = strlen(name);
+        only = n == (size_t)(equals - word) && memcmp(name, word, n) == 0 ? i : only;
+    }
+    double value;
+    if ((equals && only < 0) || !quantity_whole(number, &dimension_none, BARE_ALLOWED, &value) ||
+        !(value > 0.0)) {
+        return command_usage(&command_gap,
+                             "--factor takes a number > 0 or BUILDING=NUMBER, not '%s'", word);
+    }
+    for (int i = 0; i < m->n_building; i++) {
+        factor[i] = only < 0 || only == i ? value : factor[i];
+    }
+    return EXIT_DONE;
+}
+
+// What the rules take from the options. `factor` has room for all buildings.
+static int read_site(const struct plan *p, const struct options *o, double *factor,
+                     struct separation_site *site) {
+    // GB 50011-2010, 6.1.4: 20 mm more for each 5, 4, 3 or 2 m where the intensity is 6 to 9.
+    static const double share[] = {1.0, 0.7, 0.5};
+    // NTC (2004), 1.10: of the level, in zones I to III.
+    static const double slope[] = {0.001, 0.003, 0.006};
+    const struct model *m = p->first;
+    *site = (struct separation_site){.factor = factor,
+                                     .metre = 1.0 / m->deck->units.length,
+                                     .gb_step = o->gb > 0 ? 11.0 - o->gb : 0.0,
+                                     .gb_share = share[o->gb_type],
+                                     .ntc_slope = o->ntc < 0 ? (double)NAN : slope[o->ntc]};
+    for (int i = 0; i < m->n_building; i++) {
+        factor[i] = 1.0;
+    }
+    const bool high = o->gb > 0 || o->ntc >= 0;
+    for (int end = 0; end < 2 * m->n_contact && high; end++) {
+        const int building = m->link[end / 2].building[end % 2];
+        if (building != WALL && !m->building[building].height) {
+            return command_usage(&command_gap, "%s needs the storey heights of building %s",
+                                 o->gb > 0 ? "--gb" : "--ntc", m->building[building].name);
+        }
+    }
+    int status = EXIT_DONE;
+    for (int i = 0; i < o->factor.n && status == EXIT_DONE; i++) {
+        status = parse_factor(m, o->factor.word[i], factor);
+    }
+    return status;
+}
+
 // EXIT_DONE, or the status of what ended the runs.
-static int run_contact_free(const struct plan *p, const struct options *o, struct contact_free *a) {
+static int run_contact_free(const struct plan *p, const struct options *o,
+                            const struct separation_site *site, struct contact_free *a) {
     struct progress progress;
     struct error e;
     const struct gap_runs how = {
         .n_thread = o->n_thread, .poll = progress_poll, .context = &progress};
     progress_start(&progress, (double)p->n_run, "runs");
-    int status = contact_free_run(p, &how, a, &e);
+    int status = contact_free_run(p, &how, site, a, &e);
     progress_end(&progress);
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
@@ -68,18 +124,22 @@ static int fail_runs(const struct plan *p, const struct contact_free *a) {
 
 static int print_contact_free(const struct plan *p, const struct options *o) {
     struct contact_free a = {.n_run = 0};
-    int status = run_contact_free(p, o, &a);
-    double *scratch = status == EXIT_DONE ? calloc((size_t)a.n_run, sizeof *scratch) : NULL;
-    if (status == EXIT_DONE && !scratch) {
-        status = command_no_memory();
-    } else if (status == EXIT_DONE) {
-        status = o->form == FORM_TEXT ? gap_print_contact_free(p, &a, scratch)
+    struct separation_site site;
+    double *factor = calloc((size_t)p->first->n_building, sizeof *factor);
+    double *scratch = calloc((size_t)p->n_run, sizeof *scratch);
+    int status = factor && scratch ? read_site(p, o, factor, &site) : command_no_memory();
+    if (status == EXIT_DONE) {
+        status = run_contact_free(p, o, &site, &a);
+    }
+    if (status == EXIT_DONE) {
+        status = o->form == FORM_TEXT ? gap_print_contact_free(p, &a, &site, scratch)
                                       : gap_print_runs(p, &a, o->form);
     }
     if (status == EXIT_DONE && a.n_failed > 0) {
         status = fail_runs(p, &a);
     }
     free(scratch);
+    free(factor);
     contact_free_close(&a);
     return status;
 }
@@ -88,7 +148,8 @@ static int print_contact_free(const struct plan *p, const struct options *o) {
 static int default_range(const struct plan *p, const struct options *o,
                          struct gap_search_request *q) {
     struct contact_free a = {.n_run = 0};
-    int status = run_contact_free(p, o, &a);
+    static const struct separation_site none = {.metre = 1.0};
+    int status = run_contact_free(p, o, &none, &a);
     q->from = q->to = 0.0;
     q->n = POINTS_DEFAULT;
     for (long run = 0; status == EXIT_DONE && run < a.n_run; run++) {
@@ -200,8 +261,19 @@ static int settle(void *options) {
                           : o->percentile ? "--percentile"
                           : o->parameter  ? "--parameter"
                                           : NULL;
-    return useless && !o->limit ? command_usage(&command_gap, "%s goes with --limit", useless)
-                                : EXIT_DONE;
+    if (useless && !o->limit) {
+        return command_usage(&command_gap, "%s goes with --limit", useless);
+    }
+    const char *of_rules = o->factor.n > 0 ? "--factor"
+                           : o->gb > 0     ? "--gb"
+                           : o->ntc >= 0   ? "--ntc"
+                                           : NULL;
+    if (of_rules && o->limit) {
+        return command_usage(&command_gap, "%s is for the rules, which --limit does not apply",
+                             of_rules);
+    }
+    return o->gb_type > 0 && o->gb == 0 ? command_usage(&command_gap, "--gb-type goes with --gb")
+                                        : EXIT_DONE;
 }
 
 static int gap_command(int argc, char **argv) {
@@ -220,6 +292,16 @@ static int gap_command(int argc, char **argv) {
          .doc = "percentage of the runs that must meet the limit; default: 100"},
         {"parameter", 0, "PARAM", OPTION_TEXT, 0, AT(parameter),
          .doc = "parameter of the deck that sets the gap; default: all contacts get the gap"},
+        {"factor", 0, "[BUILDING=]F", OPTION_WORDS, 0, AT(factor),
+         .doc = "multiplies the displacements of a building, or of all, in the rules; the factor "
+                "makes design displacements of those of the runs; may be repeated"},
+        {"gb", 0, "INTENSITY", OPTION_WHOLE, 0, AT(gb), .least = 6, .most = 9,
+         .doc = "adds the width after GB 50011-2010 for the intensity 6 to 9; needs heights"},
+        {"gb-type", 0, "frame|frame-wall|wall", OPTION_CHOICE, 0, AT(gb_type),
+         .doc = "structure for --gb: that of the two buildings which needs more; default: frame"},
+        {"ntc", 0, "I|II|III", OPTION_CHOICE, 0, AT(ntc),
+         .doc = "adds the separation after the NTC of Mexico City (2004) for the zone; needs "
+                "heights"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
          .doc = "a table separated by tabs: every run and contact, or every gap"},
         {0}};
@@ -230,6 +312,6 @@ static int gap_command(int argc, char **argv) {
                                                {0}};
     static const struct deck_command c = {&command_gap, parts, .settle = settle,
                                           .use_plan = use_plan};
-    struct options o = {.n_thread = deck_command_threads()};
+    struct options o = {.n_thread = deck_command_threads(), .ntc = -1};
     return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -16,6 +16,9 @@ static const struct printer_column inputs[] = {COLUMN_NAME("rules", 14), COLUMN_
                                                COLUMN_G("uB", 9, 4), COLUMN_G("rho", 7, 4)};
 static const struct printer_column closing[] = {COLUMN_NAME("of the closing", 14),
                                                 COLUMN_TEXT("", 27)};
+static const struct printer_column levels[] = {COLUMN_NAME("by height", 14), COLUMN_G("hA", 7, 4),
+                                               COLUMN_G("hB", 7, 4), COLUMN_G("HA", 7, 4),
+                                               COLUMN_G("HB", 7, 4)};
 static const struct printer_column ratio[] = {COLUMN_F("mean", 6, 3), COLUMN_F("least", 6, 3)};
 static const struct printer_column modes[] = {COLUMN_NAME("first modes", 14), COLUMN_G("T", 9, 4),
                                               COLUMN_G("damp. [%]", 9, 4)};
@@ -30,13 +33,18 @@ static const struct printer_column of_contact[] = {COLUMN_DATA("status"),
                                                    COLUMN_OF("T_right", dimension_time),
                                                    COLUMN_DATA("damping_left"),
                                                    COLUMN_DATA("damping_right"),
-                                                   COLUMN_DATA("rho")};
+                                                   COLUMN_DATA("rho"),
+                                                   COLUMN_OF("level_left", dimension_length),
+                                                   COLUMN_OF("level_right", dimension_length),
+                                                   COLUMN_OF("height_left", dimension_length),
+                                                   COLUMN_OF("height_right", dimension_length)};
 
 // What the tables are about.
 struct view {
     const struct plan *p;
     const struct contact_free *a;
     double *scratch;  // (n_run)
+    bool shown[SEPARATION_RULES];
 };
 
 static double mean(const struct view *v, int contact, int value) {
@@ -52,12 +60,19 @@ static void print_closing(struct printer *t, const struct view *v, int i) {
     printer_whole(t, contact_free_hits(v->a, i));
 }
 
+static double mean_ratio(const struct view *v, int contact, int rule, double *least) {
+    const struct contact_free_summary s =
+        contact_free_summarise(v->a, contact, FREE_RULE + rule, FREE_CLOSING, v->scratch);
+    *least = s.least;
+    return s.mean;
+}
+
 // Means over the runs: what goes into the rules, and what comes out.
 static void print_rules(struct printer *t, const struct view *v, int i) {
     printer_number(t, mean(v, i, FREE_LEFT));
     printer_number(t, mean(v, i, FREE_RIGHT));
     printer_number(t, mean(v, i, FREE_RHO));
-    for (int k = 0; k < SEPARATION_RULES; k++) {
+    for (int k = 0; k < SEPARATION_GENERAL; k++) {
         printer_number(t, mean(v, i, FREE_RULE + k));
     }
 }
@@ -65,11 +80,26 @@ static void print_rules(struct printer *t, const struct view *v, int i) {
 // How far the rules are off, run by run: mean and least of their ratio to the closing displacement.
 static void print_ratios(struct printer *t, const struct view *v, int i) {
     printer_empty(t);
-    for (int k = 0; k < SEPARATION_RULES; k++) {
-        const struct contact_free_summary s =
-            contact_free_summarise(v->a, i, FREE_RULE + k, FREE_CLOSING, v->scratch);
-        printer_number(t, s.mean);
-        printer_number(t, s.least);
+    for (int k = 0; k < SEPARATION_GENERAL; k++) {
+        double least;
+        printer_number(t, mean_ratio(v, i, k, &least));
+        printer_number(t, least);
+    }
+}
+
+// Rules that depend on heights, and their ratios. A wall has no height.
+static void print_by_height(struct printer *t, const struct view *v, int i) {
+    for (int k = FREE_LEVEL_LEFT; k <= FREE_HEIGHT_RIGHT; k++) {
+        const double value = mean(v, i, k);
+        printer_number(t, isinf(value) ? (double)NAN : value);
+    }
+    for (int k = SEPARATION_GENERAL; k < SEPARATION_RULES; k++) {
+        if (v->shown[k]) {
+            double least;
+            printer_number(t, mean(v, i, FREE_RULE + k));
+            printer_number(t, mean_ratio(v, i, k, &least));
+            printer_number(t, least);
+        }
     }
 }
 
@@ -122,27 +152,64 @@ static void print_head(const struct plan *p, const struct contact_free *a) {
     printf("\n");
 }
 
-int gap_print_contact_free(const struct plan *p, const struct contact_free *a, double *scratch) {
-    const struct view v = {p, a, scratch};
-    struct printer t[3] = {{.to = stdout}, {.to = stdout}, {.to = stdout}};
+// The formulas that were shown, with their sources, and what they take from the user.
+static void print_sources(const struct view *v, const struct separation_site *site) {
+    const struct model *m = v->p->first;
+    printf("\nclosing by: largest x_A - x_B at the floors of the contact, A the left one\n"
+           "uA, uB: largest displacements of these floors; the rules are applied run by run\n");
+    for (int i = 0; i < m->n_building; i++) {
+        if (site->factor[i] != 1.0) {
+            safe_line(stdout, "The rules multiply the displacements of %s by %g.",
+                      m->building[i].name, site->factor[i]);
+        }
+    }
+    if (v->shown[SEPARATION_GB] || v->shown[SEPARATION_NTC]) {
+        printf(
+            "hA, hB: levels of the contact above the ground; HA, HB: heights of the buildings\n");
+    }
+    for (int k = 0; k < SEPARATION_RULES; k++) {
+        if (v->shown[k]) {
+            printf("%-12s = %s\n    %s\n", contact_free_rules[k].name,
+                   contact_free_rules[k].formula, contact_free_rules[k].source);
+        }
+        if (v->shown[k] && k == SEPARATION_GB) {
+            printf("    here step = %g m, share = %g\n", site->gb_step, site->gb_share);
+        } else if (v->shown[k] && k == SEPARATION_NTC) {
+            printf("    here slope = %g\n", site->ntc_slope);
+        }
+    }
+}
+
+int gap_print_contact_free(const struct plan *p, const struct contact_free *a,
+                           const struct separation_site *site, double *scratch) {
+    struct view v = {p, a, scratch, {true, true, true, true}};
+    v.shown[SEPARATION_GB] = site->gb_step > 0.0;
+    v.shown[SEPARATION_NTC] = !isnan(site->ntc_slope);
+    struct printer t[4] = {{.to = stdout}, {.to = stdout}, {.to = stdout}, {.to = stdout}};
     PRINTER_ADD(&t[0], closings);
     PRINTER_ADD(&t[1], inputs);
     PRINTER_ADD(&t[2], closing);
+    PRINTER_ADD(&t[3], levels);
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printer_add(&t[1], &(struct printer_column)COLUMN_G(contact_free_rules[k].name, 13, 4), 1);
-        PRINTER_ADD(&t[2], ratio);
+        const bool general = k < SEPARATION_GENERAL;
+        const struct printer_column name =
+            COLUMN_G(contact_free_rules[k].name, general ? 13 : 10, 4);
+        if (v.shown[k]) {
+            printer_add(&t[general ? 1 : 3], &name, 1);
+            PRINTER_ADD(&t[general ? 2 : 3], ratio);
+        }
     }
     print_head(p, a);
-    const int status[] = {print_contacts(&t[0], &v, print_closing),
-                          print_contacts(&t[1], &v, print_rules),
-                          print_contacts(&t[2], &v, print_ratios), print_modes(&v)};
-    printf("\nclosing by: largest x_A - x_B at the floors of the contact, A the left one\n"
-           "uA, uB: largest displacements of these floors; the rules are applied run by run\n");
-    for (int k = 0; k < SEPARATION_RULES; k++) {
-        printf("%-12s = %s\n    %s\n", contact_free_rules[k].name, contact_free_rules[k].formula,
-               contact_free_rules[k].source);
+    int status = print_contacts(&t[0], &v, print_closing) | print_contacts(&t[1], &v, print_rules) |
+                 print_contacts(&t[2], &v, print_ratios);
+    if (v.shown[SEPARATION_GB] || v.shown[SEPARATION_NTC]) {
+        status |= print_contacts(&t[3], &v, print_by_height);
+    } else {
+        status |= printer_close(&t[3]);
     }
-    return status[0] | status[1] | status[2] | status[3];
+    status |= print_modes(&v);
+    print_sources(&v, site);
+    return status;
 }
 
 int gap_print_runs(const struct plan *p, const struct contact_free *a, enum printer_form form) {

@@ -10,7 +10,8 @@
 // All return EXIT_DONE or, after a message, the exit status.
 
 // Closing displacements and what the rules give. `scratch` has room for the runs.
-int gap_print_contact_free(const struct plan *p, const struct contact_free *a, double *scratch);
+int gap_print_contact_free(const struct plan *p, const struct contact_free *a,
+                           const struct separation_site *site, double *scratch);
 // The same run by run, as data.
 int gap_print_runs(const struct plan *p, const struct contact_free *a, enum printer_form form);
 

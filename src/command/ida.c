@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle ida: the intensity at which each record first brings a demand beyond a limit, or a
 // building down, by as few runs as the tolerance needs.
+#include <limits.h>
 #include <math.h>
 
 #include "command/deck_command.h"
@@ -13,31 +14,38 @@ static int ida_command(int argc, char **argv);
 
 const struct command command_ida = {
     .name = "ida",
-    .usage = "DECK --limit EDP=VALUE|--collapse [--im NAME] [--over NAME] [--range FROM:TO]\n"
-             "                  [--factor F] [--tolerance T] [--points] [--hazard FILE]\n"
-             "                  [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]",
+    .usage =
+        "DECK --limit EDP=VALUE|--collapse [--im NAME] [--over NAME] [--range FROM:TO]\n"
+        "                  [--factor F|--step FIRST[:GROWTH]] [--tolerance T] [--runs N]\n"
+        "                  [--curve spline|line|middle] [--bootstrap N [--seed S]] [--points]\n"
+        "                  [--hazard FILE] [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]",
     .summary = "finds the intensities at which records exceed a limit",
     .run = ida_command,
 };
 
 static const char explanation[] =
     "\nThe intensity is a sweep of numbers of the deck; its other sweeps are records and groups. "
-    "For each record\nthe search multiplies the intensity by the factor until the limit is "
-    "exceeded, and "
-    "then halves the\nlogarithmic interval until it is as narrow as the tolerance. The demand need "
-    "not "
-    "grow with the intensity,\nso a search can miss an exceedance between two intensities: a "
-    "smaller "
-    "factor misses fewer. A lognormal\ncurve is fitted to the intensities found (Baker 2015). The "
-    "command writes no file. Exit status 1: runs\nhave failed, or some record never exceeds the "
-    "limit.\n";
+    "For "
+    "each record\nthe search goes upwards until the limit is exceeded, by a factor or by steps "
+    "that "
+    "grow. Then it halves the\nlogarithmic interval until it is as narrow as the tolerance. Runs "
+    "that "
+    "are left fill the widest gaps below\n(Vamvatsikos & Cornell 2002, 2004). The demand need not "
+    "grow "
+    "with the intensity, so a search can miss an\nexceedance between two intensities: a smaller "
+    "factor "
+    "or step misses fewer. A lognormal curve is fitted to\nthe intensities found (Baker 2015). The "
+    "command writes no file. Exit status 1: runs have failed, some record\nnever exceeds the "
+    "limit, "
+    "or the runs are too few for the tolerance.\n";
 
 struct options {
     struct load_request load;
     int n_thread;
     enum printer_form form;
-    int collapse, points;
-    const char *limit, *im, *over, *range, *factor, *tolerance, *hazard;
+    int collapse, points, n_run, n_bootstrap, seed;
+    enum capacity_curve curve;
+    const char *limit, *im, *over, *range, *factor, *step, *tolerance, *hazard;
 };
 #define AT(member) offsetof(struct options, member)
 
@@ -45,10 +53,12 @@ static const double FACTOR = 1.3, TOLERANCE = 0.01;  // the defaults
 
 // EXIT_DONE, or 1 after a message where a sample has no intensity.
 static int judge(const struct ida_print *p) {
-    long n_failed = 0, n_never = 0, first = -1;
+    long n_failed = 0, n_never = 0, n_short = 0, first = -1;
     for (long run = 0; run < p->found->n; run++) {
         const enum fragility_crossing crossing = p->found->each[run].crossing;
-        n_never += crossing == CROSSING_ABOVE;
+        const bool is_short = ida_print_is_short(p->request, &p->found->each[run]);
+        n_short += is_short;
+        n_never += crossing == CROSSING_ABOVE && !is_short;
         n_failed += crossing == CROSSING_NO_RUNS;
         first = crossing == CROSSING_NO_RUNS && first < 0 ? run : first;
     }
@@ -64,6 +74,13 @@ static int judge(const struct ida_print *p) {
         error_set(&e, STATUS_FAILED,
                   "%ld of %ld searches never exceed the limit; search further with --range",
                   n_never, p->found->n);
+        return command_fail(&e);
+    }
+    if (n_short > 0) {
+        error_set(&e, STATUS_FAILED,
+                  "%ld of %ld searches have too few runs for the tolerance; give more --runs or a "
+                  "larger --tolerance",
+                  n_short, p->found->n);
         return command_fail(&e);
     }
     return EXIT_DONE;
@@ -95,6 +112,21 @@ static int parse_range(const struct options *o, const struct unit_system *u, con
                      s->name, q->from, q->to);
 }
 
+// "FIRST:GROWTH", or FIRST alone for steps that do not grow.
+static int parse_step(const struct options *o, const struct unit_system *u, const struct sweep *s,
+                      struct capacity_request *q) {
+    const char *at = quantity_word(o->step, u, &s->dimension, BARE_ALLOWED, &q->step);
+    if (at && *at == ':') {
+        at = quantity_word(at + 1, u, &s->dimension, BARE_ALLOWED, &q->growth);
+    }
+    return at && !*at && q->step > 0.0 && isfinite(q->step) && q->growth >= 0.0 &&
+                   isfinite(q->growth)
+               ? EXIT_DONE
+               : command_usage(&command_ida,
+                               "--step takes FIRST or FIRST:GROWTH, values of %s, not '%s'",
+                               s->name, o->step);
+}
+
 static int parse_number(const struct unit_system *u, const char *option, const char *text,
                         double least, double *out) {
     const char *end = quantity_word(text, u, &dimension_none, BARE_ALLOWED, out);
@@ -122,6 +154,8 @@ static int search(const struct options *o, const struct plan *plan, const struct
         .view = view,
         .roles = roles,
         .hazard = o->hazard ? hazard : NULL,
+        .n_bootstrap = o->n_bootstrap,
+        .seed = o->seed,
         .table = {.to = stdout, .form = o->form, .units = &view->units, .at_head = UNITS_BELOW}};
     if (status == STATUS_OK) {
         status = o->points ? ida_print_points(&p, &e) : ida_print_samples(&p, &e);
@@ -156,6 +190,8 @@ static int use_plan(void *options, const struct plan *plan) {
                                  .unit = unit_suffix(unit),
                                  .factor = FACTOR,
                                  .tolerance = TOLERANCE,
+                                 .n_run = o->n_run,
+                                 .curve = o->curve,
                                  .n_thread = o->n_thread};
     int status = suite_options_edp_limit(
         &command_ida, plan, o->collapse ? EDP_COLLAPSE "=0" : o->limit, &q.edp, &q.limit);
@@ -163,14 +199,18 @@ static int use_plan(void *options, const struct plan *plan) {
     if (status == EXIT_DONE && o->factor) {
         status = parse_number(&view.units, "--factor", o->factor, 1.0, &q.factor);
     }
+    if (status == EXIT_DONE && o->step) {
+        status = parse_step(o, &view.units, s, &q);
+    }
     if (status == EXIT_DONE && o->tolerance) {
         status = parse_number(&view.units, "--tolerance", o->tolerance, 0.0, &q.tolerance);
     }
-    if (status == EXIT_DONE && capacity_runs(&q) > CAPACITY_POINTS_MAX) {
-        status = command_usage(&command_ida,
-                               "more than %d runs for one record; take a larger --factor or "
-                               "--tolerance",
-                               CAPACITY_POINTS_MAX);
+    if (status == EXIT_DONE && q.n_run == 0 && capacity_runs(&q) > CAPACITY_POINTS_MAX) {
+        status =
+            command_usage(&command_ida,
+                          "more than %d runs for one record; take a larger --factor, --step or "
+                          "--tolerance",
+                          CAPACITY_POINTS_MAX);
     }
     const struct dimension dimension = s->known ? s->dimension : dimension_none;
     if (status == EXIT_DONE && o->hazard &&
@@ -185,7 +225,8 @@ static int settle(void *options) {
     const struct options *o = options;
     return !o->limit == !o->collapse
                ? command_usage(&command_ida, "give --limit EDP=VALUE or --collapse")
-               : EXIT_DONE;
+           : o->factor && o->step ? command_usage(&command_ida, "give --factor or --step, not both")
+                                  : EXIT_DONE;
 }
 
 static int ida_command(int argc, char **argv) {
@@ -206,8 +247,27 @@ static int ida_command(int argc, char **argv) {
          .doc = "intensities to search; default: from the smallest to the largest of the sweep"},
         {"factor", 0, "F", OPTION_TEXT, 0, AT(factor),
          .doc = "factor from one intensity to the next of the search upwards; default: 1.3"},
+        {"step", 0, "FIRST[:GROWTH]", OPTION_TEXT, 0, AT(step),
+         .doc =
+             "first step of the search upwards, in place of the factor, and how much longer each "
+             "step is than the one before: 0.1g:0.05g"},
         {"tolerance", 0, "T", OPTION_TEXT, 0, AT(tolerance),
          .doc = "relative width of the interval that the search ends in; default: 1%"},
+        {"runs", 0, "N", OPTION_WHOLE, 0, AT(n_run), 2, CAPACITY_POINTS_MAX,
+         .what = "a number of runs",
+         .doc =
+             "makes N runs for each record: those that the tolerance leaves fill the widest gaps "
+             "below the limit; default: as many as the tolerance needs"},
+        {"curve", 0, "spline|line|middle", OPTION_CHOICE, 0, AT(curve),
+         .doc = "where the limit is crossed between the last two intensities: on a natural cubic "
+                "spline through the demands of all runs (the default), on a straight line, or at "
+                "their geometric mean"},
+        {"bootstrap", 0, "N", OPTION_WHOLE, 0, AT(n_bootstrap), 1, BOOTSTRAP_MAX,
+         .what = "a number of bootstraps",
+         .doc = "fits N times again, with records drawn at random, and prints between which values "
+                "95 % of the medians and dispersions are"},
+        {"seed", 0, "S", OPTION_WHOLE, 0, AT(seed), 1, INT_MAX,
+         .doc = "seed of these draws, a whole number from 1; default: 1"},
         {"hazard", 0, "FILE", OPTION_TEXT, 0, AT(hazard),
          .doc =
              "rows of intensity and mean annual rate of exceedance at the site: prints how often "
@@ -224,6 +284,6 @@ static int ida_command(int argc, char **argv) {
                                                {0}};
     static const struct deck_command c = {&command_ida, parts, .settle = settle,
                                           .use_plan = use_plan};
-    struct options o = {.n_thread = deck_command_threads()};
+    struct options o = {.n_thread = deck_command_threads(), .seed = BOOTSTRAP_SEED};
     return deck_command_run(&c, argc, argv, &o.load);
 }

@@ -46,32 +46,47 @@ static void print_sweeps(struct ida_print *p, long run) {
     }
 }
 
-static const char *outcome_of(const struct capacity *c) {
+static const char *outcome_of(const struct ida_print *p, const struct capacity *c) {
     static const char *const text[] = {[CROSSING_AT] = "found",
                                        [CROSSING_ABOVE] = "never exceeded",
                                        [CROSSING_BELOW] = "always exceeded",
                                        [CROSSING_NO_RUNS] = "failed"};
-    return text[c->crossing];
+    return ida_print_is_short(p->request, c) ? "too few runs" : text[c->crossing];
+}
+
+bool ida_print_is_short(const struct capacity_request *q, const struct capacity *c) {
+    return (c->crossing == CROSSING_AT && !capacity_is_found(q, c)) ||
+           (c->crossing == CROSSING_ABOVE && c->below < q->to);
 }
 
 // The curve of a group.
 struct group_curve {
     struct fragility fit;
-    double rate;  // of exceedance in a year; NAN: there is none
+    struct bootstrap bootstrap;  // n_draw 0: none
+    double rate;                 // of exceedance in a year; NAN: there is none
 };
 
 // Fits the samples of a group.
 static int fit_group(const struct ida_print *p, int group, struct group_curve *out,
                      struct error *e) {
     const int n = roles_count(p->view, p->roles, ROLE_SAMPLE);
-    struct fragility_record *record = malloc((size_t)n * sizeof *record);
+    struct fragility_record *record = malloc(2 * (size_t)n * sizeof *record);
     if (!record) {
         return error_no_memory(e);
     }
     for (int k = 0; k < n; k++) {
-        record[k] = capacity_record(p->request, &p->found->each[run_of(p, group, k)]);
+        record[k] = capacity_record(&p->found->each[run_of(p, group, k)]);
     }
-    const int status = fragility_fit_records(record, n, &out->fit, e);
+    struct bootstrap_records records = {record, n, record + n};
+    const struct bootstrap_request request = {.n_unit = n,
+                                              .n_draw = p->n_bootstrap,
+                                              .seed = p->seed,
+                                              .fit = bootstrap_fit_records,
+                                              .context = &records};
+    int status = fragility_fit_records(record, n, &out->fit, e);
+    if (status == STATUS_OK && p->n_bootstrap > 0) {
+        status = bootstrap_run(&request, &out->bootstrap, e);
+    }
     if (status == STATUS_OK) {
         out->rate = study_print_find_rate(p->hazard, &out->fit, p->request->unit);
     }
@@ -85,15 +100,19 @@ static void print_sample(struct ida_print *p, long run, const struct group_curve
     print_sweeps(p, run);
     printer_number(t, c->below);
     printer_number(t, c->above);
+    printer_number(t, c->crossing_at);
     printer_number(t, c->value);
     printer_whole(t, c->n_point);
-    printer_text(t, outcome_of(c));
+    printer_text(t, outcome_of(p, c));
     printer_text(t, p->request->edp.text);
     printer_number(t, p->request->limit);
     printer_number(t, of->fit.median);
     printer_number(t, of->fit.dispersion);
     if (p->hazard) {
         printer_number(t, of->rate);
+    }
+    if (p->n_bootstrap > 0) {
+        study_print_bootstrap_cells(&of->bootstrap, t);
     }
     printer_line(t);
 }
@@ -119,6 +138,7 @@ static void print_fit(const struct ida_print *p, int group, const struct group_c
         return;
     }
     study_print_curve(f, p->request->unit, &p->view->units);
+    study_print_bootstrap(&of->bootstrap, p->request->unit);
     if (p->hazard) {
         study_print_rate(of->rate);
     }
@@ -133,6 +153,7 @@ static int print_groups(struct ida_print *p, int n_group, struct group_curve *cu
     struct printer_column columns[] = {
         {.head = "below", .key = "below", .unit = unit, .width = 12, .digits = 5},
         {.head = "above", .key = "above", .unit = unit, .width = 12, .digits = 5},
+        {.head = "capacity", .key = "capacity", .unit = unit, .width = 12, .digits = 5},
         {.head = "demand", .key = "demand", .unit = edp_unit, .width = 12, .digits = 5},
         {.head = "runs", .key = "runs", .width = 6},
         {.head = "outcome", .key = "outcome", .width = -16},
@@ -144,6 +165,9 @@ static int print_groups(struct ida_print *p, int n_group, struct group_curve *cu
     PRINTER_ADD(&p->table, columns);
     if (p->hazard) {
         printer_add(&p->table, &(struct printer_column)COLUMN_DATA("annual_rate"), 1);
+    }
+    if (p->n_bootstrap > 0) {
+        study_print_bootstrap_columns(&p->table);
     }
     if (p->table.form == FORM_TEXT) {
         safe_line(stdout, "intensities of %s at which %s first exceeds its limit", im,

@@ -3,6 +3,7 @@
 #define JOSTLE_IDA_PRINT_H
 
 #include "command/printer.h"
+#include "study/bootstrap.h"
 #include "study/capacity.h"
 #include "study/hazard.h"
 #include "study/roles.h"
@@ -14,8 +15,12 @@ struct ida_print {
     const struct study_view *view;
     const struct roles *roles;
     const struct hazard *hazard;  // NULL: none
+    int n_bootstrap, seed;        // n_bootstrap 0: none
     struct printer table;
 };
+
+// Whether the runs were used up before the limit was found as the tolerance asks.
+bool ida_print_is_short(const struct capacity_request *q, const struct capacity *c);
 
 // The intensity found for each sample, and the curve of each group.
 int ida_print_samples(struct ida_print *p, struct error *e);

@@ -20,9 +20,9 @@ const struct command command_law = {
     .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv|--csv|--json] [--compare LAWS]...\n"
              "                  [--history FILE.tsv] [--plot FILE.png|.svg|.pdf] [--script DIR]\n"
              "                  [--fit FILE | --peak FORCE] [--over LIST] [--force]\n"
-             "       jostle law storey LAW ... -stiffness K -amplitude D\n"
+             "       jostle law storey|hinge|link LAW ... -stiffness K -amplitude D\n"
              "                  [--protocol fema461|sac|FILE] and the options above",
-    .summary = "computes one isolated impact under a contact law, or the loops of a storey law",
+    .summary = "computes one isolated impact under a contact law, or the loops of another law",
     .run = law_command,
 };
 
@@ -199,16 +199,15 @@ static int write_loops(void *context, const struct figure_files *to, struct erro
     const struct law_storeys *l = context;
     struct loop_curve curve[LOOP_FIGURE_CURVES];
     struct texts t;
-    snprintf(t.title, sizeof t.title, "Loops of %s",
-             l->n == 1 ? l->storey[0].choice.law->name : "laws");
+    snprintf(t.title, sizeof t.title, "Loops of %s", l->n == 1 ? l->storey[0].law.name : "laws");
     snprintf(t.subtitle, sizeof t.subtitle, "%s %s", l->shear ? "measured:" : "protocol",
              l->protocol);
     if (l->n == 1) {
         law_storey_text(&l->storey[0], t.title, sizeof t.title);
     }
     for (int i = 0; i < l->n; i++) {
-        curve[i] = (struct loop_curve){l->storey[i].choice.law->name, l->storey[i].point,
-                                       l->storey[i].choice.stiffness};
+        curve[i] =
+            (struct loop_curve){l->storey[i].law.name, l->storey[i].point, l->storey[i].stiffness};
     }
     const struct loop_figure figure = {.title = t.title,
                                        .subtitle = t.subtitle,
@@ -355,9 +354,11 @@ static int law_command(int argc, char **argv) {
              "LAW and its options are those of a deck; bare numbers are in SI. `jostle laws` "
              "lists the laws.\n\n  -m1 M, -m2 M    masses of the bodies; without -m2 the other "
              "one is a wall\n  -v V            closing velocity\n\nStorey laws, `jostle law "
-             "storey LAW ...`, and `jostle law hinge LAW ...` of moment and rotation:\n"
+             "storey LAW ...`, `jostle law hinge LAW ...` of moment and rotation, and the laws of "
+             "links, `jostle law link LAW ...`:\n"
              "  -stiffness K    initial stiffness\n  -amplitude D    largest deformation of the "
-             "protocol\n  -find OPTIONS   what --fit finds besides stiffness and required "
+             "protocol\n  -period T       time of a cycle of the protocol, for laws that depend "
+             "on the velocity\n  -find OPTIONS   what --fit finds besides stiffness and required "
              "options\n"},
         {.row = rows},
         {.row = printer_rows, .at = AT(form)},

@@ -5,10 +5,11 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "law/bilateral.h"
 #include "law/protocol.h"
 #include "motion/time_series.h"
 
-enum { STIFFNESS, AMPLITUDE, FIND, N_ROW };
+enum { STIFFNESS, AMPLITUDE, PERIOD, FIND, N_ROW };
 enum { N_SHARED = 1 };  // rows of all laws: STIFFNESS
 
 static const struct row rows[N_ROW] = {
@@ -16,25 +17,29 @@ static const struct row rows[N_ROW] = {
                    "initial stiffness"},
     [AMPLITUDE] = {"amplitude", ROW_NUMBER, 0, OF_LENGTH, &range_positive, NAN,
                    "largest deformation of the protocol"},
+    [PERIOD] = {"period", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
+                "time of a cycle of the protocol"},
     [FIND] = {"find", ROW_TEXTS, 0, OF_NONE, NULL, NAN, "further options that --fit finds"},
 };
 
 const struct law_storey_kind law_storey_kinds[LAW_STOREY_KINDS] = {
-    {"storey", "drift", "shear", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false},
-    {"hinge", "rotation", "moment", OF_NONE, {1, 1, 0}, {1, 1, 0}, "rad", "N*m", true},
+    {"storey", "drift", "shear", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false, false},
+    {"hinge", "rotation", "moment", OF_NONE, {1, 1, 0}, {1, 1, 0}, "rad", "N*m", true, false},
+    {"link", "lengthening", "tension", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false, true},
 };
 
 enum { PARTS = 60, STEPS = 100, SAMPLE_STEPS = 20 };
 
 static bool has_key(const void *law, const char *key) {
-    return storey_choice_row(law, key) >= 0 || strcmp(key, rows[STIFFNESS].key) == 0;
+    return loop_law_row(law, key) >= 0 || strcmp(key, rows[STIFFNESS].key) == 0;
 }
 
 // Which rows a fit finds: the stiffness and required numbers that are not given, and those of
 // -find. False after a report.
-static bool choose_found(struct deck *d, const struct statement *s, const struct storey_law *law,
-                         bool *found, struct law_storey *out) {
+static bool choose_found(struct deck *d, const struct statement *s, bool *found,
+                         struct law_storey *out) {
     int n_find, n;
+    const struct loop_law *law = &out->law;
     const struct word *find = deck_option(s, rows[FIND].key, &n_find);
     if (!deck_option(s, rows[STIFFNESS].key, &n)) {
         out->found[out->n_found++] = STOREY_FIT_STIFFNESS;
@@ -44,7 +49,7 @@ static bool choose_found(struct deck *d, const struct statement *s, const struct
         found[r] = required && !deck_option(s, law->row[r].key, &n);
     }
     for (int i = 0; find && i < n_find; i++) {
-        const int r = storey_choice_row(law, find[i].text);
+        const int r = loop_law_row(law, find[i].text);
         const enum row_kind kind = r >= 0 ? law->row[r].kind : ROW_TEXT;
         if (kind != ROW_NUMBER && kind != ROW_LIST) {
             return deck_error(d, &find[i], "%s has no number -%s that could be found", law->name,
@@ -64,40 +69,79 @@ static bool choose_found(struct deck *d, const struct statement *s, const struct
     return out->n_found > 0;
 }
 
+// Finds the law that the word names. False after a report.
+static bool find_law(struct law_storeys *l, const struct word *name, struct loop_law *out) {
+    struct link_law link;
+    if (l->kind->links) {
+        const bool found = storey_choice_find_link(l->deck, name, &link);
+        if (found) {
+            loop_law_of_link(&link, out);
+        }
+        return found;
+    }
+    const struct storey_law *law = l->kind->turns ? storey_choice_find_rateless(l->deck, name)
+                                                  : storey_choice_find(l->deck, name);
+    if (law) {
+        loop_law_of_storey(law, out);
+    }
+    return law != NULL;
+}
+
+// A law of links that depends on the velocity needs the time of a cycle. False after a report.
+static bool check_rate(struct law_storeys *l, const struct law_words *words, const struct word *w,
+                       const struct loop_law *law) {
+    if (law->rated && law->link.name && words->fit) {
+        return deck_error(l->deck, w, "law %s depends on the velocity, which --fit does not know",
+                          law->name);
+    }
+    if (law->rated && law->link.name && l->period == 0.0) {
+        return deck_error(l->deck, w, "law %s depends on the velocity: give -%s, the %s", law->name,
+                          rows[PERIOD].key, rows[PERIOD].doc);
+    }
+    return true;
+}
+
 // Reads one law; `first` is the statement of the first one, NULL for itself.
 static bool read_law(struct law_storeys *l, const struct law_words *words, struct statement *s,
                      const struct statement *first, struct argument *own) {
     struct deck *d = l->deck;
     struct law_storey *at = &l->storey[l->n];
-    bool found[STOREY_ROWS_MAX];
-    struct row row[N_ROW], turned[STOREY_ROWS_MAX];
-    const struct storey_law *law = storey_choice_find(d, &s->word[0]);
-    if (!law || (first && s->n_word == 1 && !law_words_lend(d, first, has_key, law, s)) ||
-        (words->fit && !choose_found(d, s, law, found, at))) {
+    bool found[LOOP_ROWS_MAX];
+    struct row row[N_ROW], turned[LOOP_ROWS_MAX];
+    if (!find_law(l, &s->word[0], &at->law) ||
+        (first && s->n_word == 1 && !law_words_lend(d, first, has_key, &at->law, s)) ||
+        (words->fit && !choose_found(d, s, found, at))) {
         return false;
     }
-    if (law->respond_at_rate && l->kind->turns) {
-        return deck_error(d, &s->word[0], "law %s depends on the velocity; it is for storeys only",
-                          law->name);
-    }
-    storey_choice_turn(law, turned);
+    const struct loop_law *law = &at->law;
+    storey_choice_turn(law->row, law->n_row, turned);
     memcpy(row, rows, sizeof row);
     row[STIFFNESS].dimension = l->kind->of_stiffness;
     row[AMPLITUDE].dimension = l->kind->of_deformation;
-    if (words->fit || first) {
+    const bool dashpot = law->link.law == &bilateral_law;  // which may act without a spring
+    if (words->fit || first || dashpot) {
         row[STIFFNESS].flags = 0;
     }
     const struct row_set set = {row, first ? N_SHARED : N_ROW, own};
-    if (!storey_choice_read(d, s, law, l->kind->turns ? turned : law->row, &set,
+    if (!storey_choice_read(d, s, l->kind->turns ? turned : law->row, law->n_row, &set,
                             words->fit ? found : NULL, &at->choice)) {
         return false;
     }
+    if (words->fit && !first && own[PERIOD].given) {
+        return deck_error(d, &own[PERIOD].key, "--fit knows no times; leave out -period");
+    }
+    l->period = !first && own[PERIOD].n > 0 ? own[PERIOD].number[0] : l->period;
     const struct argument *stiffness = &own[STIFFNESS];
-    at->choice.stiffness = stiffness->n > 0       ? stiffness->number[0]
-                           : first && !words->fit ? l->storey[0].choice.stiffness
-                                                  : NAN;
+    const bool lent = first && !words->fit && !dashpot;
+    at->stiffness = stiffness->n > 0 ? stiffness->number[0] : lent ? l->storey[0].stiffness : NAN;
     l->n++;
-    return words->fit || storey_choice_prepare(d, &at->choice);
+    struct error e;
+    if (!check_rate(l, words, at->choice.word, law)) {
+        return false;
+    }
+    return words->fit ||
+           loop_law_prepare(law, at->choice.value, at->stiffness, at->constant, &e) == STATUS_OK ||
+           deck_error(d, at->choice.word, "%s", e.message);
 }
 
 // The targets of the protocol called `name`, or those of the file.
@@ -153,9 +197,9 @@ static int read_loop(struct law_storeys *l, const char *path, struct error *e) {
 }
 
 static int fit(struct law_storeys *l, struct law_storey *s, struct error *e) {
-    const struct storey_fit_request q = {.law = s->choice.law,
+    const struct storey_fit_request q = {.law = &s->law,
                                          .value = s->choice.value,
-                                         .stiffness = s->choice.stiffness,
+                                         .stiffness = s->stiffness,
                                          .row = s->found,
                                          .n_row = s->n_found,
                                          .n = l->n_sample,
@@ -164,16 +208,17 @@ static int fit(struct law_storeys *l, struct law_storey *s, struct error *e) {
     const int status = storey_fit_run(&q, &s->fit, e);
     if (status == STATUS_OK) {
         memcpy(s->choice.value, s->fit.value, sizeof s->choice.value);
-        s->choice.stiffness = s->fit.stiffness;
-        return s->choice.law->prepare(s->choice.value, s->choice.stiffness, s->choice.constant, e);
+        s->stiffness = s->fit.stiffness;
+        return loop_law_prepare(&s->law, s->choice.value, s->stiffness, s->constant, e);
     }
     return status;
 }
 
 static int run(struct law_storeys *l, struct law_storey *s, struct error *e) {
-    const struct storey_path path = {.law = s->choice.law,
-                                     .constant = s->choice.constant,
-                                     .stiffness = s->choice.stiffness,
+    const struct storey_path path = {.law = &s->law,
+                                     .constant = s->constant,
+                                     .stiffness = s->stiffness,
+                                     .period = l->period,
                                      .target = l->target,
                                      .n_target = l->n_target,
                                      .n_part = l->n_part,

@@ -10,16 +10,17 @@
 #include "law/storey_loop.h"
 #include "model/storey_choice.h"
 
-// Laws of storeys, or those of hinges, which are the same of other quantities.
+// Laws of storeys, those of hinges, which are the same of other quantities, or those of links.
 struct law_storey_kind {
     const char *name;                 // behind `jostle law`
     const char *deformation, *force;  // what its quantities are called
     struct dimension of_deformation, of_force, of_stiffness;
     const char *unit, *force_unit;  // in SI
     bool turns;                     // rotations and moments
+    bool links;                     // laws of links
 };
 extern const struct law_storey_kind law_storey_kinds[];
-enum { LAW_STOREY_KINDS = 2 };
+enum { LAW_STOREY_KINDS = 3 };
 
 struct law_storey_words {
     struct law_words laws;
@@ -29,10 +30,13 @@ struct law_storey_words {
 
 // One law and its path. Values in SI.
 struct law_storey {
+    struct loop_law law;
     struct storey_choice choice;
+    double stiffness;  // initial; NAN: none
+    double constant[LOOP_CONSTANTS_MAX];
     struct storey_point *point;  // (n_point)
     // Where a loop was measured:
-    int found[STOREY_ROWS_MAX + 1];  // (n_found) rows, or STOREY_FIT_STIFFNESS
+    int found[LOOP_ROWS_MAX + 1];  // (n_found) rows, or STOREY_FIT_STIFFNESS
     int n_found;
     struct storey_fit_result fit;
 };
@@ -43,6 +47,7 @@ struct law_storeys {
     struct law_storey *storey;
     int n;
     const char *protocol;
+    double period;         // [T] of a cycle; 0: slowly
     const double *target;  // (n_target) deformations
     size_t n_target;
     int n_part;      // points from one target to the next

@@ -7,7 +7,7 @@
 enum { TEXT_SIZE = 512, NAMES_IN_A_ROW = 4 };
 
 void law_storey_text(const struct law_storey *s, char *text, size_t size) {
-    const struct storey_law *law = s->choice.law;
+    const struct loop_law *law = &s->law;
     size_t used = (size_t)snprintf(text, size, "%s", law->name);
     for (int r = 0; r < law->n_row && used < size; r++) {
         const struct row *row = &law->row[r];
@@ -27,17 +27,17 @@ void law_storey_text(const struct law_storey *s, char *text, size_t size) {
                                  : snprintf(text + used, size - used, " %.6g", value));
         }
     }
-    if (used < size) {
-        snprintf(text + used, size - used, " -stiffness %.6g", s->choice.stiffness);
+    if (used < size && !isnan(s->stiffness)) {
+        snprintf(text + used, size - used, " -stiffness %.6g", s->stiffness);
     }
 }
 
 static const char *found_key(const struct law_storey *s, int i) {
-    return s->found[i] == STOREY_FIT_STIFFNESS ? "stiffness" : s->choice.law->row[s->found[i]].key;
+    return s->found[i] == STOREY_FIT_STIFFNESS ? "stiffness" : s->law.row[s->found[i]].key;
 }
 
 static double found_value(const struct law_storey *s, int i) {
-    return s->found[i] == STOREY_FIT_STIFFNESS ? s->choice.stiffness : s->choice.value[s->found[i]];
+    return s->found[i] == STOREY_FIT_STIFFNESS ? s->stiffness : s->choice.value[s->found[i]];
 }
 
 // The error of measured loops that are good. A loop without errors does not tell which parameters
@@ -62,9 +62,8 @@ void law_storey_warn(const struct law_storeys *l, FILE *to) {
                 fprintf(to,
                         "jostle: warning: -%s of %s is undetermined: with errors of %.2g %% in the "
                         "loop its standard error of %.3g exceeds its value of %.3g\n",
-                        found_key(s, i), s->choice.law->name,
-                        100.0 * fmax(s->fit.normalised_error, GOOD), likely_error(s, i),
-                        found_value(s, i));
+                        found_key(s, i), s->law.name, 100.0 * fmax(s->fit.normalised_error, GOOD),
+                        likely_error(s, i), found_value(s, i));
             }
         }
     }
@@ -92,7 +91,7 @@ static int print_summary(const struct law_storeys *l, int first, int last, FILE 
     printer_add(&t, &(struct printer_column)COLUMN_TEXT("", -21), 1);
     printer_add(&t, &(struct printer_column)COLUMN_TEXT("", 4), 1);
     for (int i = first; i < last; i++) {
-        const char *name = l->storey[i].choice.law->name;
+        const char *name = l->storey[i].law.name;
         printer_add(&t, &(struct printer_column)COLUMN_G(name, 17, 6), 1);
     }
     printer_head(&t);
@@ -158,7 +157,7 @@ static void print_turns(const struct law_storeys *l, const struct law_storey *s,
                         struct printer *t) {
     for (size_t i = 0; i <= l->n_target; i++) {
         if (t->form != FORM_TEXT) {
-            printer_text(t, s->choice.law->name);
+            printer_text(t, s->law.name);
         }
         printer_whole(t, (long)i);
         print_point(&s->point[i * (size_t)l->n_part], t);
@@ -174,7 +173,7 @@ static int print_fit_data(const struct law_storeys *l, struct printer *t) {
         const struct law_storey *s = &l->storey[k];
         for (int i = 0; i <= s->n_found; i++) {
             const bool last = i == s->n_found;
-            printer_text(t, s->choice.law->name);
+            printer_text(t, s->law.name);
             printer_text(t, last ? "normalised_error" : found_key(s, i));
             printer_number(t, last ? s->fit.normalised_error : found_value(s, i));
             printer_number(t, last ? NAN : s->fit.error[i]);
@@ -215,7 +214,7 @@ static int print_text(const struct law_storeys *l, FILE *to) {
     }
     for (int i = 0; i < l->n && status == EXIT_DONE && !l->shear; i++) {
         struct printer t = {.to = to, .units = &si, .at_head = UNITS_BELOW_BARE};
-        fprintf(to, "\n%s\n", l->storey[i].choice.law->name);
+        fprintf(to, "\n%s\n", l->storey[i].law.name);
         add_turn_columns(l->kind, 0, &t);
         printer_head(&t);
         print_turns(l, &l->storey[i], &t);

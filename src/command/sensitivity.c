@@ -16,34 +16,41 @@ static int sensitivity_command(int argc, char **argv);
 
 const struct command command_sensitivity = {
     .name = "sensitivity",
-    .usage = "DECK --edp EDP [--variance] [--share Q] [-D NAME=VALUE]... [-j THREADS]\n"
-             "                          [--tsv|--csv|--json]",
+    .usage = "DECK --edp EDP [--share Q] [--morris R [--levels P]|--variance [--samples N]]\n"
+             "                          [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]",
     .summary = "ranks the random parameters of a deck by what they do to a demand",
     .run = sensitivity_command,
 };
 
 static const char explanation[] =
-    "\nThe parameters are the random sweeps of the deck. Each combination of the other sweeps has "
-    "lines of its\nown. By default one parameter at a time changes, in two runs, and the others "
-    "stay at their medians.\nParameters that act together need --variance. It makes (d + 2) n / 2 "
-    "runs for d parameters of n values\n(-n of the sweeps). first is the share of the variance "
-    "that "
-    "is due to the parameter alone; total also\ncontains what it does together with others "
-    "(Saltelli et al. 2010). low and high are the ends of an interval\nof 95 % confidence, by "
-    "bootstrap. effect is the mean absolute change of the demand from the smallest to\nthe largest "
-    "value of the parameter, and scatter its standard deviation (Campolongo et al. 2011). The\n"
-    "command writes no file. Exit status 1: runs have failed or have no finite demand.\n";
+    "\nThe parameters are the random sweeps of the deck, which must not be correlated. Each "
+    "combination of the\nother sweeps has lines of its own. By default one parameter at a time "
+    "changes, in two runs, and the\nothers stay at their medians. The command writes no file. Exit "
+    "status 1: runs have failed or have no\nfinite demand.\n"
+    "\n--morris finds the parameters that matter at all, in R (d + 1) runs for d parameters "
+    "(Morris "
+    "1991). An\nelementary effect is the change of the demand over that of the probability. mu* is "
+    "the mean of the\nabsolute effects, mu their mean and sigma their standard deviation "
+    "(Campolongo "
+    "et al. 2007). A large\nsigma: the parameter acts together with others, or not linearly.\n"
+    "\n--variance makes (d + 2) N runs. first is the share of the variance that is due to the "
+    "parameter alone;\ntotal also contains what it does together with others (Saltelli et al. "
+    "2010). effect and scatter are\nmu* and sigma of the same runs (Campolongo et al. 2011).\n"
+    "\nlow and high are the ends of an interval of 95 % confidence, by bootstrap.\n";
 
 struct options {
     struct load_request load;
     int n_thread;
     enum printer_form form;
     int variance;
+    int n_trajectory, n_level, n_sample;
     const char *edp, *share;
 };
 #define AT(member) offsetof(struct options, member)
 
-static const double SHARE = 0.1;  // the default
+// Defaults: the share one at a time, and the levels of Morris, between the middles of equal strata.
+static const double SHARE = 0.1;
+enum { LEVELS = 4 };
 
 // What is printed.
 struct page {
@@ -61,6 +68,14 @@ static void add_columns(struct page *p) {
         {.head = "at low", .key = "at_low", .unit = of, .width = 14, .digits = 5},
         {.head = "at high", .key = "at_high", .unit = of, .width = 14, .digits = 5},
         {.head = "at medians", .key = "at_medians", .unit = of, .width = 14, .digits = 5},
+        COLUMN_DATA("edp")};
+    const struct printer_column effect[] = {
+        {.head = "mu*", .key = "mu_star", .unit = of, .width = 13, .digits = 5},
+        {.head = "low", .key = "mu_star_low", .unit = of, .width = 13, .digits = 5},
+        {.head = "high", .key = "mu_star_high", .unit = of, .width = 13, .digits = 5},
+        {.head = "mu", .key = "mu", .unit = of, .width = 13, .digits = 5},
+        {.head = "sigma", .key = "sigma", .unit = of, .width = 13, .digits = 5},
+        COLUMN_DATA("left_out"),
         COLUMN_DATA("edp")};
     const struct printer_column share[] = {
         {.head = "first", .key = "first", .width = 9, .digits = 3, .look = LOOK_F},
@@ -89,6 +104,8 @@ static void add_columns(struct page *p) {
         &(struct printer_column){.head = "unit", .key = "unit", .width = -9, .look = LOOK_TAIL}, 1);
     if (p->request->method == SENSITIVITY_VARIANCE) {
         PRINTER_ADD(&p->table, share);
+    } else if (p->request->method == SENSITIVITY_MORRIS) {
+        PRINTER_ADD(&p->table, effect);
     } else {
         PRINTER_ADD(&p->table, swing);
     }
@@ -124,7 +141,12 @@ static void print_parameter(struct page *p, long group, int i) {
         printer_number(t, g->share[i].scatter);
         printer_number(t, g->summary.mean);
         printer_number(t, g->summary.deviation);
-        printer_whole(t, (long)g->summary.n_left_out);
+        printer_whole(t, (long)g->n_left_out);
+    } else if (p->request->method == SENSITIVITY_MORRIS) {
+        print_index(t, &g->effect[i].mu_star);
+        printer_number(t, g->effect[i].mu);
+        printer_number(t, g->effect[i].sigma);
+        printer_whole(t, (long)g->n_left_out);
     } else {
         printer_numbers(t, g->swing[i].at, 2);
         printer_numbers(t, g->swing[i].demand, 2);
@@ -138,6 +160,11 @@ static int print_all(struct page *p) {
     const struct sensitivity *s = p->found;
     if (p->table.form == FORM_TEXT && p->request->method == SENSITIVITY_VARIANCE) {
         safe_line(stdout, "shares of the variance of %s; %ld runs", p->request->edp.text, s->n_run);
+    } else if (p->table.form == FORM_TEXT && p->request->method == SENSITIVITY_MORRIS) {
+        safe_line(stdout,
+                  "elementary effects on %s between the %g %% and %g %% quantiles; %ld runs",
+                  p->request->edp.text, 100.0 * p->request->share,
+                  100.0 * (1.0 - p->request->share), s->n_run);
     } else if (p->table.form == FORM_TEXT) {
         safe_line(stdout, "%s with one parameter at a time at its %g %% and %g %% quantiles",
                   p->request->edp.text, 100.0 * p->request->share,
@@ -155,23 +182,13 @@ static int print_all(struct page *p) {
 
 // EXIT_DONE, or 1 after a message where runs have no number.
 static int judge(const struct page *p) {
+    const struct sensitivity *s = p->found;
     struct error e;
-    long n_bad = 0;
-    for (long g = 0; g < p->found->n_group; g++) {
-        const struct sensitivity_group *group = &p->found->group[g];
-        n_bad += (long)group->summary.n_left_out;
-        n_bad += p->request->method == SENSITIVITY_ONE_AT_A_TIME && !isfinite(group->middle);
-        for (int i = 0; i < p->found->n_parameter; i++) {
-            n_bad += p->request->method == SENSITIVITY_ONE_AT_A_TIME &&
-                     !(isfinite(group->swing[i].demand[0]) && isfinite(group->swing[i].demand[1]));
-        }
-    }
-    if (n_bad == 0) {
+    if (s->n_failed + s->n_collapsed == 0) {
         return EXIT_DONE;
     }
-    error_set(&e, STATUS_FAILED, "%ld %s%s without a finite demand: runs failed or collapsed",
-              n_bad, p->request->method == SENSITIVITY_VARIANCE ? "row" : "line",
-              n_bad == 1 ? "" : "s");
+    error_set(&e, STATUS_FAILED, "%ld of %ld runs failed, %ld collapsed; the first: %s",
+              s->n_failed, s->n_run, s->n_collapsed, s->why);
     return command_fail(&e);
 }
 
@@ -202,10 +219,14 @@ static int search(const struct options *o, struct sensitivity_request *q, struct
 static int use_plan(void *options, const struct plan *plan) {
     const struct options *o = options;
     const struct study_view view = plan_view(plan);
+    const int n_level = o->n_level > 0 ? o->n_level : LEVELS;
     struct sensitivity_request q = {.plan = plan,
-                                    .method = o->variance ? SENSITIVITY_VARIANCE
-                                                          : SENSITIVITY_ONE_AT_A_TIME,
-                                    .share = SHARE,
+                                    .method = o->variance       ? SENSITIVITY_VARIANCE
+                                              : o->n_trajectory ? SENSITIVITY_MORRIS
+                                                                : SENSITIVITY_ONE_AT_A_TIME,
+                                    .share = o->n_trajectory ? 0.5 / n_level : SHARE,
+                                    .n_row = o->variance ? o->n_sample : o->n_trajectory,
+                                    .n_level = n_level,
                                     .n_thread = o->n_thread};
     struct error e;
     if (deck_command_check_study(plan->first, &e) != STATUS_OK) {
@@ -214,9 +235,9 @@ static int use_plan(void *options, const struct plan *plan) {
     if (o->share) {
         const char *end =
             quantity_word(o->share, &view.units, &dimension_none, BARE_ALLOWED, &q.share);
-        if (!end || *end || !(q.share > 0.0 && q.share < 0.5)) {
+        if (!end || *end || !(q.share >= 0.0 && q.share < 0.5)) {
             return command_usage(&command_sensitivity,
-                                 "--share takes a number between 0 and 0.5, not '%s'", o->share);
+                                 "--share takes a number >= 0 and < 0.5, not '%s'", o->share);
         }
     }
     return edp_parse(&view, o->edp, plan->table->arena, &q.edp, &e) == STATUS_OK
@@ -226,10 +247,14 @@ static int use_plan(void *options, const struct plan *plan) {
 
 static int settle(void *options) {
     const struct options *o = options;
-    return !o->edp ? command_usage(&command_sensitivity, "give --edp EDP")
-           : o->share && o->variance
-               ? command_usage(&command_sensitivity, "--share is for one parameter at a time")
-               : EXIT_DONE;
+    const char *fault = !o->edp                          ? "give --edp EDP"
+                        : o->variance && o->n_trajectory ? "give one of --morris and --variance"
+                        : o->share && o->variance        ? "--share is not for --variance"
+                        : o->n_sample && !o->variance    ? "--samples is for --variance"
+                        : o->n_level && !o->n_trajectory ? "--levels is for --morris"
+                        : o->n_level % 2 == 1            ? "--levels takes an even number"
+                                                         : NULL;
+    return fault ? command_usage(&command_sensitivity, "%s", fault) : EXIT_DONE;
 }
 
 static int sensitivity_command(int argc, char **argv) {
@@ -240,8 +265,15 @@ static int sensitivity_command(int argc, char **argv) {
          .doc = "the demand, such as drift:A; jostle fragility --help lists them"},
         {"variance", .kind = OPTION_SET, .at = AT(variance), .set = 1,
          .doc = "shares of the variance, in place of one parameter at a time"},
+        {"samples", 0, "N", OPTION_WHOLE, 0, AT(n_sample), 2, STUDY_RUNS_MAX,
+         .doc = "points of each of its two samples; default: half the values (-n) of the sweeps"},
+        {"morris", 0, "R", OPTION_WHOLE, 0, AT(n_trajectory), 2, STUDY_RUNS_MAX,
+         .doc = "elementary effects of Morris, in R trajectories; 10 to 50 are usual"},
+        {"levels", 0, "P", OPTION_WHOLE, 0, AT(n_level), 2, 256,
+         .doc = "of each parameter in --morris, an even number; default: 4"},
         {"share", 0, "Q", OPTION_TEXT, 0, AT(share),
-         .doc = "one at a time: the quantiles Q and 1 - Q of each parameter; default: 10%"},
+         .doc = "parameters stay between their quantiles Q and 1 - Q; default: 10%, of --morris "
+                "1/(2 P)"},
         {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
          .doc = "a line for each parameter, separated by tabs"},
         {0}};

@@ -4,13 +4,15 @@
 #include "command/show.h"
 #include "command/crash.h"
 #include "command/option.h"
+#include "command/study_deck.h"
 #include "jostle/study_file.h"
 
 static int show_command(int argc, char **argv);
 
 const struct command command_show = {
     .name = "show",
-    .usage = "FILE.h5 [--tsv|--csv|--json] [--long|--wide] [--edp EDP]",
+    .usage = "FILE.h5 [--tsv|--csv|--json] [--long|--wide] [--edp EDP] [--im MEASURE]\n"
+             "                   [--deck DECK]",
     .summary = "prints the results as tables",
     .run = show_command,
 };
@@ -19,7 +21,8 @@ const struct command command_show = {
 struct request {
     enum printer_form form;  // FORM_TEXT: the summary
     bool longer, wide;
-    struct words edp;
+    struct words edp, im;
+    const char *deck;
 };
 #define AT(member) offsetof(struct request, member)
 
@@ -31,12 +34,13 @@ static int show_of_study(const char *path, const struct request *q) {
                                                          q->form == FORM_TEXT ? FORM_TSV : q->form,
                                                      .edp = q->edp.word,
                                                      .n_edp = q->edp.n,
-                                                     .wide = q->wide};
-        status = show_demands(path, &demands, stdout, &e);
-    } else {
-        status =
-            q->form ? show_study(path, q->form, stdout, &e) : show_study_summary(path, stdout, &e);
+                                                     .wide = q->wide,
+                                                     .im = q->im.word,
+                                                     .n_im = q->im.n,
+                                                     .deck = q->deck};
+        return show_demands(path, &demands, stdout);
     }
+    status = q->form ? show_study(path, q->form, stdout, &e) : show_study_summary(path, stdout, &e);
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
@@ -71,8 +75,9 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (q->longer && q->wide) {
         return command_usage(&command_show, "give --long or --wide, not both");
     }
-    if (q->edp.n > 0 && !q->longer && !q->wide) {
-        return command_usage(&command_show, "--edp is for --long and --wide");
+    if ((q->edp.n > 0 || q->im.n > 0) && !q->longer && !q->wide) {
+        return command_usage(&command_show, "--%s is for --long and --wide",
+                             q->edp.n > 0 ? "edp" : "im");
     }
     crash_reading(NULL, path);
     return study_file_is_study(path) ? show_of_study(path, q) : show_of_run(path, q);
@@ -100,11 +105,16 @@ static int show_command(int argc, char **argv) {
         {"edp", 0, "EDP", OPTION_WORDS, 0, AT(edp),
          .doc = "with --long one line per run for this demand, with --wide one column; may be "
                 "repeated. 'jostle fragility --help' lists the demands"},
+        {"im", 0, "MEASURE", OPTION_WORDS, 0, AT(im),
+         .doc = "with --long and --wide, a column for this intensity of the ground motion of each "
+                "run, such as PGV or Sa(1s); may be repeated"},
+        STUDY_DECK_ROW(AT(deck)),
         {0}};
     static const struct option_part parts[] = {
         {.text = "FILE.h5#7 is run 7 of a study with 'output -histories'.\n\n"},
         {.row = rows},
         {.row = option_help},
+        {.text = measure_help},
         {0}};
     static const struct option_list list = {&command_show, parts, .operand = "result file",
                                             .use = use};

@@ -24,10 +24,13 @@ struct show_demands_request {
     const char *const *edp;  // (n_edp) what is asked for; none: all, at all places
     int n_edp;
     bool wide;  // a line for each run, a column for each demand; else a line for each demand
+    const char *const *im;  // (n_im) intensities of the ground motions
+    int n_im;
+    const char *deck;  // of the study, for these; NULL: that which the file names
 };
 
-// Writes a table of the demand parameters. Errors as of show_study and edp_parse.
-int show_demands(const char *path, const struct show_demands_request *q, FILE *to, struct error *e);
+// Writes a table of the demand parameters. Returns EXIT_DONE or, after a message, the exit status.
+int show_demands(const char *path, const struct show_demands_request *q, FILE *to);
 
 // Columns of the sweeps, and their cells in run `number`.
 void show_add_sweeps(struct printer *t, const struct study_view *v);

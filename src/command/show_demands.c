@@ -2,11 +2,14 @@
 // The demand parameters of a study: all that the file has at all their places, or those asked for.
 // In long form they have a line each: a column for each swept parameter, edp, location, value,
 // unit, status, hit. In wide form a run has a line: its number, the swept parameters, its status,
-// and a column for each demand. The value of a failed run is empty.
+// and a column for each demand. The value of a failed run is empty. Intensities of the ground
+// motions stand behind the swept parameters.
 #include "command/show.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "command/study_deck.h"
 #include "command/study_print.h"
 #include "core/arena.h"
 #include "study/edp.h"
@@ -19,12 +22,29 @@ struct show {
     bool wide;
     const struct edp *edp;  // (n_edp)
     int n_edp;
+    const struct measure *measure;  // (n_measure) of the ground motions
+    int n_measure;
+    const double *intensity;  // (n_run of the file, n_measure)
+    long row;                 // of the file: the next run
 };
+
+// The sweeps of the next run of the file and its intensities, as coordinates.
+static void print_coordinates(struct show *p, long row, const struct study_run *r) {
+    show_sweeps(&p->table, p->view, r->number);
+    for (int i = 0; i < p->n_measure; i++) {
+        const double x = p->intensity[row * p->n_measure + i];
+        if (isnan(x)) {
+            printer_empty(&p->table);
+        } else {
+            printer_number(&p->table, x);
+        }
+    }
+}
 
 static void print_line(struct show *p, const struct study_run *r, const struct edp *edp, int at,
                        const char *location, double value) {
     const bool done = r->outcome->status == STUDY_DONE;
-    show_sweeps(&p->table, p->view, r->number);
+    print_coordinates(p, p->row, r);
     printer_text(&p->table, p->form == DEMAND_REDUCED ? edp->text : edp->quantity->name);
     printer_text(&p->table, location);
     if (done) {
@@ -62,7 +82,7 @@ static int take_wide(void *context, const struct study_run *r, struct error *e) 
     struct show *p = context;
     (void)e;
     printer_whole(&p->table, r->number + 1);
-    show_sweeps(&p->table, p->view, r->number);
+    print_coordinates(p, p->row++, r);
     printer_text(&p->table, study_print_status(r->outcome));
     for (int k = 0; k < p->n_edp && r->outcome->status == STUDY_DONE; k++) {
         const struct edp *edp = &p->edp[k];
@@ -95,6 +115,7 @@ static int take(void *context, const struct study_run *r, struct error *e) {
                             (edp->quantity->reduction != EDP_SUM || edp->n_term == 1);
         print_line(p, r, edp, at, placed ? edp->term[at].location : "", value);
     }
+    p->row++;
     return STATUS_OK;
 }
 
@@ -123,6 +144,13 @@ static int add_head(struct show *p, struct arena *a, struct error *e) {
         PRINTER_ADD(&p->table, run);
     }
     show_add_sweeps(&p->table, p->view);
+    for (int i = 0; i < p->n_measure; i++) {
+        const struct measure *m = &p->measure[i];
+        printer_add(&p->table,
+                    &(struct printer_column){.key = m->text,
+                                             .unit = strcmp(m->units, "1") != 0 ? m->units : NULL},
+                    1);
+    }
     if (p->wide) {
         PRINTER_ADD(&p->table, outcome);
     } else {
@@ -135,8 +163,40 @@ static int add_head(struct show *p, struct arena *a, struct error *e) {
     return status;
 }
 
-static int show(struct study_file *f, const struct show_demands_request *q, FILE *to,
-                struct error *e) {
+// The intensities that are asked for. EXIT_DONE or, after a message, the exit status.
+static int find_intensities(struct show *p, struct study_file *f,
+                            const struct show_demands_request *q, struct arena *a) {
+    const size_t n = (size_t)q->n_im;
+    struct measure *measure = arena_alloc(a, n, sizeof *measure);
+    double *value = arena_alloc(a, n * (size_t)p->view->n_run, sizeof *value);
+    struct error e;
+    int status = measure && value ? STATUS_OK : error_no_memory(&e);
+    for (int i = 0; i < q->n_im && status == STATUS_OK; i++) {
+        status = measure_parse(&p->view->units, q->im[i], a, &measure[i], &e);
+    }
+    p->measure = measure;
+    p->n_measure = q->n_im;
+    p->intensity = value;
+    return status == STATUS_OK ? study_deck_measure(f, q->deck, measure, q->n_im, value)
+                               : command_fail(&e);
+}
+
+static int print_all(struct show *p, struct study_file *f, const struct show_demands_request *q,
+                     struct arena *a, struct edp *edp) {
+    struct error e;
+    int status = read_demands(p->view, q, a, edp, &p->n_edp, &e);
+    if (status == STATUS_OK) {
+        status = add_head(p, a, &e);
+    }
+    if (status == STATUS_OK) {
+        printer_head(&p->table);
+        status = study_file_each(f, p->wide ? take_wide : take, p, &e);
+    }
+    status = printer_end(&p->table, status, &e);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
+
+static int show(struct study_file *f, const struct show_demands_request *q, FILE *to) {
     struct arena *a = arena_create();
     struct edp *edp =
         a ? arena_alloc(a, (size_t)q->n_edp + (size_t)n_edp_quantity, sizeof *edp) : NULL;
@@ -145,26 +205,22 @@ static int show(struct study_file *f, const struct show_demands_request *q, FILE
                      .form = q->n_edp > 0 ? DEMAND_REDUCED : DEMAND_EVERYWHERE,
                      .wide = q->wide,
                      .edp = edp};
-    int status = edp ? read_demands(p.view, q, a, edp, &p.n_edp, e) : error_no_memory(e);
-    if (status == STATUS_OK) {
-        status = add_head(&p, a, e);
+    int status = edp ? EXIT_DONE : command_no_memory();
+    if (status == EXIT_DONE && q->n_im > 0) {
+        status = find_intensities(&p, f, q, a);
     }
-    if (status == STATUS_OK) {
-        printer_head(&p.table);
-        status = study_file_each(f, p.wide ? take_wide : take, &p, e);
-    }
-    status = printer_end(&p.table, status, e);
+    status = status == EXIT_DONE ? print_all(&p, f, q, a, edp) : status;
     arena_free(a);
     return status;
 }
 
-int show_demands(const char *path, const struct show_demands_request *q, FILE *to,
-                 struct error *e) {
+int show_demands(const char *path, const struct show_demands_request *q, FILE *to) {
     struct study_file *f;
-    int status = study_file_open(path, &f, e);
-    if (status == STATUS_OK) {
-        status = show(f, q, to, e);
-        study_file_close(f);
+    struct error e;
+    if (study_file_open(path, &f, &e) != STATUS_OK) {
+        return command_fail(&e);
     }
+    const int status = show(f, q, to);
+    study_file_close(f);
     return status;
 }

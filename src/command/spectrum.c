@@ -16,7 +16,8 @@ const struct command command_spectrum = {
     .name = "spectrum",
     .usage =
         "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST]\n"
-        "           [--scale S|--pga A|--target FILE [--match FROM:TO:N|LIST] [--deck]]\n"
+        "           [--scale S|--pga A|--target SPECTRUM [--match FROM:TO:N|LIST] [--pairs]\n"
+        "           [--select N [--factors LOW:HIGH] [--improve]] [--deck]]\n"
         "           [--format F] [--channel N] [--unit U] [--dt DT] [--demean]\n"
         "           [--intensities] [--tsv|--csv|--json] [-o FILE.png|.svg|.pdf] [--script DIR] "
         "[--force]\n"
@@ -104,18 +105,13 @@ int spectrum_compute(struct spectra *s, const struct signal *ground, struct aren
     return status;
 }
 
-static int compute(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
+static int compute(struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                    struct error *e) {
     const size_t n = (size_t)q->n_record;
     set->name = arena_alloc(a, n, sizeof *set->name);
     set->scale = arena_alloc(a, n, sizeof *set->scale);
     set->ground = arena_alloc(a, n, sizeof *set->ground);
     set->intensity = arena_alloc(a, n, sizeof *set->intensity);
-    set->spectra = (struct spectra){.n_record = q->n_record,
-                                    .n_damping = q->n_damping,
-                                    .n_period = q->periods.n,
-                                    .damping = q->damping,
-                                    .period = q->periods.value};
     int status =
         set->name && set->scale && set->ground && set->intensity ? STATUS_OK : error_no_memory(e);
     if (status == STATUS_OK) {
@@ -130,6 +126,11 @@ static int compute(const struct spectrum_request *q, struct arena *a, struct spe
     for (int r = 0; status == STATUS_OK && r < q->n_record; r++) {
         set->intensity[r] = intensity_of(&set->ground[r], q->record.gravity);
     }
+    set->spectra = (struct spectra){.n_record = q->n_record,
+                                    .n_damping = q->n_damping,
+                                    .n_period = q->periods.n,
+                                    .damping = q->damping,
+                                    .period = q->periods.value};
     return status == STATUS_OK && q->content == CONTENT_ALL
                ? spectrum_compute(&set->spectra, set->ground, a, e)
                : status;

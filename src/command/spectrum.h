@@ -37,8 +37,12 @@ struct spectrum_request {
     struct record_request record;  // without its path
     double scale;                  // factor of every record
     double pga;                    // [m/s^2] each is scaled to; 0: `scale` holds
-    const char *target;            // the file of a spectrum each is scaled to; NULL: none
+    const char *target;            // a file or a code whose spectrum each is scaled to; NULL: none
     struct periods match;          // those at which it is compared
+    int n_component;               // 2: successive records are pairs with one factor; else 1
+    int n_select;                  // records or pairs to choose; 0: all
+    double least, most;            // limits of the factors of those chosen
+    bool improve;                  // exchange chosen ones for the sake of the mean
     const double *damping;
     int n_damping;
     struct periods periods;
@@ -51,6 +55,7 @@ struct spectrum_request {
 
 // All in SI units.
 struct spectrum_set {
+    int n_read;                   // records before any were chosen for the target
     const char **name;            // (n_record) to show
     double *scale;                // (n_record)
     struct signal *ground;        // (n_record) [m/s^2]
@@ -75,8 +80,11 @@ int spectrum_check_deck(const struct spectrum_request *q);
 // or the exit status.
 int spectrum_read_target(struct spectrum_request *q, struct arena *a, struct spectrum_set *set);
 
-// Scales the grounds to the target.
-int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
+// Prints the part of the help about the spectra of codes.
+void spectrum_print_codes(void);
+
+// Scales the grounds to the target. The records that are not chosen leave the request and the set.
+int spectrum_match(struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                    struct error *e);
 
 // spectra_compute, with its progress on the terminal.

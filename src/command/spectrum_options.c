@@ -8,6 +8,7 @@
 #include "command/quantity_word.h"
 #include "command/spectrum.h"
 #include "core/arena.h"
+#include "core/text.h"
 
 enum { DAMPING_MAX = 7 };
 
@@ -87,6 +88,18 @@ static int read_pga(void *request, struct arena *a, const char *text) {
                      text);
 }
 
+static int read_factors(void *request, struct arena *a, const char *text) {
+    (void)a;
+    struct spectrum_request *q = request;
+    const char *end;
+    return text_number(text, &end, &q->least) == TEXT_NUMBER_OK && *end == ':' &&
+                   text_number(end + 1, &end, &q->most) == TEXT_NUMBER_OK && *end == '\0' &&
+                   q->least > 0.0 && q->least < q->most
+               ? EXIT_DONE
+               : command_usage(self, "--factors takes two factors > 0 such as 0.5:2, not '%s'",
+                               text);
+}
+
 static int read_dt(void *request, struct arena *a, const char *text) {
     (void)a;
     double *dt = &((struct spectrum_request *)request)->record.dt;
@@ -101,6 +114,15 @@ static int check_target(const struct spectrum_request *q) {
     }
     if (q->target && q->n_damping > 1) {
         return command_usage(self, "--target takes one damping ratio, that of the target");
+    }
+    if (!q->target && (q->n_select > 0 || q->n_component > 1)) {
+        return command_usage(self, "%s needs --target", q->n_select > 0 ? "--select" : "--pairs");
+    }
+    if (q->n_select == 0 && (q->improve || q->least > 0.0)) {
+        return command_usage(self, "%s needs --select", q->improve ? "--improve" : "--factors");
+    }
+    if (q->n_component > 1 && q->n_record % 2 == 1) {
+        return command_usage(self, "--pairs takes an even number of records, not %d", q->n_record);
     }
     return q->form == SPECTRUM_DECK ? spectrum_check_deck(q) : EXIT_DONE;
 }
@@ -187,11 +209,21 @@ static const struct option_row rows[] = {
     {"scale", 0, "S", OPTION_OWN, .own = read_scale, .doc = "multiplies each record by S"},
     {"pga", 0, "A", OPTION_OWN, .own = read_pga,
      .doc = "scales each record to this peak, 0.35g or 3.4m/s2"},
-    {"target", 0, "FILE", OPTION_TEXT, 0, AT(target),
-     .doc = "scales each record to a target spectrum by the mean of ln(target / PSA); FILE has "
-            "rows of period and PSA below a line with their units, period [s], PSA [g]"},
+    {"target", 0, "SPECTRUM", OPTION_TEXT, 0, AT(target),
+     .doc = "scales each record to a target spectrum by the mean of ln(target / PSA). SPECTRUM is "
+            "that of a code, see below, or a file with rows of period and PSA below a line with "
+            "their units, period [s], PSA [g]"},
     {"match", 0, "P", OPTION_OWN, .own = read_match,
      .doc = "periods of this mean, as for --periods (default: 301 over the whole target)"},
+    {"pairs", .kind = OPTION_SET, .at = AT(n_component), .set = 2,
+     .doc = "successive records are the two horizontal components of a motion, with one factor"},
+    {"select", 0, "N", OPTION_WHOLE, 0, AT(n_select), 1, INT_MAX,
+     .doc = "chooses the N records, or pairs, with the smallest misfits"},
+    {"factors", 0, "LOW:HIGH", OPTION_OWN, .own = read_factors,
+     .doc = "chooses among records with a factor within these limits"},
+    {"improve", .kind = OPTION_TRUE, .at = AT(improve),
+     .doc = "exchanges chosen records while this brings the mean of the scaled spectra nearer to "
+            "the target"},
     {"deck", .kind = OPTION_SET, .at = AT(form), .set = SPECTRUM_DECK,
      .doc = "prints only the records and their factors, as sweeps for a deck"},
     {"format", 0, "F", OPTION_TEXT, 0, AT(record.format),
@@ -225,13 +257,20 @@ static const struct option_row rows[] = {
     {0}};
 
 int spectrum_command(int argc, char **argv) {
-    static const struct option_part parts[] = {
-        {.text = introduction}, {.row = rows},         {.row = printer_rows, .at = AT(form)},
-        {.row = option_help},   {.text = explanation}, {0}};
+    static const struct option_part parts[] = {{.text = introduction},
+                                               {.row = rows},
+                                               {.row = printer_rows, .at = AT(form)},
+                                               {.row = option_help},
+                                               {.print = spectrum_print_codes},
+                                               {.text = explanation},
+                                               {0}};
     static const struct option_list list = {&command_spectrum, parts, DASH_ONE, .use = use};
     struct unit_system si;
     unit_system_init(&si);
-    struct spectrum_request q = {
-        .scale = 1.0, .record = {.gravity = si.gravity}, .picture.existing = RESULT_KEEP};
+    struct spectrum_request q = {.scale = 1.0,
+                                 .n_component = 1,
+                                 .most = INFINITY,
+                                 .record = {.gravity = si.gravity},
+                                 .picture.existing = RESULT_KEEP};
     return option_run(&list, argc, argv, &q);
 }

@@ -4,7 +4,7 @@
 
 #include "command/spectrum.h"
 
-enum { N_INTENSITY = 11, WIDTH = 10 };
+enum { N_INTENSITY = 13, WIDTH = 10 };
 
 // Text shows the first ones.
 static const struct printer_column intensity_columns[N_INTENSITY] = {
@@ -18,7 +18,9 @@ static const struct printer_column intensity_columns[N_INTENSITY] = {
     {.key = "t(PGA)", .unit = "s"},
     {.key = "t(PGV)", .unit = "s"},
     {.key = "t(PGD)", .unit = "s"},
-    {.key = "t(5%)", .unit = "s"}};
+    {.key = "t(5%)", .unit = "s"},
+    {.key = "Arias_trapezoid", .unit = "m/s"},
+    {.key = "CAV_trapezoid", .unit = "m/s"}};
 
 // Around them.
 static const struct printer_column of_record[] = {COLUMN_DATA("record"),
@@ -86,7 +88,9 @@ static int print_intensities(const struct spectrum_request *q, const struct spec
                                            i->pga_time,
                                            i->pgv_time,
                                            i->pgd_time,
-                                           i->time_5};
+                                           i->time_5,
+                                           i->arias_trapezoid,
+                                           i->cav_trapezoid};
         printer_numbers(&t, value, N_INTENSITY);
         printer_number(&t, g->end);
         printer_text(&t, set->name[r]);

@@ -9,6 +9,7 @@
 #include "core/text.h"
 
 enum { DEFAULT_MATCH = 301 };
+static const double DEFAULT_FIRST = 0.05;  // [s] for the spectra of codes, which begin at 0
 
 // What building codes ask of the mean of the scaled spectra.
 static const double CODE_SHARE = 0.9;
@@ -38,7 +39,7 @@ static int sample(const struct spectrum_request *q, struct arena *a, struct spec
         if (isnan(goal[p])) {
             return command_usage(&command_spectrum,
                                  "%s goes from %g to %g s, without %g s of --match", q->target,
-                                 t->period[0], t->period[t->n - 1], q->match.value[p]);
+                                 t->first, t->last, q->match.value[p]);
         }
     }
     set->goal = goal;
@@ -48,40 +49,82 @@ static int sample(const struct spectrum_request *q, struct arena *a, struct spec
 int spectrum_read_target(struct spectrum_request *q, struct arena *a, struct spectrum_set *set) {
     struct error e;
     const struct target *t = &set->target;
-    if (target_read(a, q->target, &set->target, &e) != STATUS_OK) {
+    if (target_open(a, q->target, q->damping[0], &set->target, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     size_t n;
     const char *stem = text_stem(q->target, &n);
-    set->target_name = arena_text(a, stem, n);
+    set->target_name = t->code ? t->code->name : arena_text(a, stem, n);
     if (!set->target_name) {
         return command_no_memory();
     }
     int status = EXIT_DONE;
     if (!q->match.value) {
-        const double first = t->period[t->period[0] > 0.0 ? 0 : 1], last = t->period[t->n - 1];
-        status = periods_range(&command_spectrum, first, last, DEFAULT_MATCH, a, &q->match);
+        const double first = t->code ? DEFAULT_FIRST : t->first == 0.0 ? t->period[1] : t->first;
+        status = periods_range(&command_spectrum, first, t->last, DEFAULT_MATCH, a, &q->match);
     }
     return status == EXIT_DONE ? sample(q, a, set) : status;
 }
 
-int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
+// Leaves the records that were chosen, with their factors.
+static void keep_chosen(struct spectrum_request *q, struct spectrum_set *set) {
+    struct match *m = &set->match;
+    for (int i = 0; i < m->n_chosen; i++) {
+        const int r = m->chosen[i];
+        q->path[i] = q->path[r];
+        set->name[i] = set->name[r];
+        set->ground[i] = set->ground[r];
+        set->scale[i] = m->factor[i] = m->factor[r];
+        m->misfit[i] = m->misfit[r];
+    }
+    set->n_read = q->n_record;
+    q->n_record = m->n_chosen;
+}
+
+int spectrum_match(struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                    struct error *e) {
     struct spectra s = {.n_record = q->n_record,
                         .n_damping = 1,
                         .n_period = q->match.n,
                         .damping = q->damping,
                         .period = q->match.value};
+    const struct match_request request = {.spectra = &s,
+                                          .goal = set->goal,
+                                          .n_component = q->n_component,
+                                          .n_select = q->n_select,
+                                          .low = q->least,
+                                          .high = q->most,
+                                          .exchange = q->improve};
     int status = spectrum_compute(&s, set->ground, a, e);
     if (status == STATUS_OK) {
-        status = target_match(&set->match, &s, set->goal, a, e);
+        status = target_match(&set->match, &request, a, e);
+    }
+    if (status == STATUS_OK) {
+        keep_chosen(q, set);
     }
     for (int r = 0; status == STATUS_OK && r < q->n_record; r++) {
         struct signal *g = &set->ground[r];
-        set->scale[r] = set->match.factor[r];
         status = signal_init_samples(g, a, g->value, g->n, g->dt, set->scale[r], 0.0, e);
     }
     return status;
+}
+
+// What was chosen, and what the exchanges came to.
+static void print_choice(const struct spectrum_request *q, const struct spectrum_set *set) {
+    const struct match *m = &set->match;
+    const char *noun = q->n_component > 1 ? "pair" : "record";
+    const int n = q->n_record / q->n_component, n_read = set->n_read / q->n_component;
+    printf("%d of %d %ss chosen", n, n_read, noun);
+    if (m->n_outside > 0) {
+        printf("; %d %s%s a factor outside %g to %g", m->n_outside, noun,
+               m->n_outside > 1 ? "s have" : " has", q->least, q->most);
+    }
+    printf("\nmisfit of the mean of the scaled spectra: %.4f", m->of_mean);
+    if (q->improve) {
+        printf("; %.4f before %d exchange%s", m->of_best, m->n_exchange,
+               m->n_exchange == 1 ? "" : "s");
+    }
+    printf("\n");
 }
 
 int spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set) {
@@ -102,6 +145,9 @@ int spectrum_print_match(const struct spectrum_request *q, const struct spectrum
     safe_put(stdout, SAFE_TERMINAL, q->target);
     printf(", compared at %d periods from %.4g to %.4g s\n", q->match.n, q->match.value[0],
            q->match.value[q->match.n - 1]);
+    if (q->n_select > 0) {
+        print_choice(q, set);
+    }
     printf("%s over the target: from %.4g at %.4g s to %.4g at %.4g s\n",
            q->n_record > 1 ? "mean of the scaled spectra" : "scaled spectrum", m->least.value,
            m->least.period, m->largest.value, m->largest.period);
@@ -120,4 +166,25 @@ void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum
         printf(" %.6g", set->match.factor[r]);
     }
     printf(" -as motion\n");
+}
+
+void spectrum_print_codes(void) {
+    enum { WIDTH = 95 };
+    for (int i = 0; i < n_target_code; i++) {
+        const struct target_code *c = target_codes[i];
+        printf("\n%s, as in --target %s:\n", c->title, c->example);
+        for (int k = 0; k < c->n; k++) {
+            const struct row *r = &c->row[k].row;
+            char text[256], fallback[32] = "";
+            if (r->kind == ROW_CHOICE && !isnan(r->fallback)) {
+                snprintf(fallback, sizeof fallback, "; default: %s",
+                         r->range->word[(int)r->fallback]);
+            } else if (!isnan(r->fallback)) {
+                snprintf(fallback, sizeof fallback, "; default: %g", r->fallback);
+            }
+            snprintf(text, sizeof text, "%s%s%s%s", r->doc, r->kind == ROW_CHOICE ? ", " : "",
+                     r->kind == ROW_CHOICE ? r->range->text : "", fallback);
+            option_wrap(text, printf("  %-8s", r->key), WIDTH);
+        }
+    }
 }

@@ -15,10 +15,44 @@
 enum { BUILDINGS_MAX = 8, NAME_WIDTH_MIN = 12, NAME_WIDTH_MAX = 33 };
 
 void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u) {
-    printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of the "
-           "dispersion\n",
-           f->median, unit[0] ? " " : "", unit, study_print_g(u, unit, f->median).added,
-           f->dispersion, f->log_median_error, f->dispersion_error);
+    printf("median %.4g%s%s%s, dispersion %.4g", f->median, unit[0] ? " " : "", unit,
+           study_print_g(u, unit, f->median).added, f->dispersion);
+    if (!isnan(f->log_median_error)) {
+        printf("; standard errors: %.2g of ln median, %.2g of the dispersion", f->log_median_error,
+               f->dispersion_error);
+    }
+    putchar('\n');
+}
+
+void study_print_bootstrap(const struct bootstrap *b, const char *unit) {
+    if (b->n_draw == 0) {
+        return;
+    }
+    printf("95 %% of %d bootstraps: median %.4g to %.4g%s%s, dispersion %.4g to %.4g", b->n_fitted,
+           b->median[0], b->median[1], unit[0] ? " " : "", unit, b->dispersion[0],
+           b->dispersion[1]);
+    if (b->n_fitted < b->n_draw) {
+        printf("; %d more have no curve", b->n_draw - b->n_fitted);
+    }
+    putchar('\n');
+}
+
+void study_print_bootstrap_columns(struct printer *t) {
+    static const struct printer_column columns[] = {
+        COLUMN_DATA("median_low"), COLUMN_DATA("median_high"), COLUMN_DATA("dispersion_low"),
+        COLUMN_DATA("dispersion_high"), COLUMN_DATA("bootstraps")};
+    PRINTER_ADD(t, columns);
+}
+
+void study_print_bootstrap_cells(const struct bootstrap *b, struct printer *t) {
+    for (int i = 0; i < 4; i++) {
+        if (b->n_fitted > 0) {
+            printer_number(t, i < 2 ? b->median[i] : b->dispersion[i - 2]);
+        } else {
+            printer_empty(t);
+        }
+    }
+    printer_whole(t, b->n_fitted);
 }
 
 void study_print_rate(double rate) {

@@ -5,7 +5,9 @@
 
 #include <stdio.h>
 
+#include "command/printer.h"
 #include "jostle/study_file.h"
+#include "study/bootstrap.h"
 #include "study/hazard.h"
 
 // Where a quantity of the envelopes is largest over all runs.
@@ -37,6 +39,11 @@ struct study_g study_print_g(const struct unit_system *u, const char *units, dou
 
 // A line with the parameters of a curve that was fitted, the median in `unit`.
 void study_print_curve(const struct fragility *f, const char *unit, const struct unit_system *u);
+
+// A line with the intervals of a bootstrap, unless none was made (n_draw 0), and columns of data.
+void study_print_bootstrap(const struct bootstrap *b, const char *unit);
+void study_print_bootstrap_columns(struct printer *t);
+void study_print_bootstrap_cells(const struct bootstrap *b, struct printer *t);
 
 // How often in a year a limit with this fragility is exceeded; NAN: there is no hazard curve (NULL)
 // or no fragility. Warns on stderr where the hazard curve is too short for the rate. `unit` is that

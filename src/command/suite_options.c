@@ -116,6 +116,11 @@ void suite_options_warn(const struct suite *s) {
         safe_line(stderr, "jostle: warning: %ld of %ld runs are not in %s; they are left out",
                   s->n_missing, s->n_run, s->view->path);
     }
+    if (s->n_unplaced > 0) {
+        fprintf(stderr,
+                "jostle: warning: %ld of %ld runs have no ground motion; they are left out\n",
+                s->n_unplaced, s->n_run);
+    }
     if (s->n_failed == 0) {
         return;
     }

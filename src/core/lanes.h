@@ -166,6 +166,11 @@ static inline int lanes_whole(int n) {
     return (n + LANES_WIDTH - 1) & ~(LANES_WIDTH - 1);
 }
 
+// n, which is in whole lanes. The mask shows the compiler that no elements are left over.
+static inline int lanes_rounded(int n) {
+    return n & ~(LANES_WIDTH - 1);
+}
+
 // y = from + A x for a matrix A (n, n) that is exactly symmetric, so that its rows are its columns.
 // `from` may be y; NULL stands for 0. The products of each y are added in the order of x.
 void lanes_add_symmetric(int n, const double *matrix, const double *x, const double *from,

@@ -14,6 +14,14 @@
 // Latin hypercube (McKay, Beckman & Conover 1979, Technometrics 21, 239-245): u_i = (p_i + w_i) /
 // n, with p a random permutation of 0 ... n - 1, drawn first, and w_i as u_i above.
 //
+// Correlated (Gaussian copula): the standard normal scores z of the parameters are mixed, z' = L z,
+// with L the Cholesky factor of the correlation matrix of z', and u_i = Phi(z'_i) (e.g. Melchers &
+// Beck 2018, Structural Reliability Analysis and Prediction, appendix B). Row k of L uses the
+// parameters above only, so that a further one does not change their values. In a Latin hypercube
+// the u_i are put into the order of the z'_i, so that every stratum keeps its value (Iman & Conover
+// 1982, Commun. Stat. Simul. Comput. 11, 311-334, put ranks into the order of correlated scores,
+// too).
+//
 // The twister starts from the seed and the name of the parameter: the 64 bits of FNV-1a over "SEED
 // NAME", folded to 32. So parameters do not share numbers, and adding a parameter does not change
 // the values of the others.
@@ -23,8 +31,10 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/hash.h"
@@ -128,41 +138,119 @@ static double probability(const gsl_rng *twister) {
     return ((double)gsl_rng_get(twister) + 0.5) / 4294967296.0;
 }
 
-int random_draw(const struct random_values *r, int *order, double *value, struct error *e) {
-    assert(r->n > 0 && order && value);
+double random_value(const struct random_values *r, double u) {
     const struct distribution *d = r->distribution;
-    struct part part = {LOWER_TAIL, 0.0, 1.0};
     if (d->score) {
-        part = part_of(r);
-        if (!(part.width > 0.0)) {
-            return error_set(e, STATUS_INPUT,
-                             "the distribution has no values between %.6g and %.6g", r->min,
-                             r->max);
-        }
+        const struct part part = part_of(r);
+        u = score_at(&part, u);
     }
+    return fmin(fmax(d->value(r->a, r->b, u), r->min), r->max);  // rounding must not exceed a limit
+}
+
+// The independent probabilities (n) of a parameter. `order` is scratch (n). False: no memory.
+static bool draw_alone(const struct random_values *r, size_t *order, double *u) {
     gsl_rng *twister = gsl_rng_alloc(gsl_rng_mt19937);
     if (!twister) {
-        return error_no_memory(e);
+        return false;
     }
+    const size_t n = (size_t)r->n;
     gsl_rng_set(twister, seed_of(r));
-    // Writes the probabilities u_i into `value`.
-    for (int i = 0; i < r->n; i++) {
+    for (size_t i = 0; i < n; i++) {
         order[i] = i;
     }
     if (r->plan == RANDOM_LATIN) {
-        gsl_ran_shuffle(twister, order, (size_t)r->n, sizeof *order);
+        gsl_ran_shuffle(twister, order, n, sizeof *order);
     }
-    for (int i = 0; i < r->n; i++) {
-        const double u = probability(twister);
-        value[i] = r->plan == RANDOM_LATIN ? (order[i] + u) / r->n : u;
+    for (size_t i = 0; i < n; i++) {
+        u[i] = probability(twister);
+        if (r->plan == RANDOM_LATIN) {
+            u[i] = ((double)order[i] + u[i]) / (double)n;
+        }
     }
     gsl_rng_free(twister);
-    for (int i = 0; i < r->n; i++) {
-        const double x = d->value(r->a, r->b, d->score ? score_at(&part, value[i]) : value[i]);
-        if (!isfinite(x)) {
-            return error_set(e, STATUS_INPUT, "value %d is not finite", i + 1);
-        }
-        value[i] = fmin(fmax(x, r->min), r->max);  // rounding must not exceed a limit
+    return true;
+}
+
+// Makes the independent probabilities `u` of `r` correlated. `order`, `other` and `z` are scratch
+// (n). False: no memory.
+static bool mix(const struct random_values *r, size_t *order, double *other, double *z, double *u) {
+    const size_t n = (size_t)r->n;
+    const struct random_values *from = r->before;
+    for (size_t i = 0; i < n; i++) {
+        z[i] = r->weight[r->n_before] * gsl_cdf_ugaussian_Pinv(u[i]);
     }
-    return STATUS_OK;
+    for (int k = r->n_before - 1; k >= 0; k--, from = from->before) {
+        if (r->weight[k] != 0.0 && !draw_alone(from, order, other)) {
+            return false;
+        }
+        for (size_t i = 0; r->weight[k] != 0.0 && i < n; i++) {
+            z[i] += r->weight[k] * gsl_cdf_ugaussian_Pinv(other[i]);
+        }
+    }
+    if (r->plan == RANDOM_LATIN) {
+        gsl_sort_index(order, z, 1, n);
+        gsl_sort(u, 1, n);
+        memcpy(other, u, n * sizeof *u);
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (r->plan == RANDOM_LATIN) {
+            u[order[i]] = other[i];
+        } else {
+            u[i] = gsl_cdf_ugaussian_P(z[i]);
+        }
+    }
+    return true;
+}
+
+int random_draw(const struct random_values *r, double *value, struct error *e) {
+    assert(r->n > 0 && value);
+    const size_t n = (size_t)r->n;
+    if (r->distribution->score && !(part_of(r).width > 0.0)) {
+        return error_set(e, STATUS_INPUT, "the distribution has no values between %.6g and %.6g",
+                         r->min, r->max);
+    }
+    size_t *order = calloc(n, sizeof *order);
+    double *scratch = r->weight ? calloc(2 * n, sizeof *scratch) : NULL;
+    const bool done = order && (scratch || !r->weight) && draw_alone(r, order, value) &&
+                      (!r->weight || mix(r, order, scratch, scratch + n, value));
+    free(scratch);
+    free(order);
+    for (size_t i = 0; done && i < n; i++) {
+        value[i] = random_value(r, value[i]);
+        if (!isfinite(value[i])) {
+            return error_set(e, STATUS_INPUT, "value %zu is not finite", i + 1);
+        }
+    }
+    return done ? STATUS_OK : error_no_memory(e);
+}
+
+// Weight k of parameter number `of`, of the chain of parameters that ends with `r`.
+static double weight_of(const struct random_values *r, int of, int k) {
+    while (r->n_before > of) {
+        r = r->before;
+    }
+    return r->weight ? r->weight[k] : of == k ? 1.0 : 0.0;
+}
+
+bool random_correlate(const struct random_values *r, const double *correlation, double *weight) {
+    double rest = 1.0;
+    for (int k = 0; k < r->n_before; k++) {
+        double sum = correlation[k];
+        for (int j = 0; j < k; j++) {
+            sum -= weight[j] * weight_of(r->before, k, j);
+        }
+        weight[k] = sum / weight_of(r->before, k, k);
+        rest -= weight[k] * weight[k];
+    }
+    weight[r->n_before] = sqrt(fmax(rest, 0.0));
+    return rest > 1e-12;  // well above the rounding of the sums
+}
+
+bool random_is_correlated(const struct random_values *r, const struct random_values *other) {
+    for (const struct random_values *of = r->correlation ? r->before : NULL; of; of = of->before) {
+        if (strcmp(of->name, other->name) == 0) {
+            return r->correlation[of->n_before] != 0.0;
+        }
+    }
+    return false;
 }

@@ -4,6 +4,8 @@
 #ifndef JOSTLE_RANDOM_H
 #define JOSTLE_RANDOM_H
 
+#include <stdbool.h>
+
 #include "jostle/error.h"
 
 // A distribution with two parameters a and b.
@@ -23,17 +25,35 @@ extern const int n_random_distribution;
 
 enum random_plan { RANDOM_INDEPENDENT, RANDOM_LATIN };
 
+// The correlation matrix of a parameter with those above it must be positive definite. `weight` is
+// the last row of its Cholesky factor, for the parameters from the first one to this one.
+
 struct random_values {
     const struct distribution *distribution;
     double a, b, min, max;
     enum random_plan plan;
     int n, seed;
-    const char *name;  // of the parameter; parameters with the same seed are independent
+    const char *name;   // of the parameter; parameters with the same seed are independent
+    const char *along;  // name of its dimension
+    const struct random_values *before;  // the one above in this dimension; NULL: none
+    int n_before;
+    const double *correlation;  // (n_before) with those above; NULL: independent of them
+    const double *weight;       // (n_before + 1)
 };
 
-// Draws the values (n). `order` is scratch (n). Value i depends on `r` only; with
-// RANDOM_INDEPENDENT it does not depend on n. Errors: STATUS_INPUT (the probability between min and
-// max is 0; a value is not finite), STATUS_SYSTEM.
-int random_draw(const struct random_values *r, int *order, double *value, struct error *e);
+// Draws the values (n). Value i depends on `r` only; with RANDOM_INDEPENDENT it does not depend on
+// n, unless it is correlated with values of RANDOM_LATIN. Errors: STATUS_INPUT (the probability
+// between min and max is 0; a value is not finite), STATUS_SYSTEM.
+int random_draw(const struct random_values *r, double *value, struct error *e);
+
+// The value below which another one is with the probability u; infinite at the end of a tail.
+double random_value(const struct random_values *r, double u);
+
+// Sets the weights (n_before + 1) from the correlations (n_before) with the parameters above.
+// False: the matrix is not positive definite.
+bool random_correlate(const struct random_values *r, const double *correlation, double *weight);
+
+// Whether `r` is correlated with `other` above it.
+bool random_is_correlated(const struct random_values *r, const struct random_values *other);
 
 #endif

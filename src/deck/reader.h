@@ -101,6 +101,7 @@ struct reader {
     const int *choice;                 // number of the value of each sweep in this run
     struct sweep *last_sweep;
     struct bundle *bundles;  // dimensions of paired sweeps; NULL: none
+    struct law *laws;        // distributions of random sweeps, the last first; NULL: none
     int n_sweep;
     bool swept;   // a parameter was read whose value depends on a sweep
     bool late;    // a sweep replaces the value of a parameter that was used above the sweep

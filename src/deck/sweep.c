@@ -13,7 +13,7 @@
 
 const char sweep_usage[] =
     "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\" | random DISTRIBUTION A B "
-    "-n N -seed S [-lhs] [-min X] [-max X], each [-as DIMENSION]";
+    "-n N -seed S [-lhs] [-min X] [-max X] [-correlated NAME:RHO], each [-as DIMENSION]";
 
 enum { AS, LOG, N_ROW };
 
@@ -175,7 +175,8 @@ void sweep_run(struct deck *d, const struct statement *s) {
     struct bundle_request q = {.count = NULL};
     struct parameter p = {.kind = PARAMETER_WRONG};
     bool alone = true;  // not paired; a -D of one sweep ends its pairing
-    if (s->n_plain >= 4 && read(d, s, own, &q) && !bundle_choose(d, &q, own)) {
+    if (s->n_plain >= 4 && read(d, s, own, &q) && sweep_note_law(d, own) &&
+        !bundle_choose(d, &q, own)) {
         alone = !q.name.text || deck_define_find(d, own->name);
         if (alone) {
             p = chosen(d, own);

@@ -69,6 +69,9 @@ bool bundle_join(struct deck *d, const struct bundle_request *q, struct sweep *o
 // reported an error.
 bool sweep_random(struct deck *d, const struct statement *s, struct sweep *own,
                   struct bundle_request *q);
+// Notes the distribution of a random sweep that has been read, for -correlated of those below it.
+// False: no memory.
+bool sweep_note_law(struct deck *d, const struct sweep *own);
 
 // sweep.c
 

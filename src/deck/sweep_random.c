@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random sweeps are paired. Without -as they share one dimension, named sample.
 #include <math.h>
+#include <string.h>
 
+#include "core/text.h"
 #include "deck/definition.h"
 #include "deck/expression.h"
 #include "deck/parameter.h"
@@ -11,7 +13,7 @@
 
 static const char default_sample[] = "sample";
 
-enum { N, SEED, LHS, MIN, MAX, AS, N_ROW };
+enum { N, SEED, LHS, MIN, MAX, CORRELATED, AS, N_ROW };
 
 static const struct range size_range = {
     .min = 1, .max = SWEEP_VALUES_MAX, .text = ">= 1 and <= 1e6"};
@@ -28,7 +30,20 @@ static const struct row rows[N_ROW] = {
     [LHS] = {"lhs", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "Latin hypercube"},
     [MIN] = {"min", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "least value"},
     [MAX] = {"max", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "largest value"},
+    [CORRELATED] = {"correlated",
+                    ROW_TEXTS,
+                    0,
+                    {0, 0, 0},
+                    NULL,
+                    NAN,
+                    "NAME:RHO, a random sweep above and the correlation with it"},
     [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the paired sweeps"},
+};
+
+// A distribution that has been read.
+struct law {
+    const struct random_values *values;
+    struct law *next;  // read before this one
 };
 
 // What a random sweep statement says.
@@ -133,6 +148,74 @@ static bool read_limits(struct deck *d, struct request *q) {
     return low && high;
 }
 
+// Reads NAME:RHO; the place of NAME among the parameters above, and *rho. -1 after having reported
+// an error.
+static int read_pair(struct deck *d, const struct request *q, int i, double *rho) {
+    const struct argument *a = &q->argument[CORRELATED];
+    const char *text = a->text[i], *colon = strrchr(text, ':'), *end;
+    if (!colon || text_number(colon + 1, &end, rho) != TEXT_NUMBER_OK || *end != '\0') {
+        deck_error(d, &a->word[i], "-correlated takes NAME:RHO, such as k:0.5");
+        return -1;
+    }
+    if (!(fabs(*rho) < 1.0)) {
+        deck_error(d, &a->word[i], "the correlation is %g; it must be > -1 and < 1", *rho);
+        return -1;
+    }
+    const size_t n = (size_t)(colon - text);
+    for (const struct random_values *r = q->values.before; r; r = r->before) {
+        if (strlen(r->name) == n && memcmp(r->name, text, n) == 0) {
+            if (r->n != q->values.n) {
+                deck_error(d, &q->argument[N].word[0], "'%s' has %d values; give '%s' as many",
+                           r->name, r->n, q->values.name);
+                return -1;
+            }
+            return r->n_before;
+        }
+    }
+    const struct parameter *p = parameter_find(d, text, n);
+    if (p && p->kind == PARAMETER_WRONG) {
+        return -1;  // its statement has been reported
+    }
+    deck_error(d, &a->word[i], "'%.*s' is not a random sweep above this one in the dimension '%s'",
+               (int)n, text, q->values.along);
+    return -1;
+}
+
+// Finds the parameters above of the same dimension, and reads the correlations with them.
+static bool read_correlations(struct deck *d, struct request *q) {
+    struct random_values *r = &q->values;
+    const struct argument *a = &q->argument[CORRELATED];
+    for (const struct law *law = d->reader->laws; law && !r->before; law = law->next) {
+        r->before = strcmp(law->values->along, r->along) == 0 ? law->values : NULL;
+    }
+    r->n_before = r->before ? r->before->n_before + 1 : 0;
+    if (!a->given) {
+        return true;
+    }
+    double *correlation = deck_array(d, (size_t)r->n_before, sizeof *correlation);
+    double *weight = deck_array(d, (size_t)r->n_before + 1, sizeof *weight);
+    if (!correlation || !weight) {
+        return false;
+    }
+    for (int i = 0; i < a->n; i++) {
+        double rho;
+        const int at = read_pair(d, q, i, &rho);
+        if (at < 0) {
+            return false;
+        }
+        if (correlation[at] != 0.0) {
+            return deck_error(d, &a->word[i], "the correlation with this sweep is given twice");
+        }
+        correlation[at] = rho;
+    }
+    r->correlation = correlation;
+    r->weight = weight;
+    return random_correlate(r, correlation, weight) ||
+           deck_error(d, &a->key,
+                      "these correlations contradict each other: their matrix is not positive "
+                      "definite");
+}
+
 static bool read_request(struct deck *d, struct request *q) {
     struct row_set set = {rows, N_ROW, q->argument};
     const bool options = deck_options(d, q->statement, &set, 1);
@@ -148,11 +231,10 @@ static bool read_request(struct deck *d, struct request *q) {
 static const double *draw(struct deck *d, const struct request *q) {
     struct error e;
     double *value = deck_array(d, (size_t)q->values.n, sizeof *value);
-    int *order = deck_array(d, (size_t)q->values.n, sizeof *order);
-    if (!value || !order) {
+    if (!value) {
         return NULL;
     }
-    int status = random_draw(&q->values, order, value, &e);
+    int status = random_draw(&q->values, value, &e);
     if (status == STATUS_SYSTEM) {
         diagnostics_no_memory(&d->diagnostics);
     } else if (status != STATUS_OK) {
@@ -168,13 +250,29 @@ static const double *values_of(struct deck *d, const struct request *q) {
     return from && from->number && from->n == q->values.n ? from->number : draw(d, q);
 }
 
+bool sweep_note_law(struct deck *d, const struct sweep *own) {
+    struct law *law = own->law ? deck_array(d, 1, sizeof *law) : NULL;
+    if (law) {
+        *law = (struct law){own->law, d->reader->laws};
+        d->reader->laws = law;
+    }
+    return law || !own->law;
+}
+
 bool sweep_random(struct deck *d, const struct statement *s, struct sweep *own,
                   struct bundle_request *bundle) {
     struct request q = {.statement = s, .values = {.name = own->name}};
-    if (!read_request(d, &q) ||
+    struct random_values *law = deck_array(d, 1, sizeof *law);
+    if (!law || !read_request(d, &q) ||
         !bundle_name(d, &q.argument[AS], &s->word[2], default_sample, own, bundle)) {
         return false;
     }
+    q.values.along = bundle->name.text;
+    if (!read_correlations(d, &q)) {
+        return false;
+    }
+    *law = q.values;
+    own->law = law;
     if (deck_define_find(d, own->name)) {
         return sweep_take(d, own, &q.first, 1);
     }

@@ -248,6 +248,9 @@ int link_law_prepare(const struct link_law *from, const double *value, double *c
         law++;
         assert(law < n_storey_law);
     }
+    if (!isnan(value[LINK_ROW_TENSION_ONLY]) && !isnan(value[LINK_ROW_COMPRESSION_ONLY])) {
+        return error_set(e, STATUS_INPUT, "-tension-only and -compression-only cannot be combined");
+    }
     if (from->row == friction_rows) {
         link_law_slip(own[SLIP], bilinear);
         own = bilinear;

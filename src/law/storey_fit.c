@@ -26,7 +26,7 @@ struct unknown {
 struct fit {
     const struct storey_fit_request *q;
     struct unknown unknown[LEAST_SQUARES_UNKNOWNS];
-    double value[STOREY_ROWS_MAX];
+    double value[LOOP_ROWS_MAX];
     double stiffness;
     double largest_drift, largest_shear;
     struct least_squares squares;
@@ -57,11 +57,11 @@ static void put(struct fit *f, int u, double value) {
 // The shears with the present parameters; 0 where these contradict each other.
 static void shears(struct fit *f, double *shear) {
     const struct storey_fit_request *q = f->q;
-    double constant[STOREY_CONSTANTS_MAX];
+    double constant[LOOP_CONSTANTS_MAX];
     struct error e;
     const struct storey_path path = {
         .law = q->law, .constant = constant, .target = q->drift, .n_target = q->n};
-    if (q->law->prepare(f->value, f->stiffness, constant, &e) == STATUS_OK) {
+    if (loop_law_prepare(q->law, f->value, f->stiffness, constant, &e) == STATUS_OK) {
         storey_loop_shears(&path, shear);
     } else {
         memset(shear, 0, q->n * sizeof *shear);
@@ -83,7 +83,7 @@ static double draw(struct fit *f) {
     return (double)f->seed / 4294967296.0;
 }
 
-// The slope of the first loading, up to a fifth of the largest drift.
+// The slope of the first loading, up to a fifth of the largest drift; NAN: the law is slack there.
 static double first_slope(const struct storey_fit_request *q, double largest) {
     double product = 0.0, square = 0.0;
     for (size_t i = 0; i < q->n && fabs(q->drift[i]) <= 0.2 * largest; i++) {
@@ -93,7 +93,7 @@ static double first_slope(const struct storey_fit_request *q, double largest) {
     return product > 0.0 ? product / square : NAN;
 }
 
-static struct unknown unknown_of(int row, const struct storey_law *law) {
+static struct unknown unknown_of(int row, const struct loop_law *law) {
     static const struct row stiffness = {.range = &range_positive};
     const struct row *r = row == STOREY_FIT_STIFFNESS ? &stiffness : &law->row[row];
     const double min = r->range ? r->range->min : -INFINITY;
@@ -152,7 +152,7 @@ static void find_starts(struct fit *f, double *shear, struct start best[SEARCHES
     for (int k = 0; k < SEARCHES; k++) {
         best[k].sum = INFINITY;
     }
-    const size_t usual = f->q->law->traits & STOREY_STRAIGHT ? TRIALS : SMOOTH_TRIALS;
+    const size_t usual = f->q->law->straight ? TRIALS : SMOOTH_TRIALS;
     const size_t most = TRIAL_SAMPLES / f->q->n + SEARCHES;
     for (size_t t = 0; t < (most < usual ? most : usual); t++) {
         struct start s;
@@ -209,7 +209,7 @@ static int check(struct fit *f, struct error *e) {
         f->largest_shear = fmax(f->largest_shear, fabs(q->shear[i]));
     }
     if (f->largest_drift == 0.0 || f->largest_shear == 0.0 ||
-        isnan(first_slope(q, f->largest_drift))) {
+        (!q->law->link.name && isnan(first_slope(q, f->largest_drift)))) {
         return error_set(e, STATUS_INPUT,
                          "the loop does not begin at rest with a shear in the direction of the "
                          "drift");

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fits parameters of a storey law to a measured loop: the shears at the measured drifts, which a
-// virgin storey follows from drift 0.
+// Fits parameters of the law of a storey, a hinge or a link to a measured loop: the shears at the
+// measured drifts, which it follows from drift 0 without a history.
 #ifndef JOSTLE_STOREY_FIT_H
 #define JOSTLE_STOREY_FIT_H
 
 #include <stddef.h>
 
-#include "jostle/storey_law.h"
+#include "law/loop_law.h"
 
 enum { STOREY_FIT_STIFFNESS = -1 };  // in place of a row
 
 struct storey_fit_request {
-    const struct storey_law *law;
+    const struct loop_law *law;
     const double *value;  // (law->n_row) of those rows that are not found; NAN: not given
     double stiffness;     // initial; NAN: it is found
     const int *row;       // (n_row) the rows that are found, or STOREY_FIT_STIFFNESS
@@ -21,10 +21,9 @@ struct storey_fit_request {
 };
 
 struct storey_fit_result {
-    double value[STOREY_ROWS_MAX];  // of all rows
+    double value[LOOP_ROWS_MAX];  // of all rows
     double stiffness;
-    double
-        error[STOREY_ROWS_MAX + 1];  // standard errors of the rows that are found, in their order
+    double error[LOOP_ROWS_MAX + 1];  // standard errors of the rows that are found, in their order
     double normalised_error;
 };
 

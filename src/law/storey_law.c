@@ -34,7 +34,7 @@ const struct storey_law *storey_law_find(const char *name) {
 
 struct storey_figures storey_law_figures(const struct storey_law *law, const double *constant) {
     struct storey_figures f = {
-        {INFINITY, INFINITY}, {INFINITY, INFINITY}, {INFINITY, INFINITY}, INFINITY};
+        {INFINITY, INFINITY}, {INFINITY, INFINITY}, {INFINITY, INFINITY}, INFINITY, 0.05};
     if (law->describe) {
         law->describe(constant, &f);
     }
@@ -46,11 +46,9 @@ double storey_law_ductility(const struct storey_figures *f, const double most[2]
 }
 
 double storey_law_damage(const struct storey_figures *f, const double most[2], double energy) {
-    // Of reinforced concrete, in the mean.
-    static const double BETA = 0.05;
     double damage = 0.0;
     for (int i = 0; i < 2; i++) {
-        const double of_energy = BETA * fmax(energy, 0.0) / f->strength[i];
+        const double of_energy = f->beta * fmax(energy, 0.0) / f->strength[i];
         damage = fmax(damage, (most[i] + of_energy) / f->ultimate[i]);
     }
     return damage;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The response of one storey to a path of drifts.
+// The response of one storey, hinge or link to a path of deformations.
 #ifndef JOSTLE_STOREY_LOOP_H
 #define JOSTLE_STOREY_LOOP_H
 
 #include <stddef.h>
 
-#include "jostle/storey_law.h"
+#include "law/loop_law.h"
 
 struct storey_point {
     double drift, shear, tangent;  // [L] [F] [F/L]
@@ -16,9 +16,11 @@ struct storey_point {
 
 // A virgin storey and the path that it follows from drift 0.
 struct storey_path {
-    const struct storey_law *law;
+    const struct loop_law *law;
     const double *constant;
-    double stiffness;      // initial
+    double stiffness;      // initial; NAN: none
+    double period;         // [T] of a cycle: from target to target in half of it, by half a wave of
+                           // a cosine; 0: slowly, at rate 0
     const double *target;  // (n_target) drifts
     size_t n_target;
     int n_part;  // points from one target to the next
@@ -29,7 +31,7 @@ struct storey_path {
 // over the steps.
 void storey_loop_run(const struct storey_path *path, struct storey_point *point);
 
-// Shears (n_target) at the targets, reached in one step each.
+// Shears (n_target) at the targets, reached in one step each at rate 0.
 void storey_loop_shears(const struct storey_path *path, double *shear);
 
 #endif

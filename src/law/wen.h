@@ -10,8 +10,9 @@
 //     zeta1 = zeta_s (1 - exp(-p e)),   zeta2 = (psi + delta_psi e) (lambda + zeta1).
 //
 // A does not fall below 0.1. These equations have no closed form: z and e follow from steps of
-// Bogacki & Shampine's method of third order, short against zeta2. Its last slope is the tangent,
-// and the first slope of the next step.
+// third order, short against zeta2, which use dz/ds at the start and near the end, and d2z/ds2 at
+// the start. Both derivatives at the end are those of the start of the next step, and dz/ds is the
+// tangent.
 #ifndef JOSTLE_WEN_H
 #define JOSTLE_WEN_H
 
@@ -55,6 +56,7 @@ enum wen_history {
     WEN_ENERGY,     // e; this and what follows is 0 where nothing degrades
     WEN_LOST,       // 1 - exp(-p e)
     WEN_RATE,       // dz/ds in the direction of the last step
+    WEN_BEND,       // d2z/ds2
     WEN_DIRECTION,  // of the last step: 1, -1, or 0 at the start
     WEN_HISTORY
 };

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "core/lanes.h"
+#include "model/tangent_damping.h"
 
 void building_damping_force(const struct building *g, const double *v, double *force) {
     const int n = g->n_dof;
@@ -20,12 +21,26 @@ void building_damping_force(const struct building *g, const double *v, double *f
     }
 }
 
+// phi' C phi of damping on the tangent stiffness, which is the initial one here.
+static double tangent_term(const struct tangent_damping *t, const double *phi) {
+    double sum = 0.0;
+    for (int i = 0; t && i < t->n; i++) {
+        for (int j = 0; j < t->n; j++) {
+            const int k = i * t->n + j;
+            const double drift_i = phi[i] - (i > 0 ? phi[i - 1] : 0.0);
+            const double drift_j = phi[j] - (j > 0 ? phi[j - 1] : 0.0);
+            sum += drift_i * t->beta[k] * t->initial[k] * drift_j;
+        }
+    }
+    return sum;
+}
+
 double building_damping_ratio(const struct building *g, int mode) {
     assert(mode >= 1 && mode <= g->n_dof && g->n_dof <= FLOORS_MAX);
     int n = g->n_dof;
     const double *phi = g->shape + (size_t)(mode - 1) * (size_t)n;
     double force[FLOORS_MAX];
-    double damping = 0.0;
+    double damping = tangent_term(g->tangent, phi);
     double mass = 0.0;
     building_damping_force(g, phi, force);
     for (int i = 0; i < n; i++) {

@@ -262,7 +262,7 @@ bool forces_create(struct building *g, int building, struct model *m, struct are
 }
 
 void forces_at(const struct building *g, const double *drift, const double *history,
-               double *force) {
+               const double *struck, double *force) {
     const size_t n = (size_t)lanes_whole(g->n_force);
     const int n_own = g->n_dof + g->n_hinge;
     memset(force, 0, n * sizeof *force);
@@ -270,7 +270,7 @@ void forces_at(const struct building *g, const double *drift, const double *hist
         const double *row = g->force_by_action + (size_t)j * n;
         const double action = j < g->n_dof ? drift[j]
                               : j < n_own  ? history[g->departure + j - g->n_dof]
-                                           : drift[g->struck[j - n_own] - g->first];
+                                           : struck[g->struck[j - n_own]];
         LANES_LOOP
         for (size_t i = 0; i < n; i++) {
             force[i] += row[i] * action;

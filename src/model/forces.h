@@ -41,9 +41,11 @@ int forces_quantities(const struct building *g);
 // those of this one are added. False: no memory.
 bool forces_create(struct building *g, int building, struct model *m, struct arena *a);
 
-// The forces of the building at these drifts (n_dof; and those of struck points, which are behind
-// all buildings), n_force rounded up to whole lanes. `history` is the storey history of the state.
-void forces_at(const struct building *g, const double *drift, const double *history, double *force);
+// The forces of the building at these drifts (n_dof), n_force rounded up to whole lanes. `history`
+// is the storey history of the state. `struck` (n_dof of the model) has the displacements of struck
+// points (struck_column_elastic).
+void forces_at(const struct building *g, const double *drift, const double *history,
+               const double *struck, double *force);
 
 // Makes the forces that members do not have NAN.
 void forces_hide(const struct building *g, double *force);

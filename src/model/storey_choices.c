@@ -26,7 +26,17 @@ bool storey_choices_rows(struct builder *b, const struct row *row, int n_row,
 
 bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, const char *owner) {
     const struct storey_law *law = c->law;
-    const bool good = storey_choices_rows(b, law->row, law->n_row, c->given, n, owner, c->value);
+    static const struct row damage[] = {STOREY_CHOICES_DAMAGE(OF_NONE)};
+    const struct argument *first = c->damage[STOREY_DAMAGE_ULTIMATE].given
+                                       ? &c->damage[STOREY_DAMAGE_ULTIMATE]
+                                       : &c->damage[STOREY_DAMAGE_BETA];
+    if (first->given && law->n_history == 0) {
+        return deck_error(b->deck, &first->key, "law %s does not yield: it has no damage index",
+                          law->name);
+    }
+    const bool good =
+        storey_choices_rows(b, law->row, law->n_row, c->given, n, owner, c->value) &&
+        storey_choices_rows(b, damage, STOREY_DAMAGE_COUNT, c->damage, n, owner, c->damage_value);
     const int yield = storey_choice_row(law, "yield");
     if (yield >= 0 && c->value[yield]) {
         c->yield = c->value[yield];
@@ -58,5 +68,10 @@ bool storey_choices_prepare(struct builder *b, const struct word *w, const struc
         own[r] = c->value[r] ? c->value[r][k] : NAN;
     }
     out->yield = c->yield ? c->yield[k] : (double)INFINITY;
+    double *damage = arena_alloc(b->arena, STOREY_DAMAGE_COUNT, sizeof *damage);
+    for (int q = 0; damage && q < STOREY_DAMAGE_COUNT; q++) {
+        damage[q] = c->damage_value[q] ? c->damage_value[q][k] : (double)NAN;
+    }
+    out->damage = damage;
     return storey_choices_law(b, w, law, own, stiffness, out);
 }

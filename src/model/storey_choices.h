@@ -7,11 +7,27 @@
 #include "model/builder.h"
 #include "model/storey_choice.h"
 
+// The rows of the damage index, for the rows of the statement.
+#define STOREY_CHOICES_DAMAGE(dimension)                                                           \
+    {"damage-ultimate",                                                                            \
+     ROW_LIST,                                                                                     \
+     0,                                                                                            \
+     dimension,                                                                                    \
+     &range_positive,                                                                              \
+     NAN,                                                                                          \
+     "deformation at which a monotonic test loses its strength, for the damage index"},            \
+    {                                                                                              \
+        "damage-beta", ROW_LIST, 0, OF_NONE, &range_non_negative, NAN,                             \
+            "weight of the energy in the damage index (default: 0.05)"                             \
+    }
+
 struct storey_choices {
     const struct storey_law *law;
-    struct argument given[STOREY_ROWS_MAX];  // (law->n_row)
-    double *value[STOREY_ROWS_MAX];          // (n) of each row that is given; NULL: others
-    double *yield;                           // of the row `yield`; NULL: not given
+    const struct argument *damage;              // (STOREY_DAMAGE_COUNT) of the rows above
+    double *damage_value[STOREY_DAMAGE_COUNT];  // as `value`
+    struct argument given[STOREY_ROWS_MAX];     // (law->n_row)
+    double *value[STOREY_ROWS_MAX];             // (n) of each row that is given; NULL: others
+    double *yield;                              // of the row `yield`; NULL: not given
     int yield_row;
 };
 

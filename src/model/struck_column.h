@@ -55,6 +55,14 @@ static inline double struck_column_force(const struct struck_column *c, enum col
     return sum + c->by_spring[force] * spring;
 }
 
+// Where the struck point of a column with a law would be if its spring were elastic and had the
+// same force. The forces of the members of a frame follow from this displacement. The point is at
+// `w`, and its spring has this deformation, positive in compression.
+static inline double struck_column_elastic(const struct struck_column *c, double w,
+                                           double deformation, double spring) {
+    return w + (deformation - spring / c->stiffness);
+}
+
 // The building that a body belongs to: itself, or that of its column. WALL: WALL.
 static inline int struck_column_host(const struct model *m, int body) {
     return body < m->n_building ? body : m->column[body - m->n_building].building;

@@ -18,6 +18,12 @@
 
 enum { HEADER_LINES_MAX = 32 };
 
+static const struct header_row entries[] = {
+    {.kind = HEADER_COUNT, .key = "NUMBER OF DATA"},
+    {.kind = HEADER_STEP, .key = "SAMPLING INTERVAL (sec)"},
+    {.key = NULL},
+};
+
 // Goes to the line with the names of the channels, the last line of the header.
 static bool find_names(const struct record_reader *r, struct lines *l, struct channels *c) {
     lines_init(l, r->text);
@@ -39,31 +45,21 @@ static bool find_names(const struct record_reader *r, struct lines *l, struct ch
 
 // The unit, in brackets in the key of the largest values; and the largest value of the channel,
 // behind its name in brackets.
-static bool read_peak(const struct header *h, struct piece name) {
+static bool take_peak(const struct header *h, struct piece name) {
     struct header_entry peaks;
-    struct piece inside, value;
+    struct piece inside;
     if (!header_text(h, "RAW PGA VALUES (gal)", &peaks)) {
         return false;
     }
-    header_read_unit(h->reading, peaks.line, (struct piece){"gal", 3});
     struct piece rest = peaks.value;
+    peaks.value = (struct piece){"gal", 3};
+    header_take(h->reading, HEADER_UNIT, &peaks);
     while (lines_bracket(&rest, &inside)) {
         if (inside.n == name.n && memcmp(inside.text, name.text, name.n) == 0 &&
-            lines_field(&rest, "", &value)) {
-            return header_read_peak(h->reading, &peaks, value, 0);
+            lines_field(&rest, "", &peaks.value)) {
+            return header_take(h->reading, HEADER_PEAK, &peaks);
         }
     }
-    return true;
-}
-
-static bool read_sizes(const struct header *h, struct channel_rows *rows) {
-    struct header_entry count, step;
-    if (!header_count(h, "NUMBER OF DATA", &count, &rows->stated) ||
-        !header_positive(h, "SAMPLING INTERVAL (sec)", &step, &h->reading->out->dt)) {
-        return false;
-    }
-    rows->stated_line = count.line;
-    h->reading->out->dt_line = step.line;
     return true;
 }
 
@@ -74,7 +70,8 @@ static bool afad_read(const struct record_reader *r) {
         return false;
     }
     const struct header h = {r, rows.from.number};
-    return read_sizes(&h, &rows) && read_peak(&h, c.name[rows.column]) && channels_read(r, &rows);
+    return header_rows(&h, entries, 0) && take_peak(&h, c.name[rows.column]) &&
+           channels_read(r, &rows);
 }
 
 const struct record_format record_afad = {

@@ -89,9 +89,8 @@ static bool read_row(const struct record_reader *r, const struct channel_rows *r
 
 // True if all rows after the stated number equal the last of them. Some recorders fill files this
 // way.
-static bool is_filling(const struct channel_rows *rows) {
-    struct lines l = rows->from;
-    for (double i = 0; i < rows->stated; i++) {
+static bool is_filling(struct lines l, double stated) {
+    for (double i = 0; i < stated; i++) {
         next_row(&l);
     }
     const struct piece last = l.line;
@@ -102,23 +101,21 @@ static bool is_filling(const struct channel_rows *rows) {
     return same;
 }
 
-static bool check_count(const struct record_reader *r, const struct channel_rows *rows,
-                        int last_line) {
+static bool check_count(const struct record_reader *r, const struct lines *before, int last_line) {
     struct record_content *out = r->out;
     const size_t n = out->n;
-    if ((double)n > rows->stated && is_filling(rows)) {
-        out->n_filling = n - (size_t)rows->stated;
-        out->count_line = rows->stated_line;
+    if ((double)n > out->npts && is_filling(*before, out->npts)) {
+        out->n_filling = n - (size_t)out->npts;
     }
-    if ((double)n == rows->stated || out->n_filling > 0) {
+    if ((double)n == out->npts || out->n_filling > 0) {
         return true;
     }
-    return (double)n < rows->stated
+    return (double)n < out->npts
                ? record_fail(r, last_line,
                              "the file ends after %zu rows; its header (line %d) says %.0f", n,
-                             rows->stated_line, rows->stated)
-               : record_fail(r, rows->stated_line, "the header says %.0f rows; the file holds %zu",
-                             rows->stated, n);
+                             out->count_line, out->npts)
+               : record_fail(r, out->count_line, "the header says %.0f rows; the file holds %zu",
+                             out->npts, n);
 }
 
 bool channels_read(const struct record_reader *r, const struct channel_rows *rows) {
@@ -129,7 +126,7 @@ bool channels_read(const struct record_reader *r, const struct channel_rows *row
     for (out->n = 0; next_row(&l); out->n++) {
         last_line = l.number;
     }
-    if (!check_count(r, rows, last_line)) {
+    if (!check_count(r, &rows->from, last_line)) {
         return false;
     }
     out->value = arena_alloc(r->arena, out->n, sizeof *out->value);

@@ -30,14 +30,12 @@ bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, 
 struct channel_rows {
     struct lines from;  // the current line is the one before the first row
     int n_column;
-    int column;       // the column to read, from 0
-    bool timed;       // column 0 holds times, which must agree with out->dt
-    double stated;    // number of rows in the header
-    int stated_line;  // line of the header with this number
+    int column;  // the column to read, from 0
+    bool timed;  // column 0 holds times, which must agree with out->dt
 };
 
-// Reads a column: sets value, n, peak and peak_line of r->out. If the file has more rows than
-// stated, all equal to the last one, sets n_filling, too.
+// Reads a column: sets value, n, peak and peak_line of r->out. If the file has more rows than the
+// header states, all equal to the last one, sets n_filling, too.
 bool channels_read(const struct record_reader *r, const struct channel_rows *rows);
 
 #endif

@@ -105,26 +105,23 @@ static bool read_step(const struct record_reader *r, const struct channel *c, do
             r, c->values.number,
             "the header has no line 'Real-header values follow' with a format above it");
     }
-    for (size_t row = 0; row <= (REAL_STEP - 1) / format.n; row++) {
-        if (!lines_next(&l)) {
-            return record_fail(r, l.number, "the file ends within its reals");
-        }
+    if (!lines_next(&l)) {
+        return record_fail(r, l.number, "the file ends within its reals");
     }
-    const struct number_field f = {r->text, l.number, "real", REAL_STEP,
-                                   fixed_field(l.whole, &format, (REAL_STEP - 1) % format.n)};
+    const struct header_entry entry = fixed_entry("real 62", l, &format, REAL_STEP);
     double step;
-    if (!record_number(r, &f, &step)) {
+    if (!header_number(r, &entry, &step)) {
         return false;
     }
     if (step <= 0 && step != unknown) {
-        return record_fail(r, l.number, "a time step of %g ms; it must be > 0", step);
+        return record_fail(r, entry.line, "a time step of %g ms; it must be > 0", step);
     }
     r->out->dt = step == unknown ? 0 : step / 1000;
-    r->out->dt_line = l.number;
+    r->out->dt_line = entry.line;
     return true;
 }
 
-static bool read_count(const struct record_reader *r, const struct channel *c, double *n) {
+static bool read_count(const struct record_reader *r, const struct channel *c) {
     const struct record_content *out = r->out;
     struct header_entry entry = {.key = "number of values", .line = c->values.number};
     struct piece rest = c->values.line;
@@ -132,28 +129,27 @@ static bool read_count(const struct record_reader *r, const struct channel *c, d
     struct piece told;
     double duration;
     lines_field(&rest, "", &entry.value);
-    if (!header_read_count(r, &entry, n)) {
+    if (!header_take(r, HEADER_COUNT, &entry)) {
         return false;
     }
     return !lines_field(&approx, "", &told) || lines_number(told, &duration) != NUMBER_OK ||
-           out->dt == 0 || fabs(*n * out->dt - duration) <= DURATION_ROUNDING + out->dt ||
+           out->dt == 0 || fabs(out->npts * out->dt - duration) <= DURATION_ROUNDING + out->dt ||
            record_fail(r, entry.line,
                        "%.0f values in approx %g s; the time step of %g s (line %d) makes it %g",
-                       *n, duration, out->dt, out->dt_line, *n * out->dt);
+                       out->npts, duration, out->dt, out->dt_line, out->npts * out->dt);
 }
 
 static bool read_unit(const struct record_reader *r, const struct channel *c) {
     struct piece rest = lines_behind(c->values.line, "UNITS");
-    struct piece unit;
-    lines_field(&rest, "=", &unit);
-    lines_field(&rest, "(,", &unit);
-    if (lines_contain(unit, "COUNT")) {
+    struct header_entry unit = {"units", {0}, c->values.number};
+    lines_field(&rest, "=", &unit.value);
+    lines_field(&rest, "(,", &unit.value);
+    if (lines_contain(unit.value, "COUNT")) {
         return record_fail(r, c->values.number,
                            "the values are counts of a recorder (volume 0), which are not "
                            "converted; volumes 1 and 2 hold accelerations");
     }
-    header_read_unit(r, c->values.number, unit);
-    return true;
+    return header_take(r, HEADER_UNIT, &unit);
 }
 
 static bool check_unknown(const struct record_reader *r, const struct channel *c, double unknown) {
@@ -172,7 +168,6 @@ static bool cosmos_read(const struct record_reader *r) {
     struct channel c;
     struct fixed_format format;
     struct lines l;
-    double n;
     double unknown;
     if (!channels_seek(r, next_name, none, &l)) {
         return false;
@@ -181,14 +176,14 @@ static bool cosmos_read(const struct record_reader *r) {
     if (lines_number(c.unknown.value, &unknown) != NUMBER_OK) {
         unknown = -999;
     }
-    if (!read_unit(r, &c) || !read_step(r, &c, unknown) || !read_count(r, &c, &n) ||
-        !header_read_peak(r, &c.peak, c.peak.value, header_unit(r, c.peak_unit))) {
+    if (!read_unit(r, &c) || !read_step(r, &c, unknown) || !read_count(r, &c) ||
+        !header_peak(r, &c.peak, header_unit(r, c.peak_unit))) {
         return false;
     }
     if (!fixed_format_find(c.values.line, &format)) {
         return record_fail(r, c.values.number, "the line has no format such as (8F10.5)");
     }
-    return fixed_read(r, &l, &format, (size_t)n) && fixed_check_end(r, l, &format) &&
+    return fixed_read(r, &l, &format) && fixed_check_end(r, l, &format) &&
            check_unknown(r, &c, unknown);
 }
 

@@ -92,40 +92,31 @@ static bool next_name(struct lines *l, struct piece *name) {
 }
 
 // Reads the number of values and the time step from the line before the values.
-static bool read_sizes(const struct record_reader *r, const struct lines *l, double *npts) {
-    double *dt = &r->out->dt;
-    struct piece rest = l->line;
-    struct piece count, step, unit;
-    struct piece spacing = lines_behind(l->line, "AT");
-    if (!lines_field(&rest, "", &count) || lines_number(count, npts) != NUMBER_OK ||
-        *npts != floor(*npts) || *npts < 2 || *npts > 1e9) {
-        return record_fail(r, l->number,
-                           "'%s' is not a number of values: it must be whole and at least 2",
-                           lines_excerpt(count).text);
-    }
-    if (!lines_field(&spacing, "", &step) || lines_number(step, dt) != NUMBER_OK || *dt <= 0) {
-        return record_fail(r, l->number, "'%s' after AT is not a number > 0",
-                           lines_excerpt(step).text);
-    }
+static bool read_sizes(const struct record_reader *r, const struct lines *l) {
+    struct header_entry count = {"number of values", {0}, l->number},
+                        step = {"the number after AT", {0}, l->number};
+    struct piece rest = l->line, spacing = lines_behind(l->line, "AT"), unit;
+    lines_field(&rest, "", &count.value);
+    lines_field(&spacing, "", &step.value);
     lines_field(&spacing, ".,", &unit);
-    if (unit.n == 7 && lines_contain(unit, "PTS/SEC")) {
-        *dt = 1 / *dt;
-    } else if (unit.n != 3 || !lines_contain(unit, "SEC")) {
+    const bool rate = unit.n == 7 && lines_contain(unit, "PTS/SEC");
+    if (!rate && (unit.n != 3 || !lines_contain(unit, "SEC"))) {
         return record_fail(r, l->number, "'%s' is neither SEC nor PTS/SEC",
                            lines_excerpt(unit).text);
     }
-    r->out->dt_line = l->number;
-    return true;
+    return header_take(r, HEADER_COUNT, &count) &&
+           header_take(r, rate ? HEADER_RATE : HEADER_STEP, &step);
 }
 
 static void read_unit(const struct record_reader *r, const struct lines *l) {
-    struct piece rest = lines_behind(l->line, "UNITS OF");
-    rest = rest.n ? rest : lines_behind(l->line, "UNITS:");
-    rest = rest.n ? rest : lines_behind(l->line, "IN UNITS");
-    rest = rest.n ? rest : lines_behind(l->line, "IN");
-    struct piece unit;
-    if (lines_field(&rest, ".,)", &unit)) {
-        header_read_unit(r, l->number, unit);
+    static const char *const before[] = {"UNITS OF", "UNITS:", "IN UNITS", "IN"};
+    struct header_entry unit = {"unit", {0}, l->number};
+    struct piece rest = {0};
+    for (int i = 0; i < 4 && rest.n == 0; i++) {
+        rest = lines_behind(l->line, before[i]);
+    }
+    if (lines_field(&rest, ".,)", &unit.value)) {
+        header_take(r, HEADER_UNIT, &unit);
     }
 }
 
@@ -143,14 +134,13 @@ static bool read_format(const struct record_reader *r, const struct lines *l,
 static bool csmip_read(const struct record_reader *r) {
     struct channel c;
     struct fixed_format format = {.decimals = 0};
-    double npts = 0.0;
     struct lines l;
     if (!channels_seek(r, next_name, none, &l)) {
         return false;
     }
     next_channel(&l, &c);
-    if (!read_sizes(r, &c.title, &npts) || !read_format(r, &c.title, &format) ||
-        !header_read_peak(r, &c.peak, c.peak.value, 0)) {
+    if (!read_sizes(r, &c.title) || !read_format(r, &c.title, &format) ||
+        !header_take(r, HEADER_PEAK, &c.peak)) {
         return false;
     }
     if (format.decimals > 0) {
@@ -158,7 +148,7 @@ static bool csmip_read(const struct record_reader *r) {
     }
     read_unit(r, &c.title);
     l = c.title;
-    return fixed_read(r, &l, &format, (size_t)npts) && fixed_check_end(r, l, &format);
+    return fixed_read(r, &l, &format) && fixed_check_end(r, l, &format);
 }
 
 const struct record_format record_csmip = {

@@ -20,6 +20,13 @@
 
 enum { HEADER_LINES_MAX = 64 };
 
+static const struct header_row entries[] = {
+    {.kind = HEADER_RATE, .key = "#SampleRate(Hz)"},
+    {.kind = HEADER_DURATION, .key = "#RecordLength(sec)"},
+    {.kind = HEADER_UNIT, .key = "#AmplitudeUnit", .until = "."},
+    {.key = NULL},
+};
+
 // The names of the channels, `Time U(+); N(+); E(+)` without time and polarities.
 static bool read_names(const struct header *h, struct channels *c) {
     struct header_entry entry;
@@ -40,39 +47,20 @@ static bool read_names(const struct header *h, struct channels *c) {
 }
 
 // The larger of the two stated peaks of the channel, `0.658~   -0.837`.
-static bool read_peak(const struct header *h, struct piece name) {
+static bool take_peak(const struct header *h, struct piece name) {
     char key[64];
     struct header_entry entry;
-    struct piece positive, negative;
     snprintf(key, sizeof key, "#AmplitudeMAX. %.*s", (int)(name.n < 8 ? name.n : 8), name.text);
     if (!header_find(h, key, &entry)) {
         return true;
     }
+    bool good = true;
     struct piece rest = entry.value;
-    lines_field(&rest, "~", &positive);
-    lines_field(&rest, "~", &negative);
-    return header_read_peak(h->reading, &entry, positive, 0) &&
-           header_read_peak(h->reading, &entry, negative, 0);
-}
-
-static bool read_sizes(const struct header *h, struct channel_rows *rows) {
-    struct record_content *out = h->reading->out;
-    struct header_entry sampling, length, unit;
-    double rate;
-    if (!header_positive(h, "#SampleRate(Hz)", &sampling, &rate)) {
-        return false;
+    for (int i = 0; i < 2 && good; i++) {
+        lines_field(&rest, "~", &entry.value);
+        good = header_take(h->reading, HEADER_PEAK, &entry);
     }
-    out->dt = 1 / rate;
-    out->dt_line = sampling.line;
-    if (!header_duration(h, "#RecordLength(sec)", rate, &length, &rows->stated) ||
-        !header_text(h, "#AmplitudeUnit", &unit)) {
-        return false;
-    }
-    rows->stated_line = length.line;
-    struct piece name;
-    lines_field(&unit.value, ".", &name);
-    header_read_unit(h->reading, unit.line, name);
-    return true;
+    return good;
 }
 
 static bool cwa_read(const struct record_reader *r) {
@@ -88,7 +76,7 @@ static bool cwa_read(const struct record_reader *r) {
     }
     rows.n_column = c.n + 1;
     rows.column = channel + 1;
-    return read_sizes(&h, &rows) && read_peak(&h, c.name[channel]) && channels_read(r, &rows);
+    return header_rows(&h, entries, 0) && take_peak(&h, c.name[channel]) && channels_read(r, &rows);
 }
 
 const struct record_format record_cwa = {

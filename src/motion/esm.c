@@ -19,6 +19,13 @@
 
 enum { HEADER_LINES_MAX = 128 };
 
+static const struct header_row entries[] = {
+    {.kind = HEADER_COUNT, .key = "NDATA"},
+    {.kind = HEADER_STEP, .key = "SAMPLING_INTERVAL_S"},
+    {.kind = HEADER_UNIT, .key = "UNITS"},
+    {.key = NULL},
+};
+
 // The lines before the first line without a colon. The current line of *values is the last of them.
 static struct header find_header(const struct record_reader *r, struct lines *values) {
     struct lines l;
@@ -45,22 +52,14 @@ static bool read_peak(const struct header *h) {
     static const double cm = 0.01;
     struct header_entry entry;
     return h->reading->out->unit == 0 || !header_find(h, "PGA_CM/S^2", &entry) ||
-           header_read_peak(h->reading, &entry, entry.value, cm);
+           header_peak(h->reading, &entry, cm);
 }
 
 static bool esm_read(const struct record_reader *r) {
     struct lines values;
     const struct header h = find_header(r, &values);
-    struct header_entry count, step, unit;
-    double n;
-    if (!check_type(&h) || !header_count(&h, "NDATA", &count, &n) ||
-        !header_positive(&h, "SAMPLING_INTERVAL_S", &step, &r->out->dt) ||
-        !header_text(&h, "UNITS", &unit)) {
-        return false;
-    }
-    r->out->dt_line = step.line;
-    header_read_unit(r, unit.line, unit.value);
-    return read_peak(&h) && values_read_stated(r, values, n, count.line);
+    return check_type(&h) && header_rows(&h, entries, 0) && read_peak(&h) &&
+           values_read_stated(r, values, r->out->npts, r->out->count_line);
 }
 
 const struct record_format record_esm = {

@@ -73,6 +73,12 @@ struct piece fixed_field(struct piece line, const struct fixed_format *format, s
     return rest.n == 0 ? field : whole;
 }
 
+struct header_entry fixed_entry(const char *key, struct lines first,
+                                const struct fixed_format *format, size_t i) {
+    const struct lines l = lines_at(first, 1 + (int)((i - 1) / format->n));
+    return (struct header_entry){key, fixed_field(l.whole, format, (i - 1) % format->n), l.number};
+}
+
 static bool check_rest(const struct record_reader *r, const struct lines *l, size_t used) {
     struct piece rest = {l->whole.text + used, used < l->whole.n ? l->whole.n - used : 0};
     struct piece field;
@@ -90,10 +96,10 @@ static bool read_field(const struct record_reader *r, const struct lines *l,
     return record_number(r, &f, value);
 }
 
-bool fixed_read(const struct record_reader *r, struct lines *l, const struct fixed_format *format,
-                size_t n) {
+bool fixed_read(const struct record_reader *r, struct lines *l, const struct fixed_format *format) {
     assert(format->n > 0 && format->width > 0);
-    const int title = format->stated ? format->stated : l->number;
+    const size_t n = (size_t)r->out->npts;
+    const int title = r->out->count_line;
     const size_t each = format->timed ? 2 : 1;  // fields for each value
     if (n > (size_t)(l->end - l->at)) {
         return record_fail(r, title, "the line says %zu values; the file ends before", n);

@@ -33,10 +33,10 @@ static const char none[] =
     "the file has no line 'Corrected accelerogram' or 'Uncorrected accelerogram' of 'GNS Science'";
 static const double DURATION_ROUNDING = 0.01;  // [s]
 
-// A component: numbers of its lines, and their content.
+// A component: its first line, and the numbers of its values.
 struct component {
     const struct record_reader *reading;
-    struct lines line[HEADER_LINES + 1];
+    struct lines title;
     double count[N_KIND];
 };
 
@@ -65,101 +65,86 @@ static bool next_component(struct lines *l, struct piece *name) {
     return false;
 }
 
-// Reads the lines of the component that begins at the current line of `l`.
-static bool read_lines(struct component *c, struct lines l) {
-    for (int i = 1; i <= HEADER_LINES; i++) {
-        c->line[i] = l;
-        if (i < HEADER_LINES && !lines_next(&l)) {
-            return record_fail(c->reading, l.number,
-                               "the file ends after %d of the %d lines of a header", i,
-                               HEADER_LINES);
-        }
-    }
-    return true;
-}
-
-// The first word after `word` in line `i`.
-static struct piece word_behind(const struct component *c, int i, const char *word) {
-    struct piece rest = lines_behind(c->line[i].line, word);
-    struct piece field;
-    lines_field(&rest, "", &field);
-    return field;
+// The first word after `word` in line `number`, as an entry.
+static struct header_entry word_behind(const struct component *c, int number, const char *key,
+                                       const char *word) {
+    const struct lines l = lines_at(c->title, number);
+    struct header_entry entry = {key, {0}, l.number};
+    struct piece rest = lines_behind(l.line, word);
+    lines_field(&rest, "", &entry.value);
+    return entry;
 }
 
 // Number `i`, from 1, of a line of integers or reals.
-static bool read_number(const struct component *c, int line, size_t i, double *value) {
-    const struct lines *l = &c->line[line];
-    const struct number_field f = {c->reading->text, l->number, "number", i,
-                                   fixed_field(l->whole, &columns, i - 1)};
-    return record_number(c->reading, &f, value);
+static struct header_entry number(const struct component *c, const char *key, int line, size_t i) {
+    return fixed_entry(key, lines_at(c->title, line), &columns, i);
 }
 
 static bool read_counts(struct component *c) {
-    const int line = c->line[LINE_COUNTS].number;
+    static const char *const names[] = {"number of accelerations", "number of velocities",
+                                        "number of displacements"};
+    const struct header_entry told =
+        word_behind(c, LINE_POINTS, "Number of points", "NUMBER OF POINTS");
+    double points;
     for (int i = 0; i < N_KIND; i++) {
-        const double least = i == ACCELERATIONS ? 2 : 0;
+        const struct header_entry entry = number(c, names[i], LINE_COUNTS, 4 + (size_t)i);
         double *n = &c->count[i];
-        if (!read_number(c, LINE_COUNTS, 4 + (size_t)i, n)) {
+        if (i == ACCELERATIONS ? !header_take(c->reading, HEADER_COUNT, &entry)
+                               : !header_number(c->reading, &entry, n)) {
             return false;
         }
-        if (*n != floor(*n) || *n < least || *n > 1e9) {
-            return record_fail(c->reading, line,
-                               "number %d is %g; it must be a number of values, whole and at "
-                               "least %g",
-                               4 + i, *n, least);
+        *n = i == ACCELERATIONS ? c->reading->out->npts : *n;
+        if (*n != floor(*n) || *n < 0 || *n > 1e9) {
+            return record_fail(c->reading, entry.line, "%s is %g; it must be a whole number >= 0",
+                               names[i], *n);
         }
     }
-    double points;
-    const struct piece told = word_behind(c, LINE_POINTS, "NUMBER OF POINTS");
-    return (lines_number(told, &points) == NUMBER_OK && points == c->count[ACCELERATIONS]) ||
-           record_fail(c->reading, c->line[LINE_POINTS].number,
-                       "Number of points '%s'; line %d says %.0f", lines_excerpt(told).text, line,
+    return (lines_number(told.value, &points) == NUMBER_OK && points == c->count[ACCELERATIONS]) ||
+           record_fail(c->reading, told.line, "Number of points '%s'; line %d says %.0f",
+                       lines_excerpt(told.value).text, c->reading->out->count_line,
                        c->count[ACCELERATIONS]);
 }
 
 // Reads the time step and checks the duration. The duration is n - 1 steps; n steps are accepted
 // too.
 static bool read_step(const struct component *c) {
-    const int line = c->line[LINE_STEP].number;
-    double *dt = &c->reading->out->dt;
-    if (!read_number(c, LINE_STEP, 6, dt)) {
+    const struct record_content *out = c->reading->out;
+    const struct header_entry step = number(c, "time step", LINE_STEP, 6),
+                              told = word_behind(c, LINE_POINTS, "Duration", "DURATION");
+    double duration;
+    if (!header_take(c->reading, HEADER_STEP, &step) ||
+        !header_positive(c->reading, &told, &duration)) {
         return false;
     }
-    if (*dt <= 0) {
-        return record_fail(c->reading, line, "a time step of %g s; it must be > 0", *dt);
-    }
-    c->reading->out->dt_line = line;
-    double told;
-    const double duration = (c->count[ACCELERATIONS] - 1) * *dt;
-    const struct header_entry entry = {"Duration", word_behind(c, LINE_POINTS, "DURATION"),
-                                       c->line[LINE_POINTS].number};
-    return header_read_positive(c->reading, &entry, entry.value, &told) &&
-           (fabs(told - duration) <= *dt + DURATION_ROUNDING ||
-            record_fail(c->reading, entry.line,
-                        "Duration %g s; the time step of %g s (line %d) makes it %g", told, *dt,
-                        line, duration));
+    const double wanted = (out->npts - 1) * out->dt;
+    return fabs(duration - wanted) <= out->dt + DURATION_ROUNDING ||
+           record_fail(c->reading, told.line,
+                       "Duration %g s; the time step of %g s (line %d) makes it %g", duration,
+                       out->dt, out->dt_line, wanted);
 }
 
 // Reads the unit, and the peak against which the values are checked.
 static bool read_acceleration(const struct component *c) {
-    const int line = c->line[LINE_PEAK].number;
-    struct piece rest = lines_behind(c->line[LINE_PEAK].line, "ACCELERATION:  PEAK");
-    struct piece peak = {0}, unit = {0};
-    double factor;
-    if (!read_number(c, LINE_FACTOR, 8, &factor)) {
+    const struct header_entry factor = number(c, "factor", LINE_FACTOR, 8);
+    const struct lines l = lines_at(c->title, LINE_PEAK);
+    struct piece rest = lines_behind(l.line, "ACCELERATION:  PEAK");
+    struct header_entry peak = {"peak", {0}, l.number}, unit = {"unit", {0}, l.number};
+    double x;
+    if (!header_number(c->reading, &factor, &x)) {
         return false;
     }
-    if (factor != 1) {
-        return record_fail(c->reading, c->line[LINE_FACTOR].number,
+    if (x != 1) {
+        return record_fail(c->reading, factor.line,
                            "a factor of %g makes mm/s/s of the values; only files in mm/s/s are "
                            "read",
-                           factor);
+                           x);
     }
-    if (!lines_field(&rest, "", &peak) || !lines_field(&rest, "", &unit)) {
-        return record_fail(c->reading, line, "the line has no 'Acceleration:  Peak' with its unit");
+    if (!lines_field(&rest, "", &peak.value) || !lines_field(&rest, "", &unit.value)) {
+        return record_fail(c->reading, l.number,
+                           "the line has no 'Acceleration:  Peak' with its unit");
     }
-    header_read_unit(c->reading, line, unit);
-    return header_read_peak(c->reading, &(struct header_entry){"peak", peak, line}, peak, 0);
+    return header_take(c->reading, HEADER_UNIT, &unit) &&
+           header_take(c->reading, HEADER_PEAK, &peak);
 }
 
 // Checks that the lines of velocities and displacements follow, and no further accelerations.
@@ -169,7 +154,7 @@ static bool check_end(const struct component *c, struct lines l) {
     while (lines_next(&l) && !is_title(l.line)) {
         n += l.line.n > 0;
     }
-    return n == rows || record_fail(c->reading, c->line[LINE_COUNTS].number,
+    return n == rows || record_fail(c->reading, c->reading->out->count_line,
                                     "%.0f lines follow the accelerations; %.0f velocities and "
                                     "%.0f displacements fill %.0f",
                                     n, c->count[VELOCITIES], c->count[DISPLACEMENTS], rows);
@@ -177,19 +162,15 @@ static bool check_end(const struct component *c, struct lines l) {
 
 static bool geonet_read(const struct record_reader *r) {
     struct component c = {.reading = r};
-    struct fixed_format format = columns;
     struct lines l;
     struct piece name;
     if (!channels_seek(r, next_component, none, &l)) {
         return false;
     }
     next_component(&l, &name);
-    if (!read_lines(&c, l) || !read_counts(&c) || !read_step(&c) || !read_acceleration(&c)) {
-        return false;
-    }
-    format.stated = c.line[LINE_COUNTS].number;
-    l = c.line[HEADER_LINES];
-    return fixed_read(r, &l, &format, (size_t)c.count[ACCELERATIONS]) && check_end(&c, l);
+    c.title = l;
+    return header_skip(r, &l, HEADER_LINES) && read_counts(&c) && read_step(&c) &&
+           read_acceleration(&c) && fixed_read(r, &l, &columns) && check_end(&c, l);
 }
 
 const struct record_format record_geonet = {

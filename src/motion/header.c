@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Headers with one entry in each line: `KEY: value`, `KEY   : value` or `KEY   value`.
+// Entries of a header, and what they say about the record.
 #include "motion/header.h"
 
 #include <math.h>
@@ -44,6 +44,16 @@ bool header_end(const struct record_reader *r, const char *mark, int n_line, con
         n_line, name);
 }
 
+bool header_skip(const struct record_reader *r, struct lines *l, int n) {
+    for (int i = 1; i < n; i++) {
+        if (!lines_next(l)) {
+            return record_fail(r, l->number, "the file ends after %d of the %d lines of a header",
+                               i, n);
+        }
+    }
+    return true;
+}
+
 bool header_find(const struct header *h, const char *key, struct header_entry *out) {
     struct lines l;
     lines_init(&l, h->reading->text);
@@ -64,49 +74,17 @@ bool header_text(const struct header *h, const char *key, struct header_entry *o
     return out->value.n > 0 || record_fail(h->reading, out->line, "%s is empty", key);
 }
 
-bool header_read_number(const struct record_reader *r, const struct header_entry *from,
-                        struct piece value, double *number) {
-    return lines_number(value, number) == NUMBER_OK ||
+bool header_number(const struct record_reader *r, const struct header_entry *from, double *number) {
+    return lines_number(from->value, number) == NUMBER_OK ||
            record_fail(r, from->line, "%s '%s' is not a number", from->key,
-                       lines_excerpt(value).text);
+                       lines_excerpt(from->value).text);
 }
 
-bool header_read_positive(const struct record_reader *r, const struct header_entry *from,
-                          struct piece value, double *number) {
-    return header_read_number(r, from, value, number) &&
-           (*number > 0 || record_fail(r, from->line, "%s is %s; it must be > 0", from->key,
-                                       lines_excerpt(value).text));
-}
-
-bool header_positive(const struct header *h, const char *key, struct header_entry *out,
+bool header_positive(const struct record_reader *r, const struct header_entry *from,
                      double *number) {
-    return header_text(h, key, out) && header_read_positive(h->reading, out, out->value, number);
-}
-
-bool header_read_count(const struct record_reader *r, const struct header_entry *from, double *n) {
-    if (!header_read_number(r, from, from->value, n)) {
-        return false;
-    }
-    return (*n == floor(*n) && *n >= 2 && *n <= 1e9) ||
-           record_fail(r, from->line, "%s is %s; it must be a whole number from 2 to 1e9",
-                       from->key, lines_excerpt(from->value).text);
-}
-
-bool header_count(const struct header *h, const char *key, struct header_entry *out, double *n) {
-    return header_text(h, key, out) && header_read_count(h->reading, out, n);
-}
-
-bool header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,
-                     double *n) {
-    double duration;
-    if (!header_positive(h, key, out, &duration)) {
-        return false;
-    }
-    *n = rate * duration;
-    return (*n == floor(*n) && *n >= 2) ||
-           record_fail(h->reading, out->line,
-                       "%g s at %g Hz are %g values; they must be a whole number of at least 2",
-                       duration, rate, *n);
+    return header_number(r, from, number) &&
+           (*number > 0 || record_fail(r, from->line, "%s is %s; it must be > 0", from->key,
+                                       lines_excerpt(from->value).text));
 }
 
 // One unit in the last digit of a decimal number.
@@ -115,20 +93,19 @@ static double last_digit(struct piece number) {
     return point ? pow(10, -(double)(number.text + number.n - point - 1)) : 1;
 }
 
-bool header_read_peak(const struct record_reader *r, const struct header_entry *from,
-                      struct piece value, double unit) {
+bool header_peak(const struct record_reader *r, const struct header_entry *from, double unit) {
     struct record_content *out = r->out;
     const double size = unit > 0 && out->unit > 0 ? unit / out->unit : 1;
     double peak;
-    if (value.n == 0) {
+    if (from->value.n == 0) {
         return true;
     }
-    if (!header_read_number(r, from, value, &peak)) {
+    if (!header_number(r, from, &peak)) {
         return false;
     }
     if (out->stated_line == 0 || size * fabs(peak) > out->stated_peak) {
         out->stated_peak = size * fabs(peak);
-        out->stated_rounding = size * last_digit(value);
+        out->stated_rounding = size * last_digit(from->value);
         out->stated_line = from->line;
     }
     return true;
@@ -142,9 +119,85 @@ double header_unit(const struct record_reader *r, struct piece text) {
     return is ? si : 0;
 }
 
-void header_read_unit(const struct record_reader *r, int line, struct piece value) {
-    const double unit = header_unit(r, value);
-    r->out->unit_text = lines_excerpt(value);
-    r->out->unit_line = line;
-    r->out->unit = unit > 0 ? unit : r->out->unit;
+static bool take_count(const struct record_reader *r, const struct header_entry *from) {
+    const double n = r->out->npts;
+    return (n == floor(n) && n >= 2 && n <= 1e9) ||
+           record_fail(r, from->line, "%s is %s; it must be a whole number from 2 to 1e9",
+                       from->key, lines_excerpt(from->value).text);
+}
+
+static bool take_duration(const struct record_reader *r, const struct header_entry *from) {
+    struct record_content *out = r->out;
+    double duration;
+    if (!header_positive(r, from, &duration)) {
+        return false;
+    }
+    out->npts = out->rate * duration;
+    return (out->npts == floor(out->npts) && out->npts >= 2) ||
+           record_fail(r, from->line,
+                       "%g s at %g Hz are %g values; they must be a whole number of at least 2",
+                       duration, out->rate, out->npts);
+}
+
+bool header_take(const struct record_reader *r, enum header_kind kind,
+                 const struct header_entry *from) {
+    struct record_content *out = r->out;
+    const bool is_time = kind == HEADER_STEP || kind == HEADER_RATE;
+    const bool is_count = kind == HEADER_COUNT || kind == HEADER_DURATION;
+    bool good = true;
+    out->dt_line = is_time ? from->line : out->dt_line;
+    out->count_line = is_count ? from->line : out->count_line;
+    switch (kind) {
+        case HEADER_COUNT:
+            return header_number(r, from, &out->npts) && take_count(r, from);
+        case HEADER_STEP:
+            return header_positive(r, from, &out->dt);
+        case HEADER_RATE:
+            good = header_positive(r, from, &out->rate);
+            out->dt = 1 / out->rate;
+            return good;
+        case HEADER_DURATION:
+            return take_duration(r, from);
+        case HEADER_PEAK:
+            return header_peak(r, from, 0);
+        case HEADER_UNIT:
+            out->unit = header_unit(r, from->value);
+            out->unit_text = lines_excerpt(from->value);
+            out->unit_line = from->line;
+    }
+    return good;
+}
+
+// The part of the value that a row means; false: the channel has none.
+static bool cut_value(const struct header_row *row, int channel, struct piece *value) {
+    struct piece rest = *value;
+    bool found = !row->channels || (lines_field(&rest, "/", value) && value->n == 0);
+    for (int i = 0; row->channels && found && i <= channel; i++) {
+        found = lines_field(&rest, "/", value) && value->n > 0;
+    }
+    if (row->until) {
+        lines_field(&rest, row->until, value);
+    }
+    return found;
+}
+
+bool header_rows(const struct header *h, const struct header_row *row, int channel) {
+    for (; row->key; row++) {
+        struct header_entry entry;
+        if (row->optional && !header_find(h, row->key, &entry)) {
+            continue;
+        }
+        if (!row->optional && !header_text(h, row->key, &entry)) {
+            return false;
+        }
+        const struct piece whole = entry.value;
+        if (!cut_value(row, channel, &entry.value)) {
+            return record_fail(h->reading, entry.line, "%s '%s' has no value of channel %d",
+                               row->key, lines_excerpt(whole).text, channel + 1);
+        }
+        if (!header_take(h->reading, row->kind, &entry)) {
+            return false;
+        }
+    }
+    return true;
 }

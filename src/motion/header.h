@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Headers with one entry per line: `KEY: value`, `KEY   : value` or `KEY   value`.
+// What the header of a file states: entries in lines `KEY: value`, `KEY   : value` or `KEY value`,
+// or in fields of a fixed width (fixed.h), and what they mean.
 #ifndef JOSTLE_MOTION_HEADER_H
 #define JOSTLE_MOTION_HEADER_H
 
@@ -12,9 +13,29 @@ struct header {
 };
 
 struct header_entry {
-    const char *key;     // as the format writes it
+    const char *key;     // as the format writes it, or its name in messages
     struct piece value;  // may be empty
     int line;
+};
+
+// What an entry says about the record.
+enum header_kind {
+    HEADER_COUNT,     // the number of values: whole, from 2 to 1e9
+    HEADER_STEP,      // the time step [s]
+    HEADER_RATE,      // values per second
+    HEADER_DURATION,  // [s] makes the number of values, by the rate, which is taken before
+    HEADER_UNIT,      // the unit of the values; one that is not of acceleration is for record_check
+    HEADER_PEAK,  // the largest acceleration; empty: not stated. Of two peaks the larger one counts
+};
+
+// A row of the table of a format: what the entry of a key says. A row without a key ends the table.
+struct header_row {
+    enum header_kind kind;
+    const char *key;
+    const char
+        *until;     // the value ends before one of these characters; NULL: at the end of the line
+    bool channels;  // a slash and a value for each channel
+    bool optional;
 };
 
 // The functions below return false after an error of STATUS_INPUT, if they do not say otherwise.
@@ -24,43 +45,32 @@ struct header_entry {
 bool header_end(const struct record_reader *r, const char *mark, int n_line, const char *name,
                 struct lines *l);
 
+// Goes to the last one of the `n` lines of a header, of which the current line of `l` is the first.
+bool header_skip(const struct record_reader *r, struct lines *l, int n);
+
 // The first entry with this key; false: there is none.
 bool header_find(const struct header *h, const char *key, struct header_entry *out);
 
 // An entry that must exist and not be empty.
 bool header_text(const struct header *h, const char *key, struct header_entry *out);
 
-// An entry that must be a number > 0.
-bool header_positive(const struct header *h, const char *key, struct header_entry *out,
+// Reads the value of an entry as a number, or as a number > 0.
+bool header_number(const struct record_reader *r, const struct header_entry *from, double *number);
+bool header_positive(const struct record_reader *r, const struct header_entry *from,
                      double *number);
 
-// An entry that must be a number of values: whole, from 2 to 1e9.
-bool header_count(const struct header *h, const char *key, struct header_entry *out, double *n);
+// Notes what an entry says, and its line, in r->out.
+bool header_take(const struct record_reader *r, enum header_kind kind,
+                 const struct header_entry *from);
 
-// The number of values in a duration, an entry [s], at `rate` values per second.
-bool header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,
-                     double *n);
+// Takes the entries of a table in the order of its rows. `channel`: that of rows with channels.
+bool header_rows(const struct header *h, const struct header_row *row, int channel);
 
-// Reads `value`, a piece of the value of the entry, as a number, or as a number > 0.
-bool header_read_number(const struct record_reader *r, const struct header_entry *from,
-                        struct piece value, double *number);
-bool header_read_positive(const struct record_reader *r, const struct header_entry *from,
-                          struct piece value, double *number);
-
-// Reads the value of the entry as a number of values: whole, from 2 to 1e9.
-bool header_read_count(const struct record_reader *r, const struct header_entry *from, double *n);
-
-// Reads `value` as the stated largest acceleration, in the unit `unit` [m/s^2]; 0: in the unit of
-// the values. Its last digit may be rounded or cut off, and it may have a sign. An empty value is
-// allowed and states nothing. Of two peaks the larger one counts.
-bool header_read_peak(const struct record_reader *r, const struct header_entry *from,
-                      struct piece value, double unit);
+// Takes a peak in a unit [m/s^2] of its own; 0: in that of the values. Its last digit may be
+// rounded or cut off, and it may have a sign.
+bool header_peak(const struct record_reader *r, const struct header_entry *from, double unit);
 
 // The size of a unit of acceleration [m/s^2]; 0: the text is not such a unit.
 double header_unit(const struct record_reader *r, struct piece text);
-
-// Reads `value`, in line `line`, as the unit of the values. out->unit stays 0 if it is not a unit
-// of acceleration.
-void header_read_unit(const struct record_reader *r, int line, struct piece value);
 
 #endif

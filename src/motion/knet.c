@@ -20,23 +20,12 @@
 
 enum { HEADER_LINES_MAX = 32 };
 
-// The number of samples a second, `100Hz`.
-static bool read_rate(const struct header *h, double *rate) {
-    struct header_entry entry;
-    if (!header_text(h, "Sampling Freq(Hz)", &entry)) {
-        return false;
-    }
-    struct piece number = entry.value;
-    if (number.n > 2 && memcmp(number.text + number.n - 2, "Hz", 2) == 0) {
-        number.n -= 2;
-    }
-    if (!header_read_positive(h->reading, &entry, number, rate)) {
-        return false;
-    }
-    h->reading->out->dt = 1 / *rate;
-    h->reading->out->dt_line = entry.line;
-    return true;
-}
+static const struct header_row entries[] = {
+    {.kind = HEADER_RATE, .key = "Sampling Freq(Hz)", .until = "H"},
+    {.kind = HEADER_DURATION, .key = "Duration Time(s)"},
+    {.kind = HEADER_PEAK, .key = "Max. Acc. (gal)", .optional = true},
+    {.key = NULL},
+};
 
 // The acceleration of one count in the unit of the file, `3920(gal)/6182761`.
 static bool read_scale(const struct header *h, double *scale) {
@@ -45,49 +34,43 @@ static bool read_scale(const struct header *h, double *scale) {
     if (!header_text(h, "Scale Factor", &entry)) {
         return false;
     }
-    struct piece rest = entry.value;
-    struct piece unit;
+    const struct piece whole = entry.value;
+    struct piece rest = whole, unit;
     if (!lines_bracket(&rest, &unit) || rest.n == 0 || rest.text[0] != '/') {
         return record_fail(r, entry.line, "Scale Factor '%s' is not of the form 3920(gal)/6182761",
-                           lines_excerpt(entry.value).text);
+                           lines_excerpt(whole).text);
     }
     double size, counts;
-    header_read_unit(r, entry.line, unit);
-    const struct piece above = {entry.value.text, (size_t)(unit.text - 1 - entry.value.text)};
-    const struct piece below = {rest.text + 1, rest.n - 1};
-    if (!header_read_positive(r, &entry, above, &size) ||
-        !header_read_positive(r, &entry, below, &counts)) {
+    entry.value = unit;
+    header_take(r, HEADER_UNIT, &entry);
+    entry.value = (struct piece){whole.text, (size_t)(unit.text - 1 - whole.text)};
+    if (!header_positive(r, &entry, &size)) {
+        return false;
+    }
+    entry.value = (struct piece){rest.text + 1, rest.n - 1};
+    if (!header_positive(r, &entry, &counts)) {
         return false;
     }
     *scale = size / counts;
     return isfinite(*scale) || record_fail(r, entry.line, "Scale Factor '%s' is out of range",
-                                           lines_excerpt(entry.value).text);
-}
-
-static bool read_peak(const struct header *h) {
-    struct header_entry entry;
-    if (!header_find(h, "Max. Acc. (gal)", &entry)) {
-        return true;
-    }
-    h->reading->out->stated_about_mean = true;
-    return header_read_peak(h->reading, &entry, entry.value, 0);
+                                           lines_excerpt(whole).text);
 }
 
 static bool knet_read(const struct record_reader *r) {
-    struct header_entry entry;
+    struct record_content *out = r->out;
     struct lines l;
-    double rate = 0, scale = 0, n = 0;
+    double scale = 0;
     if (!header_end(r, "Memo.", HEADER_LINES_MAX, "K-NET", &l)) {
         return false;
     }
     const struct header h = {r, l.number};
-    if (!read_rate(&h, &rate) || !read_scale(&h, &scale) || !read_peak(&h) ||
-        !header_duration(&h, "Duration Time(s)", rate, &entry, &n) ||
-        !values_read_stated(r, l, n, entry.line)) {
+    out->stated_about_mean = true;
+    if (!read_scale(&h, &scale) || !header_rows(&h, entries, 0) ||
+        !values_read_stated(r, l, out->npts, out->count_line)) {
         return false;
     }
-    for (size_t i = 0; i < r->out->n; i++) {
-        r->out->value[i] *= scale;
+    for (size_t i = 0; i < out->n; i++) {
+        out->value[i] *= scale;
     }
     return true;
 }

@@ -61,6 +61,12 @@ bool lines_next(struct lines *l) {
     return true;
 }
 
+struct lines lines_at(struct lines from, int number) {
+    for (int i = 1; i < number && lines_next(&from); i++) {
+    }
+    return from;
+}
+
 static bool is_separator(char c, const char *separators) {
     while (*separators != '\0' && *separators != c) {
         separators++;

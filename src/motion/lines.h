@@ -31,6 +31,10 @@ void lines_init(struct lines *l, const struct record_text *t);
 // Goes to the next line; false at the end of the text.
 bool lines_next(struct lines *l);
 
+// Line `number`, from 1, of the lines that begin with the current line of `from`; the last line if
+// the text ends before.
+struct lines lines_at(struct lines from, int number);
+
 // The piece without spaces and carriage returns at either end.
 struct piece lines_trim(struct piece s);
 

@@ -171,9 +171,9 @@ static bool read_unit(const struct record_reader *r, const struct lines *l) {
         return record_fail(r, l->number, "this is not an acceleration: '%s'",
                            lines_excerpt(l->line).text);
     }
-    struct piece unit;
-    if (r->out->unit == 0 && find_unit(l->line, &unit)) {
-        header_read_unit(r, l->number, unit);
+    struct header_entry unit = {"unit", {0}, l->number};
+    if (r->out->unit == 0 && find_unit(l->line, &unit.value)) {
+        header_take(r, HEADER_UNIT, &unit);
     }
     return true;
 }

@@ -31,10 +31,11 @@ struct record_content {
     size_t n_filling;  // values beyond the stated number, which repeat the last value
     int count_line;    // line that states the number
 
-    double npts, other_npts;  // numbers of values, if a header states two
+    double npts, other_npts;  // numbers of values that the file states
     int other_line;           // line of other_npts; 0: the header states one number
 
     double dt;            // [s] > 0; 0: the file does not state it
+    double rate;          // [1/s] > 0; 0: the file does not state it
     int dt_line;          // line that states it or should state it
     double dt_tolerance;  // [s] rounding error of dt if it is computed from times; else 0
 

@@ -24,14 +24,9 @@ enum { INT_COMMENTS = 16, INT_VALUES = 17, REAL_RATE = 2, REAL_LARGEST = 30, REA
 
 static const struct fixed_format integers = {.n = 8, .width = 10};
 static const struct fixed_format reals = {.n = 5, .width = 15};
-static const struct fixed_format values = {.n = 8, .width = 10, .stated = 14};
+static const struct fixed_format values = {.n = 8, .width = 10};
 static const double UNKNOWN = 1e38;
 static const double ROUNDING = 1e-4;  // of values of five digits
-
-struct smc {
-    const struct record_reader *reading;
-    struct lines line[HEADER_LINES + 1];
-};
 
 static bool is_title(struct piece line) {
     return lines_contain(line, "2 CORRECTED ACCELEROGRAM") && line.text[0] == '2';
@@ -43,47 +38,13 @@ static bool smc_matches(const struct record_text *t) {
     return lines_next(&l) && is_title(l.line);
 }
 
-static bool read_lines(struct smc *s) {
-    struct lines l;
-    lines_init(&l, s->reading->text);
-    for (int i = 1; i <= HEADER_LINES; i++) {
-        if (!lines_next(&l)) {
-            return record_fail(s->reading, l.number,
-                               "the file ends after %d of the %d lines of a header", i - 1,
-                               HEADER_LINES);
-        }
-        s->line[i] = l;
-    }
-    return is_title(s->line[1].line) ||
-           record_fail(s->reading, 1, "the line has no \'2 CORRECTED ACCELEROGRAM'");
-}
-
-// Number `i`, from 1, in the fields of this format that begin in line `first`.
-static struct header_entry number(const struct smc *s, const char *key, int first,
-                                  const struct fixed_format *format, size_t i) {
-    const int line = first + (int)((i - 1) / format->n);
-    return (struct header_entry){key, fixed_field(s->line[line].whole, format, (i - 1) % format->n),
-                                 line};
-}
-
-static bool read_rate(const struct smc *s) {
-    const struct header_entry entry = number(s, "samples a second", REAL_LINE, &reals, REAL_RATE);
-    double rate;
-    if (!header_read_positive(s->reading, &entry, entry.value, &rate)) {
-        return false;
-    }
-    s->reading->out->dt = 1 / rate;
-    s->reading->out->dt_line = entry.line;
-    return true;
-}
-
-static bool read_peak(const struct smc *s) {
+static bool read_peak(const struct record_reader *r, struct lines reals_at) {
     static const size_t places[] = {REAL_LARGEST, REAL_SMALLEST};
-    struct record_content *out = s->reading->out;
+    struct record_content *out = r->out;
     for (int i = 0; i < 2; i++) {
-        const struct header_entry entry = number(s, "peak", REAL_LINE, &reals, places[i]);
+        const struct header_entry entry = fixed_entry("peak", reals_at, &reals, places[i]);
         double peak;
-        if (!header_read_number(s->reading, &entry, entry.value, &peak)) {
+        if (!header_number(r, &entry, &peak)) {
             return false;
         }
         if (fabs(peak) < UNKNOWN && fabs(peak) > out->stated_peak) {
@@ -96,36 +57,41 @@ static bool read_peak(const struct smc *s) {
 }
 
 // Goes over the lines of comment, to the last of them.
-static bool skip_comments(const struct smc *s, struct lines *l) {
-    const struct header_entry entry =
-        number(s, "number of comments", INTEGER_LINE, &integers, INT_COMMENTS);
+static bool skip_comments(const struct record_reader *r, const struct header_entry *stated,
+                          struct lines *l) {
     double told;
     int n = 0;
     for (struct lines next = *l; lines_next(&next) && next.line.n > 0 && next.line.text[0] == '|';
          n++) {
         *l = next;
     }
-    return header_read_number(s->reading, &entry, entry.value, &told) &&
+    return header_number(r, stated, &told) &&
            (told == n ||
-            record_fail(s->reading, entry.line,
+            record_fail(r, stated->line,
                         "the header states %.0f lines of comment; %d lines begin with a |", told,
                         n));
 }
 
 static bool smc_read(const struct record_reader *r) {
-    struct smc s = {.reading = r};
-    double n;
-    if (!read_lines(&s)) {
+    struct lines title, l;
+    lines_init(&title, r->text);
+    lines_next(&title);
+    l = title;
+    if (!header_skip(r, &l, HEADER_LINES)) {
         return false;
     }
-    const struct header_entry count =
-        number(&s, "number of values", INTEGER_LINE, &integers, INT_VALUES);
-    if (!header_read_count(r, &count, &n) || !read_rate(&s) || !read_peak(&s)) {
-        return false;
+    if (!is_title(title.line)) {
+        return record_fail(r, 1, "the line has no '2 CORRECTED ACCELEROGRAM'");
     }
-    header_read_unit(r, 1, (struct piece){"cm/s/s", 6});
-    struct lines l = s.line[HEADER_LINES];
-    return skip_comments(&s, &l) && fixed_read(r, &l, &values, (size_t)n) &&
+    const struct lines whole = lines_at(title, INTEGER_LINE), real = lines_at(title, REAL_LINE);
+    const struct header_entry count = fixed_entry("number of values", whole, &integers, INT_VALUES),
+                              comments =
+                                  fixed_entry("number of comments", whole, &integers, INT_COMMENTS),
+                              rate = fixed_entry("samples a second", real, &reals, REAL_RATE),
+                              unit = {"unit", {"cm/s/s", 6}, 1};
+    return header_take(r, HEADER_COUNT, &count) && header_take(r, HEADER_RATE, &rate) &&
+           read_peak(r, real) && header_take(r, HEADER_UNIT, &unit) &&
+           skip_comments(r, &comments, &l) && fixed_read(r, &l, &values) &&
            fixed_check_end(r, l, &values);
 }
 

@@ -29,6 +29,15 @@ enum { MARK_LINES = 16, HEADER_LINES_MAX = 200, CHANNELS = 6, NAMES = 3, RULE = 
 
 static const double ROUNDING = 1e-6;  // of rate times step, which should be 1
 
+static const struct header_row entries[] = {
+    {.kind = HEADER_RATE, .key = "VEL. DE MUESTREO, C1-C6 (muestras/s)", .channels = true},
+    {.kind = HEADER_STEP, .key = "INTERVALO DE MUESTREO, C1-C6 (s)", .channels = true},
+    {.kind = HEADER_COUNT, .key = "NUM. TOTAL DE MUESTRAS, C1-C6", .channels = true},
+    {.kind = HEADER_UNIT, .key = "UNIDADES DE LOS DATOS", .until = "("},
+    {.kind = HEADER_PEAK, .key = "ACEL. MAX.(Gal), C1-C6", .channels = true},
+    {.key = NULL},
+};
+
 // Goes to the last line of the header, and reads the names of the channels above it.
 static bool find_data(const struct record_reader *r, struct lines *l, struct piece *names) {
     lines_init(l, r->text);
@@ -53,7 +62,7 @@ static bool find_data(const struct record_reader *r, struct lines *l, struct pie
 static bool read_names(const struct header *h, struct piece names, struct channels *c) {
     struct header_entry entry;
     double n;
-    if (!header_positive(h, "NUMERO DE CANALES", &entry, &n)) {
+    if (!header_text(h, "NUMERO DE CANALES", &entry) || !header_positive(h->reading, &entry, &n)) {
         return false;
     }
     const size_t named = lines_count(names, "");
@@ -67,65 +76,21 @@ static bool read_names(const struct header *h, struct piece names, struct channe
     return true;
 }
 
-// The entry of this key. Its value is the text after the slash of the channel.
-static bool find_entry(const struct header *h, const char *key, int channel,
-                       struct header_entry *out) {
-    if (!header_text(h, key, out)) {
-        return false;
-    }
-    struct piece rest = out->value;
-    struct piece field;
-    bool found = lines_field(&rest, "/", &field) && field.n == 0;
-    for (int i = 0; found && i <= channel; i++) {
-        found = lines_field(&rest, "/", &field) && field.n > 0;
-    }
-    if (!found) {
-        return record_fail(h->reading, out->line, "%s '%s' has no value of channel %d", key,
-                           lines_excerpt(out->value).text, channel + 1);
-    }
-    out->value = field;
-    return true;
-}
-
 // An error if the entry is not `wanted`: the values would then have another meaning.
 static bool check_entry(const struct header *h, const char *key, double wanted) {
     struct header_entry entry;
     double value;
-    return header_positive(h, key, &entry, &value) &&
+    return header_text(h, key, &entry) && header_positive(h->reading, &entry, &value) &&
            (value == wanted || record_fail(h->reading, entry.line, "%s is %s; only %g can be read",
                                            key, lines_excerpt(entry.value).text, wanted));
 }
 
-// The time step. The header gives it twice, as rate and as step.
-static bool read_step(const struct header *h, int channel) {
-    const struct record_reader *r = h->reading;
-    struct header_entry speed, interval;
-    double rate;
-    if (!find_entry(h, "VEL. DE MUESTREO, C1-C6 (muestras/s)", channel, &speed) ||
-        !header_read_positive(r, &speed, speed.value, &rate) ||
-        !find_entry(h, "INTERVALO DE MUESTREO, C1-C6 (s)", channel, &interval) ||
-        !header_read_positive(r, &interval, interval.value, &r->out->dt)) {
-        return false;
-    }
-    r->out->dt_line = interval.line;
-    return fabs(rate * r->out->dt - 1) <= ROUNDING ||
-           record_fail(r, interval.line, "a time step of %g s; %g samples a second make it %g s",
-                       r->out->dt, rate, 1 / rate);
-}
-
-static bool read_channel(const struct header *h, int channel, struct channel_rows *rows) {
-    struct header_entry count, unit, peak;
-    struct piece name;
-    if (!find_entry(h, "NUM. TOTAL DE MUESTRAS, C1-C6", channel, &count) ||
-        !header_read_count(h->reading, &count, &rows->stated) ||
-        !header_text(h, "UNIDADES DE LOS DATOS", &unit)) {
-        return false;
-    }
-    rows->stated_line = count.line;
-    lines_field(&unit.value, "(", &name);
-    header_read_unit(h->reading, unit.line, name);
-    return find_entry(h, "ACEL. MAX.(Gal), C1-C6", channel, &peak) &&
-           header_read_peak(h->reading, &peak, peak.value, 0);
+// The header gives the time step twice, as rate and as step.
+static bool check_step(const struct record_reader *r) {
+    const struct record_content *out = r->out;
+    return fabs(out->rate * out->dt - 1) <= ROUNDING ||
+           record_fail(r, out->dt_line, "a time step of %g s; %g samples a second make it %g s",
+                       out->dt, out->rate, 1 / out->rate);
 }
 
 static bool unam_read(const struct record_reader *r) {
@@ -141,8 +106,7 @@ static bool unam_read(const struct record_reader *r) {
         return false;
     }
     rows.n_column = c.n;
-    return read_step(&h, rows.column) && read_channel(&h, rows.column, &rows) &&
-           channels_read(r, &rows);
+    return header_rows(&h, entries, rows.column) && check_step(r) && channels_read(r, &rows);
 }
 
 const struct record_format record_unam = {

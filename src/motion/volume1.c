@@ -69,26 +69,18 @@ static const struct variant renadic = {
     .format = {.n = 5, .width = 7, .timed = true},
 };
 
-// The line with this number in a channel, from 1; the last line of the file if the file ends
-// before.
-static struct lines line_of(struct lines title, int number) {
-    for (int i = 1; i < number && lines_next(&title); i++) {
-    }
-    return title;
-}
-
 static bool has_layout(const struct variant *v, const struct record_text *t) {
     struct lines l;
     lines_init(&l, t);
     return lines_next(&l) && lines_contain(l.line, v->title) &&
-           lines_contain(line_of(l, LINE_UNITS).line, v->units);
+           lines_contain(lines_at(l, LINE_UNITS).line, v->units);
 }
 
 // Goes to the first line of the next channel; false: there is no further channel.
 static bool next_channel(const struct variant *v, struct lines *l, struct piece *name) {
     while (lines_next(l)) {
         if (lines_contain(l->line, v->title)) {
-            *name = line_of(*l, LINE_NAME).line;
+            *name = lines_at(*l, LINE_NAME).line;
             return true;
         }
     }
@@ -97,51 +89,49 @@ static bool next_channel(const struct variant *v, struct lines *l, struct piece 
 
 // Reads the number of values and the time step.
 static bool read_sizes(const struct variant *v, const struct record_reader *r,
-                       const struct lines *l, double *n) {
+                       const struct lines *l) {
     struct header_entry points = {"NO. OF POINTS", {0}, l->number};
     struct header_entry length = {v->length, {0}, l->number};
+    struct record_content *out = r->out;
     double duration;
     if (!lines_value(l->line, points.key, &points.value) ||
         !lines_value(l->line, length.key, &length.value)) {
         return record_fail(r, l->number, "no '%s =' and '%s ='", points.key, length.key);
     }
-    if (!header_read_count(r, &points, n) ||
-        !header_read_positive(r, &length, length.value, &duration)) {
+    if (!header_take(r, HEADER_COUNT, &points) || !header_positive(r, &length, &duration)) {
         return false;
     }
-    if (*n > (double)r->text->size) {
-        return record_fail(r, l->number, "%.0f values; the file ends before", *n);
+    if (out->npts > (double)r->text->size) {
+        return record_fail(r, l->number, "%.0f values; the file ends before", out->npts);
     }
-    const double rate = round(*n / duration);
-    if (rate < 1 || fabs(*n / rate - duration) > DURATION_ROUNDING) {
+    const double rate = round(out->npts / duration);
+    if (rate < 1 || fabs(out->npts / rate - duration) > DURATION_ROUNDING) {
         return record_fail(r, l->number,
-                           "%.0f values in %g s are %g a second; that must be a whole number", *n,
-                           duration, *n / duration);
+                           "%.0f values in %g s are %g a second; that must be a whole number",
+                           out->npts, duration, out->npts / duration);
     }
-    r->out->dt = 1 / rate;
-    r->out->dt_line = l->number;
+    out->dt = 1 / rate;
+    out->dt_line = l->number;
     return true;
 }
 
 // Reads the unit, and the peak against which the values are checked. The peak has its own unit.
 static bool read_unit(const struct record_reader *r, const struct lines *l) {
     struct piece rest = lines_behind(l->line, "AND");
-    struct piece unit, value;
-    if (lines_field(&rest, ".", &unit)) {
-        header_read_unit(r, l->number, unit);
+    struct header_entry unit = {"UNITS", {0}, l->number}, peak = {"MAX", {0}, l->number};
+    if (lines_field(&rest, ".", &unit.value)) {
+        header_take(r, HEADER_UNIT, &unit);
     }
-    if (!lines_value(l->line, "MAX", &value)) {
+    if (!lines_value(l->line, peak.key, &peak.value)) {
         return true;
     }
-    rest = (struct piece){value.text + value.n,
-                          (size_t)(l->line.text + l->line.n - value.text) - value.n};
-    lines_field(&rest, ",", &unit);
-    const double size = header_unit(r, unit);
-    if (size == 0) {
-        return record_fail(r, l->number, "unit '%s' of MAX is not a unit of acceleration",
-                           lines_excerpt(unit).text);
-    }
-    return header_read_peak(r, &(struct header_entry){"MAX", value, l->number}, value, size);
+    const char *end = peak.value.text + peak.value.n;
+    rest = (struct piece){end, (size_t)(l->line.text + l->line.n - end)};
+    lines_field(&rest, ",", &unit.value);
+    const double size = header_unit(r, unit.value);
+    return size > 0 ? header_peak(r, &peak, size)
+                    : record_fail(r, l->number, "unit '%s' of MAX is not a unit of acceleration",
+                                  lines_excerpt(unit.value).text);
 }
 
 // Goes over the line `/&`, unless the file ends.
@@ -159,21 +149,16 @@ static bool check_end(const struct record_reader *r, struct lines l) {
 
 static bool read_variant(const struct variant *v, const struct record_reader *r,
                          bool (*next)(struct lines *l, struct piece *name)) {
-    struct fixed_format format = v->format;
     struct lines l;
     struct piece name;
-    double n = 0.0;
     if (!channels_seek(r, next, v->none, &l)) {
         return false;
     }
     next(&l, &name);
-    const struct lines points = line_of(l, LINE_POINTS), units = line_of(l, LINE_UNITS);
-    if (!read_sizes(v, r, &points, &n) || !read_unit(r, &units)) {
-        return false;
-    }
-    format.stated = points.number;
-    l = line_of(l, HEADER_LINES);
-    return fixed_read(r, &l, &format, (size_t)n) && check_end(r, l);
+    const struct lines points = lines_at(l, LINE_POINTS), units = lines_at(l, LINE_UNITS);
+    l = lines_at(l, HEADER_LINES);
+    return read_sizes(v, r, &points) && read_unit(r, &units) && fixed_read(r, &l, &v->format) &&
+           check_end(r, l);
 }
 
 static bool bhrc_matches(const struct record_text *t) {

@@ -4,6 +4,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include "core/safe.h"
@@ -14,6 +15,61 @@ static const char small_font[] = " font small_font", block_font[] = " font block
 static const double BOLD = 1.15;   // width of bold text over that of plain text
 static const double OVERHANG = 2;  // of an upright text over both ends of its axis [em]
 static const double TIGHT = 0.9;   // numbers above each other that are nearer [em] touch
+
+const struct span span_none = {INFINITY, -INFINITY};
+
+// Sums and ratios of such numbers neither overflow nor become 0.
+static const double LARGEST = 1e300, SMALLEST = 1e-300;
+
+void span_add(struct span *r, double value) {
+    if (fabs(value) <= LARGEST) {
+        value = fabs(value) < SMALLEST ? 0 : value;
+        r->low = fmin(r->low, value);
+        r->high = fmax(r->high, value);
+    }
+}
+
+void span_join(struct span *r, struct span other) {
+    span_add(r, other.low);
+    span_add(r, other.high);
+}
+
+struct span span_with_room(struct span r, double from) {
+    span_add(&r, from);
+    if (r.low > r.high) {
+        return (struct span){0, 1};
+    }
+    const double size = r.high - r.low;
+    const double room = size > 0 ? 0.05 * size : r.high != 0 ? 0.5 * fabs(r.high) : 1;
+    return (struct span){r.low == from ? r.low : r.low - room,
+                         r.high == from && r.low < from ? r.high : r.high + room};
+}
+
+void canvas_fail(struct canvas *c, int status, const char *format, ...) {
+    if (c->status == STATUS_OK) {
+        char message[sizeof c->e->message];
+        va_list list;
+        va_start(list, format);
+        vsnprintf(message, sizeof message, format, list);
+        va_end(list);
+        c->status = error_set(c->e, status, "%s", message);
+    }
+}
+
+void canvas_block(struct canvas *c, const char *columns, const char *name, ...) {
+    va_list list;
+    fputc('$', c->data);
+    va_start(list, name);
+    vfprintf(c->data, name, list);
+    va_end(list);
+    fputs(" << EOD\n# ", c->data);
+    safe_put(c->data, SAFE_COMMENT, columns);
+    fputc('\n', c->data);
+}
+
+void canvas_end(struct canvas *c) {
+    fputs("EOD\n", c->data);
+}
 
 void canvas_place(const struct canvas *c, double x, double y) {
     fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
@@ -26,8 +82,13 @@ void canvas_label(const struct canvas *c, const char *text, double width) {
     safe_put(c->to, SAFE_GNUPLOT, cut);
 }
 
-void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
+void canvas_head(struct canvas *c, const char *title, const char *text, ...) {
     struct area *a = &c->area;
+    char subtitle[512];
+    va_list list;
+    va_start(list, text);
+    vsnprintf(subtitle, sizeof subtitle, text, list);
+    va_end(list);
     if (c->kind == CANVAS_BLOCK) {
         const bool fits = BOLD * script_width(subtitle) <= a->right - a->left;
         canvas_label(c, subtitle, fits ? INFINITY : (a->right - a->left) / SMALL);

@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 
+#include "jostle/error.h"
 #include "jostle/units.h"
 
 // From the smallest to the largest of some values: what an axis shows.
@@ -34,14 +35,28 @@ struct canvas {
     FILE *data;  // blocks of data, $NAME; borrowed. No two of a picture have one name
     enum canvas_kind kind;
     const struct unit_system *units;  // of the values shown; borrowed
+    int status;                       // of the first failure; what follows it is not used
+    struct error *e;                  // its message; borrowed
     int n_series;                     // of the panel that is open
     double width, height;             // of the sheet [em]
     struct area area;                 // what is left for the panels: heads and legends take from it
 };
 
+// Records a failure. Errors stick: the first one counts, and figure_close returns it. So figures go
+// on after a failure, and read no more.
+void canvas_fail(struct canvas *c, int status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+// Starts the block of data $NAME, of which `columns` says what is in it; and ends the block. The
+// name has literals and numbers only, as check_script.sh demands.
+void canvas_block(struct canvas *c, const char *columns, const char *name, ...)
+    __attribute__((format(printf, 3, 4)));
+void canvas_end(struct canvas *c);
+
 // The title, on a sheet only, and a line that says what is shown. They are drawn with the first
 // panel. Texts that do not fit are cut.
-void canvas_head(struct canvas *c, const char *title, const char *subtitle);
+void canvas_head(struct canvas *c, const char *title, const char *text, ...)
+    __attribute__((format(printf, 3, 4)));
 
 // The part of the area between the fractions x0 to x1 of its width and y0 to y1 of its height.
 struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1);

@@ -10,20 +10,21 @@ enum { BINS = 800 };
 
 static const char reference_colour[] = "#808080";
 
-static int comparison_block(const struct time_series *s, const char *name, FILE *to,
-                            struct error *e) {
+static void comparison_block(const struct time_series *s, struct canvas *c, const char *data,
+                             int number) {
     struct data d;
-    const int status = data_create(&d, (long)s->n, 2, e);
-    if (status != STATUS_OK) {
-        return status;
+    if (c->status == STATUS_OK) {
+        c->status = data_create(&d, (long)s->n, 2, c->e);
+    }
+    if (c->status != STATUS_OK) {
+        return;
     }
     for (size_t i = 0; i < s->n; i++) {
         d.column[0][i] = s->time[i];
         d.column[1][i] = s->value[i];
     }
-    const int written = data_write(&d, name, "time, value", BINS, to, e);
+    data_write(&d, BINS, c, "time, value", "%s%d", data, number);
     data_free(&d);
-    return written;
 }
 
 static void comparison_span(const struct time_series *s, struct span *time, struct span *value) {
@@ -101,25 +102,19 @@ int comparison_figure_write(const struct comparison_figure *f, const struct figu
     int chosen[COMPARISON_RUNS] = {0};
     const int n = comparison_choose(f, chosen), n_panel = f->measured ? 1 : n;
     struct canvas c;
-    int status = figure_open(&head, to, &c, e);
-    for (int k = 0; status == STATUS_OK && k < n; k++) {
-        char name[32];
-        snprintf(name, sizeof name, "computed%d", k);
-        status = comparison_block(&f->pair[chosen[k]].computed, name, to->data, e);
-        snprintf(name, sizeof name, "reference%d", k);
-        if (status == STATUS_OK && (k == 0 || !f->measured)) {
-            status = comparison_block(&f->pair[chosen[k]].reference, name, to->data, e);
+    figure_open(&head, to, &c, e);
+    for (int k = 0; k < n; k++) {
+        comparison_block(&f->pair[chosen[k]].computed, &c, "computed", k);
+        if (k == 0 || !f->measured) {
+            comparison_block(&f->pair[chosen[k]].reference, &c, "reference", k);
         }
     }
-    if (status == STATUS_OK) {
-        canvas_head(&c, f->title, f->measured ? "runs and a measurement" : "two histories");
-        comparison_legend(f, chosen, n, &c);
-        c.area.left += 5.8;
-        c.area.bottom += 2.4;  // for the numbers and the name of the time
-        for (int i = 0; i < n_panel; i++) {
-            comparison_panel(f, chosen, i, f->measured ? n : i + 1, i, n_panel, &c);
-        }
-        figure_close(&c);
+    canvas_head(&c, f->title, f->measured ? "runs and a measurement" : "two histories");
+    comparison_legend(f, chosen, n, &c);
+    c.area.left += 5.8;
+    c.area.bottom += 2.4;  // for the numbers and the name of the time
+    for (int i = 0; i < n_panel; i++) {
+        comparison_panel(f, chosen, i, f->measured ? n : i + 1, i, n_panel, &c);
     }
-    return status;
+    return figure_close(&c);
 }

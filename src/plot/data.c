@@ -3,6 +3,7 @@
 #include "plot/runs.h"
 
 #include <assert.h>
+#include <stdarg.h>
 #include <stdlib.h>
 
 #include "plot/script.h"
@@ -26,29 +27,37 @@ void data_free(struct data *d) {
     d->column[0] = NULL;
 }
 
-int data_write(const struct data *d, const char *name, const char *heading, size_t bins, FILE *to,
-               struct error *e) {
+void data_write(const struct data *d, size_t bins, struct canvas *c, const char *columns,
+                const char *name, ...) {
     const double *series[DATA_COLUMNS_MAX];
     const int n_series = d->n_column - 1;
-    for (int c = 0; c < n_series; c++) {
-        series[c] = d->column[c + 1];
+    char data[32];
+    if (c->status != STATUS_OK) {
+        return;
+    }
+    for (int k = 0; k < n_series; k++) {
+        series[k] = d->column[k + 1];
     }
     const size_t most = 2 * (size_t)n_series * bins + 2;
     size_t *row = malloc((d->n_row < most ? d->n_row : most) * sizeof *row);
     if (!row) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
+        return;
     }
+    va_list list;
+    va_start(list, name);
+    vsnprintf(data, sizeof data, name, list);
+    va_end(list);
+    canvas_block(c, columns, "%s", data);
     const size_t n = script_thin(series, n_series, d->n_row, bins, row);
-    script_block(to, name, heading);
     for (size_t i = 0; i < n; i++) {
-        for (int c = 0; c < d->n_column; c++) {
-            fprintf(to, "%s%.7g", c > 0 ? " " : "", d->column[c][row[i]]);
+        for (int k = 0; k < d->n_column; k++) {
+            fprintf(c->data, "%s%.7g", k > 0 ? " " : "", d->column[k][row[i]]);
         }
-        fputc('\n', to);
+        fputc('\n', c->data);
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
     free(row);
-    return STATUS_OK;
 }
 
 void data_span(const struct data *d, int column, struct span *r) {

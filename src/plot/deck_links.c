@@ -12,22 +12,25 @@
 static const double WALL_WIDTH = 0.7, BETWEEN = 0.45, LABEL = 0.55;  // [em]
 static const double INSIDE[] = {0.2, 0.8};  // ends of a link within a building, as shares of it
 
-void deck_put_line(FILE *to, double x0, double y0, double x1, double y1) {
-    if (to) {
-        fprintf(to, "%.6g %.7g\n%.6g %.7g\n\n", x0, y0, x1, y1);
+void deck_put_line(struct deck_shapes *s, double x0, double y0, double x1, double y1) {
+    s->n++;
+    if (s->to) {
+        fprintf(s->to, "%.6g %.7g\n%.6g %.7g\n\n", x0, y0, x1, y1);
     }
 }
 
-void deck_put_box(FILE *to, double x0, double x1, double y0, double y1) {
-    if (to) {
-        fprintf(to, "%.6g %.7g\n%.6g %.7g\n%.6g %.7g\n%.6g %.7g\n\n", x0, y0, x1, y0, x1, y1, x0,
+void deck_put_box(struct deck_shapes *s, double x0, double x1, double y0, double y1) {
+    s->n++;
+    if (s->to) {
+        fprintf(s->to, "%.6g %.7g\n%.6g %.7g\n%.6g %.7g\n%.6g %.7g\n\n", x0, y0, x1, y0, x1, y1, x0,
                 y1);
     }
 }
 
-void deck_put_point(FILE *to, double x, double y) {
-    if (to) {
-        fprintf(to, "%.6g %.7g\n", x, y);
+void deck_put_point(struct deck_shapes *s, double x, double y) {
+    s->n++;
+    if (s->to) {
+        fprintf(s->to, "%.6g %.7g\n", x, y);
     }
 }
 
@@ -94,26 +97,24 @@ static double raised(const struct deck_view *v, int number) {
     return n > 0 ? n * BETWEEN * elevation_per_em(&v->at) : 0;
 }
 
-static int write_links(const struct deck_view *v, int first, int end, FILE *to) {
-    int n = 0;
+static void write_links(const struct deck_view *v, int first, int end, struct deck_shapes *s) {
     for (int i = first; i < end; i++) {
         const struct link *l = &v->m->link[i];
         if (is_shown(v, l)) {
             const double up = raised(v, i);
-            deck_put_line(to, place_of(v, l, 0), level_of(v, l, 0) + up, place_of(v, l, 1),
+            deck_put_line(s, place_of(v, l, 0), level_of(v, l, 0) + up, place_of(v, l, 1),
                           level_of(v, l, 1) + up);
-            n++;
         }
     }
-    return n;
 }
 
-int deck_links_write_contacts(const struct deck_view *v, FILE *to) {
-    return write_links(v, 0, v->m->n_contact, to);
+// All contacts and all links are drawn with the first building.
+void deck_links_write_contacts(const struct deck_view *v, int k, struct deck_shapes *s) {
+    write_links(v, 0, k == 0 ? v->m->n_contact : 0, s);
 }
 
-int deck_links_write_links(const struct deck_view *v, FILE *to) {
-    return write_links(v, v->m->n_contact, v->m->n_link - v->m->n_column, to);
+void deck_links_write_links(const struct deck_view *v, int k, struct deck_shapes *s) {
+    write_links(v, v->m->n_contact, k == 0 ? v->m->n_link - v->m->n_column : 0, s);
 }
 
 // The place of a column: where a link ends on it, or at the right face.
@@ -129,42 +130,38 @@ static double column_place(const struct deck_view *v, int column) {
     return elevation_x(&v->at, v->m->column[column].building, 1);
 }
 
-int deck_links_write_struck(const struct deck_view *v, FILE *to) {
-    int n = 0;
+void deck_links_write_struck(const struct deck_view *v, int k, struct deck_shapes *s) {
     for (int i = 0; i < v->m->n_column; i++) {
-        const struct struck_column *s = &v->m->column[i];
-        if (s->building < v->at.n) {
+        const struct struck_column *c = &v->m->column[i];
+        if (c->building == k) {
             const double x = column_place(v, i);
-            deck_put_line(to, x, elevation_level(&v->at, s->building, s->floor - 1), x,
-                          elevation_level(&v->at, s->building, s->floor));
-            n++;
+            deck_put_line(s, x, elevation_level(&v->at, k, c->floor - 1), x,
+                          elevation_level(&v->at, k, c->floor));
         }
     }
-    return n;
 }
 
 // The rigid wall in a gap, up to its highest contact.
-int deck_links_write_rigid(const struct deck_view *v, FILE *to) {
-    int n = 0;
-    for (int gap = 0; gap <= v->at.n; gap++) {
-        double top = 0;
-        bool any = false;
-        for (int i = 0; i < v->m->n_link; i++) {
-            const struct link *l = &v->m->link[i];
-            const bool rigid = !l->within && (host(v, l, 0) == WALL || host(v, l, 1) == WALL);
-            if (rigid && is_shown(v, l) && gap_of(v, l) == gap) {
-                top = fmax(top, level_of(v, l, 0) + raised(v, i));
-                any = true;
-            }
-        }
-        if (any) {
-            const double x = elevation_gap(&v->at, gap);
-            deck_put_box(to, x - WALL_WIDTH / 2, x + WALL_WIDTH / 2, 0,
-                         top + elevation_per_em(&v->at));
-            n++;
+static void write_rigid(const struct deck_view *v, int gap, struct deck_shapes *s) {
+    double top = -INFINITY;
+    for (int i = 0; i < v->m->n_link; i++) {
+        const struct link *l = &v->m->link[i];
+        const bool rigid = !l->within && (host(v, l, 0) == WALL || host(v, l, 1) == WALL);
+        if (rigid && is_shown(v, l) && gap_of(v, l) == gap) {
+            top = fmax(fmax(top, 0), level_of(v, l, 0) + raised(v, i));
         }
     }
-    return n;
+    if (top >= 0) {
+        const double x = elevation_gap(&v->at, gap);
+        deck_put_box(s, x - WALL_WIDTH / 2, x + WALL_WIDTH / 2, 0, top + elevation_per_em(&v->at));
+    }
+}
+
+void deck_links_write_rigid(const struct deck_view *v, int k, struct deck_shapes *s) {
+    write_rigid(v, k, s);
+    if (k + 1 == v->at.n) {
+        write_rigid(v, v->at.n, s);  // right of the last building
+    }
 }
 
 // Each gap at its contact. Labels that would stand in each other are left out.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contacts, links and struck columns in the picture of a deck.
+// Contacts, links, struck columns, frames and walls in the picture of a deck.
 #ifndef JOSTLE_DECK_LINKS_H
 #define JOSTLE_DECK_LINKS_H
 
@@ -13,16 +13,34 @@ struct deck_view {
     bool dense;  // floors so near to each other that lines are thin
 };
 
-// A line, the outline of a box, or a point of a data block; `to` NULL: nothing is written.
-void deck_put_line(FILE *to, double x0, double y0, double x1, double y1);
-void deck_put_box(FILE *to, double x0, double x1, double y0, double y1);
-void deck_put_point(FILE *to, double x, double y);
+// What is drawn in one style: lines, outlines of boxes, and points.
+struct deck_shapes {
+    FILE *to;  // the block of data; NULL: they are counted only
+    int n;
+};
+void deck_put_line(struct deck_shapes *s, double x0, double y0, double x1, double y1);
+void deck_put_box(struct deck_shapes *s, double x0, double x1, double y0, double y1);
+void deck_put_point(struct deck_shapes *s, double x, double y);
 
-// Layers of the picture (figure_deck.c).
-int deck_links_write_contacts(const struct deck_view *v, FILE *to);
-int deck_links_write_links(const struct deck_view *v, FILE *to);
-int deck_links_write_struck(const struct deck_view *v, FILE *to);
-int deck_links_write_rigid(const struct deck_view *v, FILE *to);
+// What a layer of the picture draws of building k and in the gap left of it (figure_deck.c).
+typedef void deck_layer(const struct deck_view *v, int k, struct deck_shapes *s);
+deck_layer deck_links_write_contacts, deck_links_write_links, deck_links_write_struck;
+deck_layer deck_links_write_rigid;
+
+// A member of a frame or of a wall, and where it is drawn.
+struct deck_member {
+    const struct plane_frame *frame;
+    const struct frame_member *member;
+    bool wall;
+    struct elevation_ends at;
+};
+
+// What a layer draws of a member; and of all members of building k.
+typedef void deck_drawing(const struct deck_member *d, struct deck_shapes *s);
+deck_drawing deck_members_wall, deck_members_frame, deck_members_hinges;
+deck_drawing deck_members_fixed, deck_members_pinned, deck_members_spring;
+void deck_members_write(const struct deck_view *v, int k, struct deck_shapes *s,
+                        deck_drawing *draw);
 
 // The smallest and the largest gap between neighbours, in a line below the panel; where they
 // differ, each gap at its contact, too.

@@ -154,28 +154,29 @@ static void write_head(const struct figure_head *head, const struct figure_files
             p->heading_size * size, p->font, 0.75 * size, p->below_axis);
 }
 
-int figure_open(const struct figure_head *head, const struct figure_files *to, struct canvas *c,
-                struct error *e) {
+void figure_open(const struct figure_head *head, const struct figure_files *to, struct canvas *c,
+                 struct error *e) {
     const struct picture *p = picture_of(to->picture);
-    if (!p) {
-        return error_set(e, STATUS_INPUT,
-                         "%s is not a picture: its name must end in .png, .svg or .pdf",
-                         to->picture);
-    }
     const struct sheet_size *size = &sheets[head->sheet];
     *c = (struct canvas){.to = to->script,
                          .data = to->data,
                          .kind = CANVAS_SHEET,
                          .units = head->units,
+                         .e = e,
                          .width = size->width,
                          .height = size->height,
                          .area = {0.3, size->width - 1, 0.3, size->height - 0.3}};
-    write_head(head, to, p);
-    return STATUS_OK;
+    if (p) {
+        write_head(head, to, p);
+    } else {
+        canvas_fail(c, STATUS_INPUT, "%s is not a picture: its name must end in .png, .svg or .pdf",
+                    to->picture);
+    }
 }
 
-void figure_close(const struct canvas *c) {
+int figure_close(const struct canvas *c) {
     fprintf(c->to, "unset multiplot\nunset output\n");
+    return c->status;
 }
 
 int figure_write(const struct figure *f, const struct subject *p, const struct figure_files *to,
@@ -200,10 +201,7 @@ int figure_write(const struct figure *f, const struct subject *p, const struct f
             head.version = p->runs->r[0]->version;
             head.units = &p->runs->r[0]->units;
     }
-    status = figure_open(&head, to, &c, e);
-    if (status == STATUS_OK) {
-        status = f->draw(p, &c, e);
-        figure_close(&c);
-    }
-    return status;
+    figure_open(&head, to, &c, e);
+    f->draw(p, &c);
+    return figure_close(&c);
 }

@@ -33,9 +33,9 @@ struct figure {
     // Why the figure cannot be drawn, as the end of "NAME cannot be drawn: "; NULL: it always can.
     // Errors: STATUS_INPUT.
     int (*check)(const struct subject *p, struct error *e);
-    // Writes head, legend and panels into the canvas's area, within `set multiplot`. Errors:
-    // STATUS_INPUT (a damaged file), STATUS_SYSTEM. Write errors are the caller's.
-    int (*draw)(const struct subject *p, struct canvas *c, struct error *e);
+    // Writes head, legend and panels into the canvas's area, within `set multiplot`. The canvas has
+    // the failures: STATUS_INPUT (a damaged file), STATUS_SYSTEM. Write errors are the caller's.
+    void (*draw)(const struct subject *p, struct canvas *c);
 };
 extern const struct figure *const figures[];
 extern const int n_figure;
@@ -72,10 +72,11 @@ struct figure_head {
 };
 
 // Writes what every script begins with, the terminal, text and lines, and sets `c` to the empty
-// sheet; and what every script ends with. Errors: STATUS_INPUT (the picture has another ending).
-int figure_open(const struct figure_head *head, const struct figure_files *to, struct canvas *c,
-                struct error *e);
-void figure_close(const struct canvas *c);
+// sheet; and what every script ends with. The first failure is that of figure_close; of
+// figure_open it is STATUS_INPUT (the picture has another ending).
+void figure_open(const struct figure_head *head, const struct figure_files *to, struct canvas *c,
+                 struct error *e);
+int figure_close(const struct canvas *c);
 
 // Writes the whole script and its data. Errors: STATUS_INPUT (the figure cannot be drawn), and
 // those of draw. Write errors are the caller's.

@@ -124,22 +124,22 @@ static double largest_row(const struct impact *p, const struct data *d, double *
 
 // The largest force of each impact that the rows miss, thinned to the hardest of equal parts of the
 // duration.
-static void write_peaks(struct view *v, int run, int contact, const struct data *d,
-                        const char *name, FILE *to) {
+static void write_peaks(struct view *v, int run, int strip, const struct data *d,
+                        struct canvas *c) {
     const struct report *r = v->s->r[run];
     long hardest[PEAKS_MAX];
-    runs_hardest_of_parts(r, contact, PEAKS_MAX, hardest);
-    script_block(to, name, "time of an impact, its largest force");
-    fputs("NaN NaN\n", to);
+    runs_hardest_of_parts(r, index_in(v, run, v->strip[strip]), PEAKS_MAX, hardest);
+    canvas_block(c, "time of an impact, its largest force", "peaks%d%d", run, strip);
+    fputs("NaN NaN\n", c->data);
     for (int k = 0; k < PEAKS_MAX; k++) {
         const struct impact *p = hardest[k] < 0 ? NULL : &r->impact[hardest[k]];
         double time;
         if (p && largest_row(p, d, &time) < 0.98 * p->peak_force) {
-            fprintf(to, "%.7g %.7g\n", time, p->peak_force);
+            fprintf(c->data, "%.7g %.7g\n", time, p->peak_force);
             v->missed = true;
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 // The rows of the hardest impact from closure on, with its ends and its peak where they are known.
@@ -167,37 +167,31 @@ static void write_pulse(struct view *v, int run, const struct data *d, FILE *to)
     fprintf(to, "EOD\n");
 }
 
-static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct error *e) {
+static void write_strip_data(struct view *v, int run, int strip, struct canvas *c) {
     const int i = index_in(v, run, v->strip[strip]);
     const struct report *r = v->s->r[run];
     const bool is_contact = i < r->n_contact;
     const struct history h[] = {{.kind = HISTORY_TIME},
                                 {is_contact ? HISTORY_CONTACT : HISTORY_LINK, FIELD_FORCE,
                                  is_contact ? i : i - r->n_contact, 0}};
-    char name[32];
-    struct data d;
-    if (i < 0) {
-        return STATUS_OK;
+    struct data d = {.n_row = 0};
+    if (i < 0 || !runs_read(v->s, run, h, 2, &d, c)) {
+        data_free(&d);
+        return;
     }
-    int status = runs_read(v->s, run, h, 2, &d, e);
-    if (status == STATUS_OK) {
-        snprintf(name, sizeof name, "force%d%d", run, strip);
-        status = data_write(&d, name, "time force", BINS, to, e);
-    }
-    if (status == STATUS_OK && is_contact) {
+    data_write(&d, BINS, c, "time force", "force%d%d", run, strip);
+    if (is_contact) {
         struct span force = {0, 0};
         data_span(&d, 1, &force);
         v->pushed[strip] |= force.low < force.high || r->contact[i].peak.force > 0;
         span_join(&v->force, force);
         span_add(&v->force, r->contact[i].peak.force);
-        snprintf(name, sizeof name, "peaks%d%d", run, strip);
-        write_peaks(v, run, i, &d, name, to);
+        write_peaks(v, run, strip, &d, c);
     }
-    if (status == STATUS_OK && i == v->contact[run] && v->impact[run] >= 0) {
-        write_pulse(v, run, &d, to);
+    if (i == v->contact[run] && v->impact[run] >= 0) {
+        write_pulse(v, run, &d, c->data);
     }
     data_free(&d);
-    return status;
 }
 
 static struct span strip_span(const struct view *v, int strip) {
@@ -297,37 +291,32 @@ static bool is_rigid(const struct report *r) {
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
     const bool coarse = v->impact[0] >= 0 && v->rows[0] < FINE_ROWS;
+    const char *missed = v->missed ? "; upright lines: peaks between rows" : "";
+    const char *finer = coarse ? "; finer by output -every 1" : "";
     struct legend l = {0};
-    char text[160], peaks[96];
-    snprintf(peaks, sizeof peaks, "%s%s", v->missed ? "; upright lines: peaks between rows" : "",
-             coarse ? "; finer by output -every 1" : "");
     if (v->n_active == 0) {
-        snprintf(text, sizeof text, "contact forces; no contact closed");
+        canvas_head(c, v->s->title, "contact forces; no contact closed");
     } else if (is_rigid(r) || is_rigid(v->s->r[v->s->n - 1])) {
-        snprintf(text, sizeof text, "contact forces; rigid impacts have none, only rest has");
+        canvas_head(c, v->s->title, "contact forces; rigid impacts have none, only rest has");
     } else if (v->n < v->n_active) {
-        snprintf(text, sizeof text, "the %d largest of %d forces%s", v->n, v->n_active, peaks);
+        canvas_head(c, v->s->title, "the %d largest of %d forces%s%s", v->n, v->n_active, missed,
+                    finer);
     } else {
         const char *contacts = r->n_contact > 0 ? "contact forces" : "";
         const char *between = r->n_contact > 0 && r->n_link > 0 ? " and " : "";
-        snprintf(text, sizeof text, "%s%s%s%s", contacts, between,
-                 r->n_link > 0 ? "link forces" : "", peaks);
+        canvas_head(c, v->s->title, "%s%s%s%s%s", contacts, between,
+                    r->n_link > 0 ? "link forces" : "", missed, finer);
     }
-    canvas_head(c, v->s->title, text);
     runs_legend(v->s, NULL, &l);
     legend_write(&l, c);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *s = subject->runs;
     struct view v = {.s = s, .force = span_none, .all = span_none};
-    int status = STATUS_OK;
     choose(&v);
-    for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
-        status = write_strip_data(&v, k / v.n, k % v.n, c->data, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
+    for (int k = 0; k < s->n * v.n; k++) {
+        write_strip_data(&v, k / v.n, k % v.n, c);
     }
     write_head(&v, c);
     const bool zoom = v.contact[0] >= 0 && (v.impact[0] >= 0 || v.impact[1] >= 0);
@@ -346,7 +335,6 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
     if (zoom) {
         draw_pulse(&v, c, right);
     }
-    return STATUS_OK;
 }
 
 const struct figure figure_contact = {

@@ -9,17 +9,17 @@
 #include "model/foundation.h"
 #include "model/frame.h"
 #include "plot/deck_links.h"
-#include "plot/deck_members.h"
 #include "plot/legend.h"
 #include "plot/script.h"
 
 // What is drawn in one style: a data block of lines, polygons or points with blank lines between
-// them. It returns their number; `to` NULL: it does nothing else.
+// them. One of `write` and `member` draws it.
 struct layer {
     const char *data;  // the name of its block
     const char *name;  // in the legend; NULL: not there
     struct style style;
-    int (*write)(const struct deck_view *v, FILE *to);
+    deck_layer *write;
+    deck_drawing *member;
 };
 
 static const struct building *without_foundation(const struct building *g) {
@@ -35,100 +35,70 @@ static bool is_body(const struct building *g) {
     return g->n_dof == 1 && g->n_part == 0 && !storey_resists(g, 0);
 }
 
-static int write_ground(const struct deck_view *v, FILE *to) {
-    deck_put_box(to, 0, v->at.area.right - v->at.area.left, v->at.at.low, 0);
-    return 1;
+static void write_ground(const struct deck_view *v, int k, struct deck_shapes *s) {
+    if (k == 0) {
+        deck_put_box(s, 0, v->at.area.right - v->at.area.left, v->at.at.low, 0);
+    }
 }
 
-static int write_yielding(const struct deck_view *v, FILE *to) {
-    int n = 0;
-    for (int k = 0; k < v->at.n; k++) {
-        const struct building *g = &v->m->building[k];
-        for (int i = 0; i < g->n_floor; i++) {
-            if (foundation_storey(v->m, g, i)->law->n_history > 0) {
-                deck_put_box(to, elevation_x(&v->at, k, 0), elevation_x(&v->at, k, 1),
-                             elevation_level(&v->at, k, i), elevation_level(&v->at, k, i + 1));
-                n++;
-            }
+static void write_yielding(const struct deck_view *v, int k, struct deck_shapes *s) {
+    const struct building *g = &v->m->building[k];
+    for (int i = 0; i < g->n_floor; i++) {
+        if (foundation_storey(v->m, g, i)->law->n_history > 0) {
+            deck_put_box(s, elevation_x(&v->at, k, 0), elevation_x(&v->at, k, 1),
+                         elevation_level(&v->at, k, i), elevation_level(&v->at, k, i + 1));
         }
     }
-    return n;
 }
 
-static int write_foundations(const struct deck_view *v, FILE *to) {
-    int n = 0;
-    for (int k = 0; k < v->at.n; k++) {
-        if (v->m->building[k].foundation) {
-            deck_put_box(to, elevation_x(&v->at, k, -0.12), elevation_x(&v->at, k, 1.12),
-                         0.7 * v->at.at.low, 0);
-            n++;
-        }
+static void write_foundations(const struct deck_view *v, int k, struct deck_shapes *s) {
+    if (v->m->building[k].foundation) {
+        deck_put_box(s, elevation_x(&v->at, k, -0.12), elevation_x(&v->at, k, 1.12),
+                     0.7 * v->at.at.low, 0);
     }
-    return n;
 }
 
-static int write_bodies(const struct deck_view *v, FILE *to) {
-    int n = 0;
-    const double half = 0.35 * elevation_per_em(&v->at);
-    for (int k = 0; k < v->at.n; k++) {
-        const double level = elevation_level(&v->at, k, 1);
-        if (is_body(&v->m->building[k])) {
-            deck_put_box(to, elevation_x(&v->at, k, 0), elevation_x(&v->at, k, 1), level - half,
-                         level + half);
-            n++;
-        }
+static void write_bodies(const struct deck_view *v, int k, struct deck_shapes *s) {
+    if (is_body(&v->m->building[k])) {
+        const double half = 0.35 * elevation_per_em(&v->at), level = elevation_level(&v->at, k, 1);
+        deck_put_box(s, elevation_x(&v->at, k, 0), elevation_x(&v->at, k, 1), level - half,
+                     level + half);
     }
-    return n;
 }
 
-static int write_floors(const struct deck_view *v, FILE *to) {
-    int n = 0;
-    for (int k = 0; k < v->at.n; k++) {
-        const struct building *g = &v->m->building[k];
-        for (int i = 1; i <= g->n_floor && !is_body(g); i++) {
-            const double level = elevation_level(&v->at, k, i);
-            deck_put_line(to, elevation_x(&v->at, k, 0), level, elevation_x(&v->at, k, 1), level);
-            n++;
-        }
+static void write_floors(const struct deck_view *v, int k, struct deck_shapes *s) {
+    const struct building *g = &v->m->building[k];
+    for (int i = 1; i <= g->n_floor && !is_body(g); i++) {
+        const double level = elevation_level(&v->at, k, i);
+        deck_put_line(s, elevation_x(&v->at, k, 0), level, elevation_x(&v->at, k, 1), level);
     }
-    return n;
 }
 
 // Both sides of a storey.
-static void put_sides(const struct deck_view *v, FILE *to, int k, int storey) {
+static void put_sides(const struct deck_view *v, int k, int storey, struct deck_shapes *s) {
     for (int side = 0; side < 2; side++) {
         const double x = elevation_x(&v->at, k, side);
-        deck_put_line(to, x, elevation_level(&v->at, k, storey), x,
+        deck_put_line(s, x, elevation_level(&v->at, k, storey), x,
                       elevation_level(&v->at, k, storey + 1));
     }
 }
 
-static int write_storeys(const struct deck_view *v, FILE *to) {
-    int n = 0;
-    for (int k = 0; k < v->at.n; k++) {
-        const struct building *g = &v->m->building[k];
-        for (int i = 0; i < g->n_floor; i++) {
-            if (storey_resists(without_foundation(g), i)) {
-                put_sides(v, to, k, i);
-                n++;
-            }
+static void write_storeys(const struct deck_view *v, int k, struct deck_shapes *s) {
+    const struct building *g = &v->m->building[k];
+    for (int i = 0; i < g->n_floor; i++) {
+        if (storey_resists(without_foundation(g), i)) {
+            put_sides(v, k, i, s);
         }
     }
-    return n;
 }
 
-static int write_matrices(const struct deck_view *v, FILE *to) {
-    int n = 0;
-    for (int k = 0; k < v->at.n; k++) {
-        const struct building *g = without_foundation(&v->m->building[k]);
-        for (int p = 0; p < g->n_part; p++) {
-            for (int i = 0; !frame_of(&g->part[p]) && i < g->n_dof; i++) {
-                put_sides(v, to, k, i);
-                n++;
-            }
+static void write_matrices(const struct deck_view *v, int k, struct deck_shapes *s) {
+    const struct building *g = without_foundation(&v->m->building[k]);
+    for (int p = 0; p < g->n_part; p++) {
+        for (int i = 0; !frame_of(&g->part[p]) && i < g->n_dof; i++) {
+            put_sides(v, k, i, s);
         }
     }
-    return n;
 }
 
 #define GREY "#808080"
@@ -136,41 +106,44 @@ static int write_matrices(const struct deck_view *v, FILE *to) {
 
 // From the lowest to the topmost.
 static const struct layer layers[] = {
-    {"ground", NULL, {STYLE_AREA, .colour = "#e8e4dc"}, write_ground},
-    {"yielding", "storeys that yield", {STYLE_AREA, .colour = "#fbe3c0"}, write_yielding},
-    {"foundations", "foundation", {STYLE_AREA, .colour = "#b08d57"}, write_foundations},
-    {"matrices", "stiffness matrix", {STYLE_LINE, GREY, 1.2, "(6,5)", 0, 0}, write_matrices},
-    {"storeys", "shear storeys", {STYLE_LINE, GREY, 1.2, NULL, 0, 0}, write_storeys},
-    {"walls", "wall", {STYLE_LINE, "#9a9a9a", 7, NULL, 0, 0}, deck_members_write_walls},
-    {"floors", NULL, {STYLE_LINE, "#202020", 2, NULL, 0, 0}, write_floors},
-    {"frames", "frame", {STYLE_LINE, BLUE, 1.6, NULL, 0, 0}, deck_members_write_frames},
+    {"ground", NULL, {STYLE_AREA, .colour = "#e8e4dc"}, .write = write_ground},
+    {"yielding", "storeys that yield", {STYLE_AREA, .colour = "#fbe3c0"}, .write = write_yielding},
+    {"foundations", "foundation", {STYLE_AREA, .colour = "#b08d57"}, .write = write_foundations},
+    {"matrices",
+     "stiffness matrix",
+     {STYLE_LINE, GREY, 1.2, "(6,5)", 0, 0},
+     .write = write_matrices},
+    {"storeys", "shear storeys", {STYLE_LINE, GREY, 1.2, NULL, 0, 0}, .write = write_storeys},
+    {"walls", "wall", {STYLE_LINE, "#9a9a9a", 7, NULL, 0, 0}, .member = deck_members_wall},
+    {"floors", NULL, {STYLE_LINE, "#202020", 2, NULL, 0, 0}, .write = write_floors},
+    {"frames", "frame", {STYLE_LINE, BLUE, 1.6, NULL, 0, 0}, .member = deck_members_frame},
     {"fixed",
      "fixed base",
      {STYLE_POINTS, .colour = BLUE, .point = 5, .size = 1},
-     deck_members_write_fixed},
+     .member = deck_members_fixed},
     {"pinned",
      "pinned base",
      {STYLE_POINTS, .colour = BLUE, .point = 8, .size = 1.4},
-     deck_members_write_pinned},
+     .member = deck_members_pinned},
     {"springs",
      "base on a spring",
      {STYLE_POINTS, .colour = BLUE, .point = 12, .size = 1.4},
-     deck_members_write_springs},
+     .member = deck_members_spring},
     {"hinges",
      "hinge",
      {STYLE_POINTS, .colour = BLUE, .point = 6, .size = 1},
-     deck_members_write_hinges},
-    {"bodies", "free body", {STYLE_AREA, .colour = "#56b4e9"}, write_bodies},
-    {"rigid", "rigid wall", {STYLE_AREA, .colour = "#606060"}, deck_links_write_rigid},
+     .member = deck_members_hinges},
+    {"bodies", "free body", {STYLE_AREA, .colour = "#56b4e9"}, .write = write_bodies},
+    {"rigid", "rigid wall", {STYLE_AREA, .colour = "#606060"}, .write = deck_links_write_rigid},
     {"struck",
      "column that is struck",
      {STYLE_LINE, "#e69f00", 3.5, NULL, 0, 0},
-     deck_links_write_struck},
-    {"links", "link", {STYLE_BOTH, "#009e73", 1.6, NULL, 13, 1}, deck_links_write_links},
+     .write = deck_links_write_struck},
+    {"links", "link", {STYLE_BOTH, "#009e73", 1.6, NULL, 13, 1}, .write = deck_links_write_links},
     {"contacts",
      "contact",
      {STYLE_BOTH, "#d00000", 1.6, NULL, POINT_DISC, 0.8},
-     deck_links_write_contacts},
+     .write = deck_links_write_contacts},
 };
 enum { N_LAYER = sizeof layers / sizeof layers[0] };
 
@@ -210,7 +183,7 @@ static void write_head(const struct deck_view *v, const bool *there, struct canv
     }
     size_t stem;
     const char *name = text_stem(m->deck->path, &stem);
-    canvas_head(c, m->deck->title[0] ? m->deck->title : name, text);
+    canvas_head(c, m->deck->title[0] ? m->deck->title : name, "%s", text);
     for (int i = 0; i < N_LAYER; i++) {
         if (there[i] && layers[i].name) {
             legend_add(&l, layers[i].style, layers[i].name, "");
@@ -276,12 +249,24 @@ static void write_numbers(const struct deck_view *v, int k, struct canvas *c) {
     }
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+// Draws a layer of all buildings; to NULL: only counts. Returns how many shapes it has.
+static int write_layer(const struct layer *l, const struct deck_view *v, FILE *to) {
+    struct deck_shapes s = {.to = to};
+    for (int k = 0; k < v->at.n; k++) {
+        if (l->member) {
+            deck_members_write(v, k, &s, l->member);
+        } else {
+            l->write(v, k, &s);
+        }
+    }
+    return s.n;
+}
+
+static void draw(const struct subject *p, struct canvas *c) {
     struct deck_view v = view_of(p->model);
     bool there[N_LAYER];
-    (void)e;
     for (int i = 0; i < N_LAYER; i++) {
-        there[i] = layers[i].write(&v, NULL) > 0;
+        there[i] = write_layer(&layers[i], &v, NULL) > 0;
     }
     write_head(&v, there, c);
     elevation_open(&v.at, c, N_LINE);
@@ -296,16 +281,15 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     deck_links_write_gaps(&v, c, LINE_GAPS);
     for (int i = 0; i < N_LAYER; i++) {
         if (there[i]) {
-            script_block(c->data, layers[i].data, "place [em], level");
-            layers[i].write(&v, c->data);
-            fprintf(c->data, "EOD\n");
+            canvas_block(c, "place [em], level", "%s", layers[i].data);
+            write_layer(&layers[i], &v, c->data);
+            canvas_end(c);
             struct style style = layers[i].style;
             style.width *= v.dense ? 0.5 : 1;
             panel_series(c, style, "$%s using 1:2", layers[i].data);
         }
     }
     panel_close(c);
-    return STATUS_OK;
 }
 
 const struct figure figure_deck = {

@@ -27,32 +27,28 @@ struct view {
 };
 
 // The parts summed up, from the first to this one; the total, initial + input; the residual.
-static int write_data(const struct runs *s, int run, struct view *v, FILE *to, struct error *e) {
+static void write_data(const struct runs *s, int run, struct view *v, struct canvas *c) {
     struct history h[N_COLUMN] = {[TOTAL] = {HISTORY_ENERGY, ENERGY_INPUT, 0, 0},
                                   [RESIDUAL] = {HISTORY_ENERGY, ENERGY_RESIDUAL, 0, 0}};
     struct data d;
-    char name[32];
     for (int p = 0; p < PARTS; p++) {
         h[1 + p] = (struct history){HISTORY_ENERGY, (int)parts[p].energy, 0, 0};
     }
-    int status = runs_read(s, run, h, N_COLUMN, &d, e);
-    for (size_t i = 0; i < d.n_row && status == STATUS_OK; i++) {
-        for (int p = 0; p < PARTS; p++) {
-            const double before = p > 0 ? d.column[p][i] : 0;
-            d.column[1 + p][i] += before;
-            v->part[p] |= d.column[1 + p][i] != before;
+    if (runs_read(s, run, h, N_COLUMN, &d, c)) {
+        for (size_t i = 0; i < d.n_row; i++) {
+            for (int p = 0; p < PARTS; p++) {
+                const double before = p > 0 ? d.column[p][i] : 0;
+                d.column[1 + p][i] += before;
+                v->part[p] |= d.column[1 + p][i] != before;
+            }
+            d.column[TOTAL][i] += s->r[run]->initial_energy;
         }
-        d.column[TOTAL][i] += s->r[run]->initial_energy;
-    }
-    if (status == STATUS_OK) {
         data_span(&d, PARTS, &v->energy);
         data_span(&d, TOTAL, &v->energy);
         data_span(&d, RESIDUAL, &v->residual);
-        snprintf(name, sizeof name, "energy%d", run);
-        status = data_write(&d, name, "time, parts summed up, total, residual", BINS, to, e);
+        data_write(&d, BINS, c, "time, parts summed up, total, residual", "energy%d", run);
     }
     data_free(&d);
-    return status;
 }
 
 // What the work on contacts and links was done on.
@@ -65,20 +61,18 @@ static const char *work_name(const struct runs *s) {
     return !links ? "contacts" : contacts ? "contacts and links" : "links";
 }
 
-static void write_subtitle(const struct runs *s, char *text, size_t size) {
+static void write_head(const struct runs *s, struct canvas *c) {
     const struct report *r = s->r[0];
     char unit[64], in[32], contact[32];
-    if (s->n > 1) {
-        snprintf(text, size, "energy components");
-        return;
-    }
     script_unit(&r->units, dimension_energy, unit, sizeof unit);
     script_number(r->initial_energy + r->energy[ENERGY_INPUT], in, sizeof in);
     script_number(r->energy[ENERGY_CONTACT], contact, sizeof contact);
-    if (r->n_contact + r->n_link > 0) {
-        snprintf(text, size, "energy: %s %s in, %s into %s", in, unit, contact, work_name(s));
+    if (s->n > 1) {
+        canvas_head(c, s->title, "energy components");
+    } else if (r->n_contact + r->n_link > 0) {
+        canvas_head(c, s->title, "energy: %s %s in, %s into %s", in, unit, contact, work_name(s));
     } else {
-        snprintf(text, size, "energy: %s %s in", in, unit);
+        canvas_head(c, s->title, "energy: %s %s in", in, unit);
     }
 }
 
@@ -115,22 +109,16 @@ static void draw_run(const struct runs *s, const struct view *v, int run, struct
     panel_close(c);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *s = subject->runs;
     struct view v = {.energy = span_none, .residual = span_none};
-    int status = STATUS_OK;
-    for (int k = 0; k < s->n && status == STATUS_OK; k++) {
-        status = write_data(s, k, &v, c->data, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
+    struct legend l = {0};
+    for (int k = 0; k < s->n; k++) {
+        write_data(s, k, &v, c);
     }
     v.energy = span_with_room(v.energy, 0);
     v.residual = span_with_room(v.residual, NAN);
-    struct legend l = {0};
-    char text[256];
-    write_subtitle(s, text, sizeof text);
-    canvas_head(c, s->title, text);
+    write_head(s, c);
     for (int p = 0; p < PARTS; p++) {
         if (v.part[p]) {
             legend_add(&l, panel_area(parts[p].colour),
@@ -144,7 +132,6 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
     for (int k = 0; k < s->n; k++) {
         draw_run(s, &v, k, c);
     }
-    return STATUS_OK;
 }
 
 const struct figure figure_energy = {

@@ -2,11 +2,11 @@
 // Fragility: the share of the samples that exceed a limit at each intensity, and the lognormal
 // curve of largest likelihood through the shares, for each limit and group.
 #include <math.h>
-#include <stdlib.h>
 
+#include "core/arena.h"
 #include "plot/script.h"
 #include "plot/study_figure.h"
-#include "study/fragility.h"
+#include "study/fragility_runs.h"
 
 enum { STEPS = 200 };
 
@@ -39,27 +39,32 @@ static double limit_of(const struct view *v, int i) {
     return v->p->limit[i / v->p->suite->n_group];
 }
 
-static int write_counts(struct view *v, FILE *to, struct error *e) {
+static void write_counts(struct view *v, struct canvas *c) {
     const struct suite *s = v->p->suite;
-    struct fragility_level *level = malloc((size_t)s->n_point * sizeof *level);
+    struct fragility_runs runs;
+    if (c->status == STATUS_OK) {
+        c->status = fragility_runs_create(s, &runs, c->e);
+    }
+    if (c->status != STATUS_OK) {
+        return;
+    }
+    struct fragility_level *level = arena_alloc(s->arena, (size_t)runs.n, sizeof *level);
     if (!level) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
     }
-    int status = STATUS_OK;
-    for (int i = 0; i < v->n && status == STATUS_OK; i++) {
-        fragility_count(s, i % s->n_group, limit_of(v, i), level);
-        fprintf(to, "$counts%d << EOD\n# intensity, share above the limit, runs\n", i);
-        for (int j = 0; j < s->n_point; j++) {
+    for (int i = 0; i < v->n && c->status == STATUS_OK; i++) {
+        fragility_runs_take(&runs, s, i % s->n_group);
+        const int n_level = fragility_runs_count(&runs, limit_of(v, i), NULL, level);
+        canvas_block(c, "intensity, share above the limit, runs", "counts%d", i);
+        for (int j = 0; j < n_level; j++) {
             const int n = level[j].n;
-            study_number(to, s->point[j]);
-            study_number(to, n > 0 ? (double)level[j].exceeded / n : (double)NAN);
-            fprintf(to, " %d\n", n);
+            study_number(c->data, level[j].intensity);
+            study_number(c->data, n > 0 ? (double)level[j].exceeded / n : (double)NAN);
+            fprintf(c->data, " %d\n", n);
         }
-        fprintf(to, "EOD\n");
-        status = fragility_fit(level, s->n_point, &v->fit[i], e);
+        canvas_end(c);
+        c->status = fragility_fit(level, n_level, &v->fit[i], c->e);
     }
-    free(level);
-    return status;
 }
 
 // Where shares coincide the later mark lies on the earlier ones, which are larger.
@@ -88,41 +93,41 @@ static void write_legend(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
-    const struct suite *s = p->suite;
-    struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
-    study_demand_init(&v.demand, &s->edp);
-    int status = write_counts(&v, c->data, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    FILE *to = c->data;
-    const struct span *x = &v.x.span;
-    const bool logarithmic = v.x.kind == AXIS_LOGARITHMIC;
-    for (int i = 0; i < v.n; i++) {
-        if (v.fit[i].outcome != FRAGILITY_FITTED) {
+// The fitted curves, along the axis as it is drawn.
+static void write_curves(const struct view *v, struct canvas *c) {
+    const struct span *x = &v->x.span;
+    const bool logarithmic = v->x.kind == AXIS_LOGARITHMIC;
+    for (int i = 0; i < v->n; i++) {
+        if (v->fit[i].outcome != FRAGILITY_FITTED) {
             continue;
         }
-        fprintf(to, "$curve%d << EOD\n# intensity, probability\n", i);
+        canvas_block(c, "intensity, probability", "curve%d", i);
         for (int k = 0; k <= STEPS; k++) {
             const double t = (double)k / STEPS;
             const double at =
                 logarithmic ? x->low * pow(x->high / x->low, t) : x->low + t * (x->high - x->low);
-            const double value = at > 0 ? fragility_probability(&v.fit[i], at) : 0;
-            fprintf(to, "%.7g %.7g\n", at, value);
+            const double value = at > 0 ? fragility_probability(&v->fit[i], at) : 0;
+            fprintf(c->data, "%.7g %.7g\n", at, value);
         }
-        fprintf(to, "EOD\n");
+        canvas_end(c);
     }
-    char text[256], limit[96];
+}
+
+static void draw(const struct subject *p, struct canvas *c) {
+    const struct suite *s = p->suite;
+    struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
+    study_demand_init(&v.demand, &s->edp);
+    write_counts(&v, c);
+    write_curves(&v, c);
+    char limit[96];
     study_limit_text(&v.demand, s, p->limit[0], limit, sizeof limit);
     const bool collapse = edp_is_collapse(&s->edp);
-    snprintf(text, sizeof text, "%s%s%s: shares of %d run%s, and lognormal curves", v.demand.name,
-             collapse ? "" : " > ",
-             collapse         ? ""
-             : p->n_limit > 1 ? "limit"
-                              : limit,
-             s->n_sample, s->n_sample == 1 ? "" : "s");
-    study_head(c, s, text);
+    study_head(c, s, "%s%s%s: shares of %d run%s, and lognormal curves", v.demand.name,
+               collapse ? "" : " > ",
+               collapse         ? ""
+               : p->n_limit > 1 ? "limit"
+                                : limit,
+               s->n_sample, s->n_sample == 1 ? "" : "s");
     write_legend(&v, c);
     const struct axis y = {
         .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
@@ -135,7 +140,6 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
         }
     }
     panel_close(c);
-    return STATUS_OK;
 }
 
 const struct figure figure_fragility = {

@@ -31,23 +31,22 @@ static int check(const struct subject *p, struct error *e) {
 
 // Moves the right side by the gap, so that both curves meet at an impact. The penetration is used
 // if the file has it, because it also holds for different grounds; otherwise the displacements.
-static int shift_right(struct view *v, struct error *e) {
+static void shift_right(struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
+    const int contact = v->at.contact[0];
     struct data *d = &v->data[0];
     double *right = d->column[RIGHT];
     const bool exact = r->fields & FIELD_PENETRATION;
-    int status =
-        exact ? result_contact_history(v->s->file[0], FIELD_PENETRATION, v->at.contact[0], right, e)
-              : STATUS_OK;
-    for (size_t i = 0; i < d->n_row; i++) {
-        right[i] =
-            exact ? d->column[LEFT][i] - right[i] : right[i] + r->contact[v->at.contact[0]].gap;
+    if (exact) {
+        c->status = result_contact_history(v->s->file[0], FIELD_PENETRATION, contact, right, c->e);
     }
-    return status;
+    for (size_t i = 0; i < d->n_row; i++) {
+        right[i] = exact ? d->column[LEFT][i] - right[i] : right[i] + r->contact[contact].gap;
+    }
 }
 
 // The displacements of both sides and the grounds below them; those of a wall are zero.
-static int read_run(struct view *v, int run, struct error *e) {
+static void read_run(struct view *v, int run, struct canvas *c) {
     struct data *d = &v->data[run];
     struct history h[N_COLUMN] = {{.kind = HISTORY_TIME}};
     for (int side = 0; side < 2; side++) {
@@ -55,34 +54,33 @@ static int read_run(struct view *v, int run, struct error *e) {
                                           v->at.floor[side]};
         h[GROUND_LEFT + side] = (struct history){HISTORY_GROUND, 0, v->at.building[side], 0};
     }
-    int status = runs_read(v->s, run, h, N_COLUMN, d, e);
-    for (int side = 0; side < 2 && status == STATUS_OK; side++) {
+    bool good = runs_read(v->s, run, h, N_COLUMN, d, c);
+    for (int side = 0; side < 2 && good; side++) {
         if (v->at.building[side] >= 0 && !isnan(v->at.level[side])) {
-            status = runs_move_to_level(v->s, run, v->at.building[side], v->at.floor[side],
-                                        v->at.weight[side], d->column[LEFT + side], d->n_row, e);
+            good = runs_move_to_level(v->s, run, v->at.building[side], v->at.floor[side],
+                                      v->at.weight[side], d->column[LEFT + side], d->n_row, c);
         }
     }
-    if (status == STATUS_OK && v->s->n == 1 && v->at.contact[0] >= 0) {
-        status = shift_right(v, e);
+    if (good && v->s->n == 1 && v->at.contact[0] >= 0) {
+        shift_right(v, c);
     }
-    return status;
 }
 
-// The hardest impact of each of MARKS_MAX parts of the duration, on the curve of `column`.
-static void write_marks(const struct view *v, int run, int column, const char *name, FILE *to) {
+// The hardest impact of each of MARKS_MAX parts of the duration, on the curve of a side.
+static void write_marks(const struct view *v, int run, int side, struct canvas *c) {
     const struct report *r = v->s->r[run];
     long hardest[MARKS_MAX];
     runs_hardest_of_parts(r, v->at.contact[run], MARKS_MAX, hardest);
-    script_block(to, name, "time displacement force");
-    fputs("NaN NaN NaN\n", to);
+    canvas_block(c, "time displacement force", "marks%d%d", run, side);
+    fputs("NaN NaN NaN\n", c->data);
     for (int b = 0; b < MARKS_MAX; b++) {
         if (hardest[b] >= 0) {
             const struct impact *i = &r->impact[hardest[b]];
-            fprintf(to, "%.7g %.7g %.7g\n", i->t_start, data_at(&v->data[run], column, i->t_start),
-                    i->peak_force);
+            fprintf(c->data, "%.7g %.7g %.7g\n", i->t_start,
+                    data_at(&v->data[run], LEFT + side, i->t_start), i->peak_force);
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static const char *side_name(const struct view *v, int side) {
@@ -107,15 +105,16 @@ struct hits {
     bool rigid;  // in any run: there is no force
 };
 
-static void write_subtitle(const struct view *v, char *text, size_t size) {
+static void write_title(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
+    const char *title = v->s->title;
     char length[64], unit[64], name[64], gap[32];
     if (v->at.contact[0] < 0) {
-        snprintf(text, size, "displacement of the roofs; %s",
-                 r->n_contact > 0 ? "no contact closed" : "there are no contacts");
+        canvas_head(c, title, "displacement of the roofs; %s",
+                    r->n_contact > 0 ? "no contact closed" : "there are no contacts");
         return;
     }
-    const struct report_link *c = &r->contact[v->at.contact[0]];
+    const struct report_link *link = &r->contact[v->at.contact[0]];
     struct hits h = {.force = {"0", "0"}};
     for (int k = 0; k < v->s->n; k++) {
         if (v->at.contact[k] >= 0) {
@@ -128,19 +127,19 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     const char *impacts = h.impacts[0] == 1 ? "impact" : "impacts";
     script_unit(&r->units, dimension_length, length, sizeof length);
     script_unit(&r->units, dimension_force, unit, sizeof unit);
-    script_shorten(c->name, 12, name, sizeof name);
-    script_number(c->gap, gap, sizeof gap);
+    script_shorten(link->name, 12, name, sizeof name);
+    script_number(link->gap, gap, sizeof gap);
     if (v->s->n > 1 && h.rigid) {
-        snprintf(text, size, "contact %s: %ld and %ld impacts", name, h.impacts[0], h.impacts[1]);
+        canvas_head(c, title, "contact %s: %ld and %ld impacts", name, h.impacts[0], h.impacts[1]);
     } else if (v->s->n > 1) {
-        snprintf(text, size, "contact %s: largest force %s and %s %s", name, h.force[0], h.force[1],
-                 unit);
+        canvas_head(c, title, "contact %s: largest force %s and %s %s", name, h.force[0],
+                    h.force[1], unit);
     } else if (h.rigid) {
-        snprintf(text, size, "contact %s: gap %s %s, %ld %s of rigid bodies", name, gap, length,
-                 h.impacts[0], impacts);
+        canvas_head(c, title, "contact %s: gap %s %s, %ld %s of rigid bodies", name, gap, length,
+                    h.impacts[0], impacts);
     } else {
-        snprintf(text, size, "contact %s: gap %s %s, %ld %s, largest force %s %s", name, gap,
-                 length, h.impacts[0], impacts, h.force[0], unit);
+        canvas_head(c, title, "contact %s: gap %s %s, %ld %s, largest force %s %s", name, gap,
+                    length, h.impacts[0], impacts, h.force[0], unit);
     }
 }
 
@@ -169,7 +168,7 @@ static void draw_facing(const struct view *v, struct canvas *c, struct area a, b
     }
     panel_series(c, panel_line(script_colour[0], 0), "$rows0 using 1:2");
     if (hit) {
-        panel_series(c, panel_points("#000000", POINT_DISC, 0.8), "$marks0 using 1:2");
+        panel_series(c, panel_points("#000000", POINT_DISC, 0.8), "$marks00 using 1:2");
     }
     panel_close(c);
 }
@@ -228,45 +227,31 @@ static void draw_ground(const struct view *v, struct canvas *c, struct area a) {
 
 static void write_legend(const struct view *v, struct canvas *c) {
     struct legend l = {0};
-    if (v->s->n > 1) {
-        runs_legend(v->s, NULL, &l);
-    } else {
-        // The displacements of both sides; that of the right side includes the gap.
-        const bool hit = v->at.contact[0] >= 0;
+    const bool hit = v->at.contact[0] >= 0;
+    // The displacements of both sides; that of the right side includes the gap.
+    for (int side = 0; side < 2 && v->s->n == 1; side++) {
         char floor[48], tail[64];
-        for (int side = 0; side < 2; side++) {
-            write_floor_name(v, side, floor, sizeof floor);
-            snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
-            if (hit || v->at.building[side] >= 0) {
-                legend_add(&l, panel_line(script_colour[side], 0), side_name(v, side), tail);
-            }
-        }
-        if (hit) {
-            legend_add(&l, panel_area(gap_colour), "gap", "");
+        write_floor_name(v, side, floor, sizeof floor);
+        snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
+        if (hit || v->at.building[side] >= 0) {
+            legend_add(&l, panel_line(script_colour[side], 0), side_name(v, side), tail);
         }
     }
-    if (v->at.contact[0] >= 0) {
+    if (v->s->n == 1 && hit) {
+        legend_add(&l, panel_area(gap_colour), "gap", "");
+    }
+    runs_legend(v->s, NULL, &l);
+    if (hit) {
         legend_add(&l, panel_points("#000000", POINT_DISC, 0.8), "impacts", "");
     }
     legend_write(&l, c);
 }
 
-static int write_data(const struct view *v, FILE *to, struct error *e) {
-    int status = STATUS_OK;
-    char name[32];
-    for (int k = 0; k < v->s->n && status == STATUS_OK; k++) {
-        snprintf(name, sizeof name, "rows%d", k);
-        status =
-            data_write(&v->data[k], name, "time left right ground_left ground_right", BINS, to, e);
-        for (int side = 0; side < 2 && v->s->n > 1; side++) {
-            snprintf(name, sizeof name, "marks%d%d", k, side);
-            write_marks(v, k, LEFT + side, name, to);
-        }
+static void write_data(const struct view *v, int run, struct canvas *c) {
+    data_write(&v->data[run], BINS, c, "time left right ground_left ground_right", "rows%d", run);
+    for (int side = 0; side < (v->s->n > 1 ? 2 : 1); side++) {
+        write_marks(v, run, side, c);
     }
-    if (v->s->n == 1) {
-        write_marks(v, 0, LEFT, "marks0", to);
-    }
-    return status;
 }
 
 static void draw_panels(const struct view *v, struct canvas *c) {
@@ -298,28 +283,24 @@ static void draw_panels(const struct view *v, struct canvas *c) {
     draw_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.32), 7, 0.5, 3.2, 0.5));
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *s = subject->runs;
     struct view v = {.s = s};
-    char subtitle[320];
     runs_facing(s, &v.at);
-    int status = STATUS_OK;
-    for (int k = 0; k < s->n && status == STATUS_OK; k++) {
-        status = read_run(&v, k, e);
+    for (int k = 0; k < s->n; k++) {
+        read_run(&v, k, c);
     }
-    if (status == STATUS_OK) {
-        status = write_data(&v, c->data, e);
-    }
-    if (status == STATUS_OK) {
-        write_subtitle(&v, subtitle, sizeof subtitle);
-        canvas_head(c, s->title, subtitle);
+    if (c->status == STATUS_OK) {
+        for (int k = 0; k < s->n; k++) {
+            write_data(&v, k, c);
+        }
+        write_title(&v, c);
         write_legend(&v, c);
         draw_panels(&v, c);
     }
     for (int k = 0; k < s->n; k++) {
         data_free(&v.data[k]);
     }
-    return status;
 }
 
 const struct figure figure_histories = {

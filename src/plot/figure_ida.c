@@ -124,22 +124,23 @@ static void write_hit(const struct view *v, FILE *to) {
     fprintf(to, "EOD\n");
 }
 
-static int write_percentiles(struct view *v, FILE *to, struct error *e) {
+static void write_percentiles(struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     double *work = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *work);
     if (!work) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
+        return;
     }
-    fprintf(to, "$percentiles << EOD\n# intensity, demand at 84, 50 and 16 %%\n");
+    canvas_block(c, "intensity, demand at 84, 50 and 16 %", "percentiles");
     for (int j = 0; j < s->n_point; j++) {
-        study_number(to, s->point[j]);
+        study_number(c->data, s->point[j]);
         for (int i = 0; i < CURVES; i++) {
-            study_number(to, v->demand.factor * suite_percentile(s, 0, j, curve[i].fraction, work));
+            study_number(c->data,
+                         v->demand.factor * suite_percentile(s, 0, j, curve[i].fraction, work));
         }
-        fputc('\n', to);
+        fputc('\n', c->data);
     }
-    fprintf(to, "EOD\n");
-    return STATUS_OK;
+    canvas_end(c);
 }
 
 static void write_legend(const struct view *v, const struct subject *p, struct canvas *c) {
@@ -185,7 +186,7 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
     panel_close(c);
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none};
     study_demand_init(&v.demand, &s->edp);
@@ -194,20 +195,14 @@ static int draw(const struct subject *p, struct canvas *c, struct error *e) {
     if (s->n_hit > 0) {
         write_hit(&v, c->data);
     }
-    int status = write_percentiles(&v, c->data, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
+    write_percentiles(&v, c);
     for (int i = 0; i < p->n_limit; i++) {
         span_add(&v.span, v.demand.factor * p->limit[i]);
     }
-    char text[256];
-    snprintf(text, sizeof text, "%s, %s of each run", s->edp.quantity->doc,
-             s->edp.quantity->reduction == EDP_SUM ? "all" : "the largest");
-    study_head(c, s, text);
+    study_head(c, s, "%s, %s of each run", s->edp.quantity->doc,
+               s->edp.quantity->reduction == EDP_SUM ? "all" : "the largest");
     write_legend(&v, p, c);
     draw_panel(&v, p, c);
-    return STATUS_OK;
 }
 
 const struct figure figure_ida = {

@@ -212,29 +212,27 @@ static void add_sizes(const struct view *v, struct legend *l) {
     }
 }
 
-static void write_subtitle(const struct view *v, char *text, size_t size) {
+static void write_title(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
     char left[64], right[64], part[64] = "";
     if (v->more) {
         snprintf(part, sizeof part, ", those of the first %d pairs are shown", BANDS_MAX);
     }
     if (v->s->n > 1) {
-        snprintf(text, size, "%ld and %ld impacts%s", r->n_impact, v->s->r[1]->n_impact, part);
+        canvas_head(c, v->s->title, "%ld and %ld impacts%s", r->n_impact, v->s->r[1]->n_impact,
+                    part);
     } else if (v->n == 1) {
         script_shorten(v->band[0].left, 9, left, sizeof left);
         script_shorten(v->band[0].right, 9, right, sizeof right);
-        snprintf(text, size, "%ld impact%s between %s and %s", r->n_impact,
-                 r->n_impact == 1 ? "" : "s", left, right);
+        canvas_head(c, v->s->title, "%ld impact%s between %s and %s", r->n_impact,
+                    r->n_impact == 1 ? "" : "s", left, right);
     } else {
-        snprintf(text, size, "%ld impacts%s", r->n_impact,
-                 v->more ? part : ", counted for each pair");
+        canvas_head(c, v->s->title, "%ld impacts%s", r->n_impact,
+                    v->more ? part : ", counted for each pair");
     }
 }
 
-static void write_head(const struct view *v, struct canvas *c) {
-    char text[160];
-    write_subtitle(v, text, sizeof text);
-    canvas_head(c, v->s->title, text);
+static void write_legend(const struct view *v, struct canvas *c) {
     struct legend l = {0};
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
         legend_add(&l, panel_points(script_colour[k], k > 0 ? POINT_RING : POINT_DISC, 2),
@@ -244,9 +242,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *s = subject->runs;
-    (void)e;
     struct view v = {.s = s};
     collect(&v);
     // Finds the largest force; if an impact has no force, the largest impulse.
@@ -264,9 +261,9 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
     for (int k = 0; k < s->n; k++) {
         write_data(&v, k, c->data);
     }
-    write_head(&v, c);
+    write_title(&v, c);
+    write_legend(&v, c);
     draw_panel(&v, c);
-    return STATUS_OK;
 }
 
 const struct figure figure_impacts = {

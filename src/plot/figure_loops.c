@@ -131,42 +131,44 @@ static size_t write_loop(const struct data *d, const struct impact *p, FILE *to)
     return end - first;
 }
 
-static int write_contact_data(struct view *v, int run, FILE *to, struct error *e) {
+static void write_contact_data(struct view *v, int run, struct canvas *c) {
     const struct report *r = v->s->r[run];
     const int contact = v->contact[run];
     const struct history h[] = {{.kind = HISTORY_TIME},
                                 {HISTORY_CONTACT, FIELD_PENETRATION, contact, 0},
                                 {HISTORY_CONTACT, FIELD_FORCE, contact, 0}};
     struct data d;
-    int status = runs_read(v->s, run, h, 3, &d, e);
-    if (status == STATUS_OK) {
-        fprintf(to, "$loops%d << EOD\n# penetration force, an impact a block\nNaN NaN\n\n", run);
+    if (runs_read(v->s, run, h, 3, &d, c)) {
+        canvas_block(c, "penetration force, an impact a block", "loops%d", run);
+        fputs("NaN NaN\n\n", c->data);
         for (long i = 0; i < r->n_impact; i++) {
             if (r->impact[i].contact == contact && is_shown(r, i)) {
-                const bool loop = write_loop(&d, &r->impact[i], to) >= LOOP_ROWS;
+                const bool loop = write_loop(&d, &r->impact[i], c->data) >= LOOP_ROWS;
                 v->others = v->others || (loop && i != v->impact[run]);
             }
         }
-        fprintf(to, "EOD\n$hardest%d << EOD\n# penetration force\nNaN NaN\n", run);
-        v->rows[run] = write_loop(&d, &r->impact[v->impact[run]], to);
-        fprintf(to, "EOD\n");
+        canvas_end(c);
+        canvas_block(c, "penetration force", "hardest%d", run);
+        fputs("NaN NaN\n", c->data);
+        v->rows[run] = write_loop(&d, &r->impact[v->impact[run]], c->data);
+        canvas_end(c);
         // The largest penetration and force of each impact in the figure, over all computed steps.
-        fprintf(to, "$largest%d << EOD\n# largest penetration, largest force\n", run);
+        canvas_block(c, "largest penetration, largest force", "largest%d", run);
         for (long i = 0; i < r->n_impact; i++) {
             if (r->impact[i].contact == contact && is_shown(r, i)) {
-                fprintf(to, "%.7g %.7g\n", r->impact[i].max_penetration, r->impact[i].peak_force);
+                fprintf(c->data, "%.7g %.7g\n", r->impact[i].max_penetration,
+                        r->impact[i].peak_force);
             }
         }
-        fprintf(to, "EOD\n");
+        canvas_end(c);
         span_add(&v->x[0], r->contact[contact].peak.penetration);
         span_add(&v->y[0], r->contact[contact].peak.force);
         data_span(&d, 2, &v->y[0]);
     }
     data_free(&d);
-    return status;
 }
 
-static int write_loop_data(struct view *v, int run, int k, FILE *to, struct error *e) {
+static void write_loop_data(struct view *v, int run, int k, struct canvas *c) {
     const int building = v->building[k], number = v->number[k];
     const bool storey = building >= 0;
     const enum history_kind kind = storey ? HISTORY_FLOOR : HISTORY_LINK;
@@ -174,17 +176,13 @@ static int write_loop_data(struct view *v, int run, int k, FILE *to, struct erro
     const struct history h[] = {{.kind = HISTORY_TIME},
                                 {kind, storey ? FIELD_DRIFT : FIELD_PENETRATION, index, floor},
                                 {kind, storey ? FIELD_STOREY_SHEAR : FIELD_FORCE, index, floor}};
-    char name[32];
     struct data d;
-    int status = runs_read(v->s, run, h, 3, &d, e);
-    if (status == STATUS_OK) {
-        snprintf(name, sizeof name, "storey%d%d", run, k);
-        status = data_write(&d, name, "time deformation force", BINS, to, e);
+    if (runs_read(v->s, run, h, 3, &d, c)) {
+        data_write(&d, BINS, c, "time deformation force", "storey%d%d", run, k);
         data_span(&d, 1, &v->x[1 + k]);
         data_span(&d, 2, &v->y[1 + k]);
     }
     data_free(&d);
-    return status;
 }
 
 // Panel 0 is that of the contact, those behind it are of storeys and of a link.
@@ -243,12 +241,10 @@ static void draw_loop(const struct view *v, struct canvas *c, struct area a, int
 }
 
 static void write_head(const struct view *v, struct canvas *c) {
-    const char *text = "forces against deformations";
+    const bool coarse = v->impact[0] >= 0 && v->rows[0] < FINE_ROWS;
     struct legend l = {0};
-    if (v->impact[0] >= 0 && v->rows[0] < FINE_ROWS) {
-        text = "forces against deformations; output -every 1 gives whole contact loops";
-    }
-    canvas_head(c, v->s->title, text);
+    canvas_head(c, v->s->title, "forces against deformations%s",
+                coarse ? "; output -every 1 gives whole contact loops" : "");
     if (v->impact[0] >= 0) {
         legend_add(&l, panel_points("#404040", POINT_CROSS, 1.3), "largest force, penetration", "");
     }
@@ -267,24 +263,20 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *s = subject->runs;
     struct view v = {.s = s, .all_x = span_none, .all_y = span_none};
     for (int i = 0; i < PANELS_MAX; i++) {
         v.x[i] = v.y[i] = span_none;
     }
     choose(&v);
-    int status = STATUS_OK;
-    for (int run = 0; run < v.s->n && status == STATUS_OK; run++) {
+    for (int run = 0; run < v.s->n; run++) {
         if (v.impact[run] >= 0) {
-            status = write_contact_data(&v, run, c->data, e);
+            write_contact_data(&v, run, c);
         }
-        for (int k = 0; k < v.n_loop && status == STATUS_OK; k++) {
-            status = write_loop_data(&v, run, k, c->data, e);
+        for (int k = 0; k < v.n_loop; k++) {
+            write_loop_data(&v, run, k, c);
         }
-    }
-    if (status != STATUS_OK) {
-        return status;
     }
     // Penetrations are apart from the drifts, and mostly far smaller.
     for (int i = 0; i < PANELS_MAX; i++) {
@@ -303,7 +295,6 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
             draw_loop(&v, c, a, i - contact);
         }
     }
-    return STATUS_OK;
 }
 
 const struct figure figure_loops = {

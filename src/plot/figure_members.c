@@ -10,7 +10,6 @@
 #include "plot/figure.h"
 #include "plot/legend.h"
 #include "plot/script.h"
-#include "plot/shades.h"
 
 enum { NUMBER_MAX = 1000 };
 #define N_KIND (FRAME_WALL + 1)  // enum frame_kind
@@ -244,11 +243,8 @@ static const struct style plain = {STYLE_POINTS, "#606060", 0, NULL, POINT_RING,
 
 static void write_head(const struct view *v, const struct runs *s, struct canvas *c) {
     struct legend l = {0};
-    char text[160];
-    snprintf(text, sizeof text,
-             "largest end moments, as shares of those of columns, beams, walls%s",
-             v->left_out ? "; not all buildings are drawn" : "");
-    canvas_head(c, s->title, text);
+    canvas_head(c, s->title, "largest end moments, as shares of those of columns, beams, walls%s",
+                v->left_out ? "; not all buildings are drawn" : "");
     if (v->plastic > 0) {
         struct style mark = yielded;
         mark.size = 1.8;
@@ -271,9 +267,9 @@ static void draw_blocks(const struct view *v, struct canvas *c) {
         if (!there) {
             continue;
         }
-        script_block(c->data, block_data[block], "place [em], level, value");
+        canvas_block(c, "place [em], level, value", "%s", block_data[block]);
         write_block(v, block, c->data);
-        fprintf(c->data, "EOD\n");
+        canvas_end(c);
         if (block >= N_KIND) {
             panel_series(c, block == BLOCK_PLAIN ? plain : yielded,
                          block == BLOCK_PLAIN ? "$plain using 1:2" : "$yielded using 1:2:3");
@@ -284,23 +280,21 @@ static void draw_blocks(const struct view *v, struct canvas *c) {
     }
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+static void draw(const struct subject *p, struct canvas *c) {
     static const double SCALE_ROOM = 6.5, SCALE_WIDTH = 1.2;  // [em]
     struct view v = look(p->runs->r[0]);
     const int lines = 1 + v.any[FRAME_COLUMN] + v.any[FRAME_BEAM] + v.any[FRAME_WALL];
-    (void)e;
     write_head(&v, p->runs, c);
     const double right = c->area.right;
     c->area.right -= SCALE_ROOM;
     elevation_open(&v.at, c, lines + (v.plastic > 0));
-    shades_use(c, SHADES_LINES, 100);
+    panel_shades(c, SHADES_LINES, 100);
     write_lines(&v, c);
     draw_blocks(&v, c);
     panel_close(c);
     const struct area scale = {right - SCALE_WIDTH, right, v.at.area.bottom, v.at.area.top};
-    shades_scale(c, scale,
-                 &(struct axis){.name = "share of the largest", .unit = "%", .span = {0, 100}});
-    return STATUS_OK;
+    panel_shades_scale(
+        c, scale, &(struct axis){.name = "share of the largest", .unit = "%", .span = {0, 100}});
 }
 
 const struct figure figure_members = {

@@ -47,43 +47,52 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
 
 // A row for each floor: its level and the modes; those that a low building does not have, and those
 // that are not known, are NaN.
-static int write_shapes(struct view *v, int run, int k, FILE *to, struct error *e) {
+static void write_shape(struct view *v, int run, int k, const double *omega, const double *shape,
+                        struct canvas *c) {
+    const struct report_building *b = shown(v, run, k);
+    const int n = b->n_floor;
+    // known: these are the periods of the building. They are not if the building has parts, whose
+    // stiffness is not in the file.
+    bool known = true;
+    for (int m = 0; m < n; m++) {
+        const double cycles = omega[m] * b->period[m] / (2 * acos(-1.0));
+        known = known && (omega[m] > 0 ? fabs(cycles - 1) < 1e-6 : !isfinite(b->period[m]));
+    }
+    v->unknown[k] = v->unknown[k] || !known;
+    canvas_block(c, "level, modes", "shapes%d%d", run, k);
+    for (int i = -1; i < n; i++) {
+        fprintf(c->data, "%.7g", runs_level(b, i + 1, v->heights));
+        for (int m = 0; m < v->n_mode; m++) {
+            const double at_base = omega[m < n ? m : 0] > 0 ? 0 : (double)NAN;
+            const double value =
+                i < 0 ? at_base : shape[(size_t)(m < n ? m : 0) * (size_t)n + (size_t)i];
+            fprintf(c->data, " %.7g", m < n && known ? value : (double)NAN);
+        }
+        fputc('\n', c->data);
+    }
+    canvas_end(c);
+}
+
+static void write_shapes(struct view *v, int run, int k, struct canvas *c) {
     const struct report_building *b = shown(v, run, k);
     const int n = b->n_floor;
     double *shape = malloc(((size_t)n + 2) * (size_t)n * sizeof *shape);
     if (!shape) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
+        return;
     }
     double *omega = shape + (size_t)n * (size_t)n, *stiffness = omega + n;
     for (int i = 0; i < n; i++) {
         stiffness[i] = b->stiffness[i] - (b->axial ? b->axial[i] / b->height[i] : 0);
     }
-    int status = modes_solve(n, b->mass, stiffness, NULL, omega, shape, e);
-    if (status == STATUS_OK) {
+    if (c->status == STATUS_OK) {
+        c->status = modes_solve(n, b->mass, stiffness, NULL, omega, shape, c->e);
+    }
+    if (c->status == STATUS_OK) {
         modes_scale_to_largest(n, shape);
-        // known: these are the periods of the building. They are not if the building has parts,
-        // whose stiffness is not in the file.
-        bool known = true;
-        for (int m = 0; m < b->n_floor; m++) {
-            const double cycles = omega[m] * b->period[m] / (2 * acos(-1.0));
-            known = known && (omega[m] > 0 ? fabs(cycles - 1) < 1e-6 : !isfinite(b->period[m]));
-        }
-        v->unknown[k] = v->unknown[k] || !known;
-        fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);
-        for (int i = -1; i < n; i++) {
-            fprintf(to, "%.7g", runs_level(b, i + 1, v->heights));
-            for (int m = 0; m < v->n_mode; m++) {
-                const double at_base = omega[m < n ? m : 0] > 0 ? 0 : (double)NAN;
-                const double value =
-                    i < 0 ? at_base : shape[(size_t)(m < n ? m : 0) * (size_t)n + (size_t)i];
-                fprintf(to, " %.7g", m < n && known ? value : (double)NAN);
-            }
-            fprintf(to, "\n");
-        }
-        fprintf(to, "EOD\n");
+        write_shape(v, run, k, omega, shape, c);
     }
     free(shape);
-    return status;
 }
 
 // Where shapes coincide the later points lie on the earlier ones, which are larger.
@@ -147,16 +156,15 @@ static void add_entry(const struct view *v, struct legend *l, int k) {
 }
 
 static void write_head(const struct view *v, struct canvas *c) {
-    char text[160];
     const int n = v->s->r[0]->n_building;
-    snprintf(text, sizeof text, "mode shapes of each building alone, and its first periods");
-    if (n > v->n_building) {
-        snprintf(text, sizeof text,
-                 "mode shapes of the first %d of %d buildings, and their first periods",
-                 v->n_building, n);
-    }
-    canvas_head(c, v->s->title, text);
     struct legend l = {0};
+    if (n > v->n_building) {
+        canvas_head(c, v->s->title,
+                    "mode shapes of the first %d of %d buildings, and their first periods",
+                    v->n_building, n);
+    } else {
+        canvas_head(c, v->s->title, "mode shapes of each building alone, and its first periods");
+    }
     for (int k = 0; k < v->n_building; k++) {
         add_entry(v, &l, k);
     }
@@ -164,15 +172,11 @@ static void write_head(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *s = subject->runs;
     struct view v = choose(s, c);
-    int status = STATUS_OK;
-    for (int k = 0; k < s->n * v.n_building && status == STATUS_OK; k++) {
-        status = write_shapes(&v, k / v.n_building, k % v.n_building, c->data, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
+    for (int k = 0; k < s->n * v.n_building; k++) {
+        write_shapes(&v, k / v.n_building, k % v.n_building, c);
     }
     write_head(&v, c);
     c->area.left += 4.2;
@@ -181,7 +185,6 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
         const struct area part = canvas_part(c, first + m * width, first + (m + 1) * width, 0, 1);
         draw_panel(&v, c, canvas_inset(part, 1.1, 1.1, 3.2, 1.8), m);
     }
-    return STATUS_OK;
 }
 
 const struct figure figure_modes = {

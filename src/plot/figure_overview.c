@@ -25,46 +25,44 @@ static double strip_height(const struct subject *p, const struct strip *strip) {
     return drawn(p, strip->figure[0]) || drawn(p, strip->figure[1]) ? strip->height : 0;
 }
 
-static int draw_strip(const struct strip *strip, const struct subject *p, const struct canvas *page,
-                      struct area a, struct error *e) {
+static void draw_strip(const struct strip *strip, const struct subject *p, struct canvas *page,
+                       struct area a) {
     const struct figure *const f[] = {drawn(p, strip->figure[0]), drawn(p, strip->figure[1])};
     const double middle = (a.left + a.right) / 2;
-    int status = STATUS_OK;
-    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
+    for (int i = 0; i < 2; i++) {
         struct canvas block = *page;
         block.kind = CANVAS_BLOCK;
         block.area = a;
         if (f[1 - i]) {
             *(i == 0 ? &block.area.right : &block.area.left) = middle + (i == 0 ? -0.8 : 0.8);
         }
-        status = f[i] ? f[i]->draw(p, &block, e) : STATUS_OK;
+        if (f[i]) {
+            f[i]->draw(p, &block);
+        }
+        page->status = block.status;
     }
-    return status;
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+static void draw(const struct subject *p, struct canvas *c) {
     const struct runs *s = p->runs;
     const struct report *r = s->r[0];
-    char text[200];
-    snprintf(text, sizeof text, "%d building%s, %ld impact%s, %.4g %s", r->n_building,
-             r->n_building == 1 ? "" : "s", r->n_impact, r->n_impact == 1 ? "" : "s", r->duration,
-             r->units.time_name);
     if (s->n > 1) {
-        snprintf(text, sizeof text, "%s and %s", s->name[0], s->name[1]);
+        canvas_head(c, s->title, "%s and %s", s->name[0], s->name[1]);
+    } else {
+        canvas_head(c, s->title, "%d building%s, %ld impact%s, %.4g %s", r->n_building,
+                    r->n_building == 1 ? "" : "s", r->n_impact, r->n_impact == 1 ? "" : "s",
+                    r->duration, r->units.time_name);
     }
-    canvas_head(c, s->title, text);
     double total = 0, above = 0;
     for (int i = 0; i < STRIPS; i++) {
         total += strip_height(p, &strips[i]);
     }
-    int status = STATUS_OK;
-    for (int i = 0; i < STRIPS && status == STATUS_OK; i++) {
+    for (int i = 0; i < STRIPS; i++) {
         const double height = strip_height(p, &strips[i]) / total;
         const struct area part = canvas_part(c, 0, 1, 1 - above - height, 1 - above);
-        status = draw_strip(&strips[i], p, c, canvas_inset(part, 0.5, 0.5, 0.8, 0.8), e);
+        draw_strip(&strips[i], p, c, canvas_inset(part, 0.5, 0.5, 0.8, 0.8));
         above += height;
     }
-    return status;
 }
 
 const struct figure figure_overview = {

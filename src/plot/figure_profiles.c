@@ -277,22 +277,17 @@ static void write_legend(const struct selection *s, struct canvas *c) {
 }
 
 static void write_head(const struct selection *s, struct canvas *c) {
-    static const char kinds[] = "relative displacements, total accelerations";
     const int n = s->s->r[0]->n_building;
-    char text[160];
+    char of[80] = "over all steps";
     if (s->n < n) {
-        snprintf(text, sizeof text, "peaks of the %d of %d buildings that drift most; %s", s->n, n,
-                 kinds);
-    } else {
-        snprintf(text, sizeof text, "peaks over all steps; %s", kinds);
+        snprintf(of, sizeof of, "of the %d of %d buildings that drift most", s->n, n);
     }
-    canvas_head(c, s->s->title, text);
+    canvas_head(c, s->s->title, "peaks %s; relative displacements, total accelerations", of);
     write_legend(s, c);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *runs = subject->runs;
-    (void)e;
     struct selection s = choose(runs);
     s.points = canvas_has_room(c, s.floors);
     for (int k = 0; k < s.n * runs->n; k++) {
@@ -305,7 +300,6 @@ static int draw(const struct subject *subject, struct canvas *c, struct error *e
             (s.rows ? draw_rows : draw_panel)(&s, &profiles[i], at++, n, c);
         }
     }
-    return STATUS_OK;
 }
 
 const struct figure figure_profiles = {

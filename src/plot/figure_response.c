@@ -164,28 +164,28 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     panel_close(c);
 }
 
-static int draw(const struct subject *p, struct canvas *c, struct error *e) {
+static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none, .band = s->n_group == 1 && s->n_sample > 1};
     study_demand_init(&v.demand, &s->edp);
     v.work = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *v.work);
     if (!v.work) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
+        return;
     }
     write_data(&v, c->data);
     if (s->n_hit > 0) {
         write_hit(&v, c->data);
     }
-    char samples[128], text[256];
     const bool named = strcmp(s->over, "sample") != 0;
-    snprintf(samples, sizeof samples, " over %d samples%s%s", s->n_sample, named ? " of " : "",
-             named ? s->over : "");
-    snprintf(text, sizeof text, "%s of %s%s", s->n_sample > 1 ? "medians" : "values", v.demand.name,
-             s->n_sample > 1 ? samples : "");
-    study_head(c, s, text);
+    if (s->n_sample > 1) {
+        study_head(c, s, "medians of %s over %d samples%s%s", v.demand.name, s->n_sample,
+                   named ? " of " : "", named ? s->over : "");
+    } else {
+        study_head(c, s, "values of %s", v.demand.name);
+    }
     write_legend(&v, c);
     draw_panel(&v, c);
-    return STATUS_OK;
 }
 
 const struct figure figure_response = {

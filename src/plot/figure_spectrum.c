@@ -43,7 +43,7 @@ static void add(struct view *v, int building, int floor) {
     v->series[v->n++] = (struct owner){building, floor};
 }
 
-static int choose(struct view *v, struct error *e) {
+static void choose(struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
     struct facing at;
     runs_facing(v->s, &at);
@@ -56,21 +56,20 @@ static int choose(struct view *v, struct error *e) {
         }
     }
     if (v->n == 0) {
-        return error_set(e, STATUS_INPUT,
-                         "spectrum cannot be drawn: the hardest contact of %s is at none of its "
-                         "buildings",
-                         r->file);
+        canvas_fail(
+            c, STATUS_INPUT,
+            "spectrum cannot be drawn: the hardest contact of %s is at none of its buildings",
+            r->file);
     }
     // Adds the ground below each of the two buildings: once if both grounds are the same, and only
     // if it moves.
     bool moves[2] = {false, false}, differ = false;
-    int status = STATUS_OK;
-    for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
+    for (int run = 0; run < v->s->n; run++) {
         const struct history h[] = {{HISTORY_GROUND, 0, building[0], 0},
                                     {HISTORY_GROUND, 0, building[1], 0}};
         struct data d;
-        status = runs_read(v->s, run, h, 2, &d, e);
-        for (size_t i = 0; i < d.n_row && status == STATUS_OK; i++) {
+        runs_read(v->s, run, h, 2, &d, c);
+        for (size_t i = 0; i < d.n_row; i++) {
             moves[0] |= d.column[0][i] != 0;
             moves[1] |= d.column[1][i] != 0;
             differ |= d.column[0][i] != d.column[1][i];
@@ -78,18 +77,16 @@ static int choose(struct view *v, struct error *e) {
         data_free(&d);
     }
     const int n = v->n;
-    for (int side = 0; side < 2 && status == STATUS_OK; side++) {
+    for (int side = 0; side < 2; side++) {
         if (moves[side] && (side == 0 || differ)) {
             add(v, building[side], -1);
         }
     }
     v->n_ground = v->n - n;
-    return status;
 }
 
 // How many rows follow each other at even distances; the last row may stand nearer.
-static int even_rows(const struct runs *s, int run, const struct data *d, size_t *n,
-                     struct error *e) {
+static size_t even_rows(const struct runs *s, int run, const struct data *d, struct canvas *c) {
     const double *time = d->column[0];
     const double dt = d->n_row > 1 ? time[1] - time[0] : 0;
     size_t i = 1;
@@ -97,58 +94,55 @@ static int even_rows(const struct runs *s, int run, const struct data *d, size_t
         i++;
     }
     if (i < 2 || i + 1 < d->n_row) {
-        return error_set(e, STATUS_INPUT,
-                         "spectrum cannot be drawn: the rows of %s are not evenly spaced; see "
-                         "output -interval",
-                         s->r[run]->file);
+        canvas_fail(c, STATUS_INPUT,
+                    "spectrum cannot be drawn: the rows of %s are not evenly spaced; see output "
+                    "-interval",
+                    s->r[run]->file);
     }
-    *n = i;
-    return STATUS_OK;
+    return i;
 }
 
 static void write_spectrum(struct view *v, int run, int series, const struct signal *ground,
-                           FILE *to) {
+                           struct canvas *c) {
     const double second = 1 / v->s->r[run]->units.time;
-    fprintf(to, "$spectrum%d%d << EOD\n# period, pseudo-acceleration\n", run, series);
+    canvas_block(c, "period, pseudo-acceleration", "spectrum%d%d", run, series);
     for (int i = 0; i < PERIODS; i++) {
         const double period =
             second * first_period * pow(last_period / first_period, i / (PERIODS - 1.0));
         const double value = spectrum_at(ground, period, damping_ratio).value[SPECTRUM_PSA];
-        fprintf(to, "%.7g %.7g\n", period, value);
+        fprintf(c->data, "%.7g %.7g\n", period, value);
         span_add(&v->acceleration, value);
         if (v->s->tell) {
             const long before = (long)(run * v->n + series) * PERIODS;
             v->s->tell(v->s->context, before + i + 1, (long)v->s->n * v->n * PERIODS);
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
-static int write_series(struct view *v, int run, int series, FILE *to, struct error *e) {
+static void write_series(struct view *v, int run, int series, struct canvas *c) {
     const struct owner *p = &v->series[series];
     const struct history h[] = {
         {.kind = HISTORY_TIME},
         {p->floor < 0 ? HISTORY_GROUND : HISTORY_FLOOR, FIELD_ACCELERATION, p->building, p->floor}};
     struct data d;
     struct signal ground;
-    size_t n = 0;
-    int status = runs_read(v->s, run, h, 2, &d, e);
-    if (status == STATUS_OK) {
-        status = even_rows(v->s, run, &d, &n, e);
+    runs_read(v->s, run, h, 2, &d, c);
+    const size_t n = even_rows(v->s, run, &d, c);
+    struct arena *a = arena_create();
+    if (!a) {
+        c->status = error_no_memory(c->e);
     }
-    if (status == STATUS_OK) {
+    if (c->status == STATUS_OK) {
         const double dt = d.column[0][1] - d.column[0][0];
         v->dt = run == 0 ? dt : v->dt;
-        struct arena *a = arena_create();
-        status =
-            a ? signal_init_samples(&ground, a, d.column[1], n, dt, 1, 0, e) : error_no_memory(e);
-        if (status == STATUS_OK) {
-            write_spectrum(v, run, series, &ground, to);
-        }
-        arena_free(a);
+        c->status = signal_init_samples(&ground, a, d.column[1], n, dt, 1, 0, c->e);
     }
+    if (c->status == STATUS_OK) {
+        write_spectrum(v, run, series, &ground, c);
+    }
+    arena_free(a);
     data_free(&d);
-    return status;
 }
 
 static const char *colour(const struct view *v, int series) {
@@ -160,9 +154,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
     struct legend l = {0};
     char text[160];
-    snprintf(text, sizeof text, "floor response spectra, %g %% damping, of rows every %.4g %s",
-             100 * damping_ratio, v->dt, r->units.time_name);
-    canvas_head(c, v->s->title, text);
+    canvas_head(c, v->s->title, "floor response spectra, %g %% damping, of rows every %.4g %s",
+                100 * damping_ratio, v->dt, r->units.time_name);
     for (int i = 0; i < v->n; i++) {
         const struct owner *p = &v->series[i];
         const char *name = r->building[p->building].name;
@@ -196,18 +189,15 @@ static void draw_panel(const struct view *v, struct canvas *c) {
     panel_close(c);
 }
 
-static int draw(const struct subject *subject, struct canvas *c, struct error *e) {
+static void draw(const struct subject *subject, struct canvas *c) {
     const struct runs *s = subject->runs;
     struct view v = {.s = s, .acceleration = span_none};
-    int status = choose(&v, e);
-    for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
-        status = write_series(&v, k / v.n, k % v.n, c->data, e);
+    choose(&v, c);
+    for (int k = 0; k < s->n * v.n; k++) {
+        write_series(&v, k / v.n, k % v.n, c);
     }
-    if (status == STATUS_OK) {
-        write_head(&v, c);
-        draw_panel(&v, c);
-    }
-    return status;
+    write_head(&v, c);
+    draw_panel(&v, c);
 }
 
 const struct figure figure_spectrum = {

@@ -3,10 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
-#include "plot/panel.h"
-#include "plot/scale.h"
 #include "plot/script.h"
 
 enum { SAMPLES_SHOWN = 1500 };  // pairs of a smallest and a largest one
@@ -44,21 +41,19 @@ static void write_curve(const struct impact_curve *curve, int c, const struct sc
     fprintf(to, "EOD\n");
 }
 
-static int write_samples(const struct impact_figure *f, const struct scales *s, FILE *to,
-                         struct error *e) {
-    size_t *row = calloc(f->n_sample, sizeof *row);
-    if (!row) {
-        return error_no_memory(e);
+static void write_samples(const struct impact_figure *f, const struct scales *s, struct canvas *c) {
+    struct data d = {.n_row = 0};
+    if (c->status == STATUS_OK) {
+        c->status = data_create(&d, (long)f->n_sample, 2, c->e);
     }
-    const size_t n = script_thin(&f->force, 1, f->n_sample, SAMPLES_SHOWN, row);
-    fprintf(to, "$measured << EOD\n# time force\n");
-    for (size_t i = 0; i < n; i++) {
-        fprintf(to, "%.9g %.9g\n", f->time[row[i]] / s->time.size,
-                f->force[row[i]] / s->force.size);
+    for (size_t i = 0; i < d.n_row; i++) {
+        d.column[0][i] = f->time[i] / s->time.size;
+        d.column[1][i] = f->force[i] / s->force.size;
     }
-    fprintf(to, "EOD\n");
-    free(row);
-    return STATUS_OK;
+    if (c->status == STATUS_OK) {
+        data_write(&d, SAMPLES_SHOWN, c, "time force", "measured");
+    }
+    data_free(&d);
 }
 
 static void draw_panels(const struct impact_figure *f, const struct extent *x,
@@ -79,14 +74,15 @@ static void draw_panels(const struct impact_figure *f, const struct extent *x,
                  i->max_penetration / s->length.size, s->length.unit);
     }
     c->area.left += 5.8;
-    struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top),
-                      .x = scale_axis("time", &s->time, span_with_room(x->time, x->time.low)),
-                      .y = scale_axis("contact force", &s->force,
-                                      span_with_room(x->force, x->force.low < 0 ? NAN : 0)),
-                      .caption = over_time};
+    struct panel p = {
+        .area = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top),
+        .x = pictures_scaled_axis("time", &s->time, span_with_room(x->time, x->time.low)),
+        .y = pictures_scaled_axis("contact force", &s->force,
+                                  span_with_room(x->force, x->force.low < 0 ? NAN : 0)),
+        .caption = over_time};
     pictures_law_panel(c, &p, f->n_curve, 1, 2, f->n_sample > 0 ? 0.8 : 0);
     p.area = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
-    p.x = scale_axis("penetration", &s->length, span_with_room(x->depth, 0));
+    p.x = pictures_scaled_axis("penetration", &s->length, span_with_room(x->depth, 0));
     p.y.name = NULL;
     p.y.kind = AXIS_WITHOUT_NUMBERS;
     p.caption = over_depth;
@@ -120,24 +116,66 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
         }
     }
     span_add(&x.force, 0);
-    const struct scales s = {.force = scale_for(scale_forces, fmax(x.force.high, -x.force.low)),
-                             .time = scale_for(times, x.time.high - x.time.low),
-                             .length = scale_for(scale_lengths, x.depth.high)};
+    const struct scales s = {.force =
+                                 pictures_scale(pictures_forces, fmax(x.force.high, -x.force.low)),
+                             .time = pictures_scale(times, x.time.high - x.time.low),
+                             .length = pictures_scale(pictures_lengths, x.depth.high)};
     struct canvas canvas;
-    int status = figure_open(&head, to, &canvas, e);
+    figure_open(&head, to, &canvas, e);
     const char *name[IMPACT_FIGURE_CURVES];
-    for (int c = 0; status == STATUS_OK && c < f->n_curve; c++) {
+    for (int c = 0; c < f->n_curve; c++) {
         name[c] = f->curve[c].name;
         write_curve(&f->curve[c], c, &s, to->data);
     }
-    if (status == STATUS_OK && f->n_sample > 0) {
-        status = write_samples(f, &s, to->data, e);
+    if (f->n_sample > 0) {
+        write_samples(f, &s, &canvas);
     }
-    if (status == STATUS_OK) {
-        canvas_head(&canvas, f->title, f->subtitle);
-        pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
-        draw_panels(f, &x, &s, &canvas);
-        figure_close(&canvas);
+    canvas_head(&canvas, f->title, "%s", f->subtitle);
+    pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
+    draw_panels(f, &x, &s, &canvas);
+    return figure_close(&canvas);
+}
+
+int force_figure_write(const struct force_figure *f, const struct figure_files *to,
+                       struct error *e) {
+    assert(f->n_curve <= IMPACT_FIGURE_CURVES);
+    struct unit_system si;
+    unit_system_init(&si);
+    const struct figure_head head = {.name = "over",
+                                     .doc = "peak force of isolated impacts",
+                                     .version = f->version,
+                                     .units = &si};
+    struct span x = span_none, y = span_none;
+    for (int c = 0; c < f->n_curve; c++) {
+        for (size_t i = 0; i < f->curve[c].n; i++) {
+            span_add(&x, f->curve[c].x[i]);
+            span_add(&y, f->curve[c].force[i]);
+        }
     }
-    return status;
+    struct canvas canvas;
+    figure_open(&head, to, &canvas, e);
+    const struct scale force = pictures_scale(pictures_forces, y.high);
+    struct legend l = {0};
+    for (int c = 0; c < f->n_curve; c++) {
+        fprintf(to->data, "$force%d << EOD\n# value force\n", c);
+        for (size_t i = 0; i < f->curve[c].n; i++) {
+            fprintf(to->data, "%.9g %.9g\n", f->curve[c].x[i], f->curve[c].force[i] / force.size);
+        }
+        fprintf(to->data, "EOD\n");
+        legend_add(&l, panel_line(script_colour[c], 0), f->curve[c].name, "");
+    }
+    canvas_head(&canvas, "Peak force of an isolated impact", "%s", f->subtitle);
+    legend_write(&l, &canvas);
+    panel_open(&canvas, &(struct panel){
+                            .area = canvas_inset(canvas.area, 5.8, 0.8, 3.2, 0.7),
+                            .x = {.name = f->name,
+                                  .unit = f->unit,
+                                  .span = x,
+                                  .kind = f->logarithmic ? AXIS_LOGARITHMIC : AXIS_FULL},
+                            .y = pictures_scaled_axis("peak force", &force, span_with_room(y, 0))});
+    for (int c = 0; c < f->n_curve; c++) {
+        panel_series(&canvas, panel_line(script_colour[c], 0), "$force%d using 1:2", c);
+    }
+    panel_close(&canvas);
+    return figure_close(&canvas);
 }

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
-#include "plot/panel.h"
 #include "plot/pictures.h"
-#include "plot/scale.h"
 #include "plot/script.h"
 
 // What is shown, in SI; the tangent over the initial stiffness.
@@ -97,21 +94,22 @@ static void draw_panels(const struct loop_figure *f, const struct extent *x, con
                         struct canvas *c) {
     const struct scale number = {1.0, ""};
     const struct span turns = {0.0, (double)(f->n - 1) / f->n_part};
-    struct panel p = {.area = canvas_inset(canvas_part(c, 0, 0.55, 0, 1), 6.0, 1.0, 3.2, 0.7),
-                      .x = scale_axis(f->drifts, &s->drift, span_with_room(x->drift, NAN)),
-                      .y = scale_axis(f->shears, &s->shear, span_with_room(x->shear, NAN))};
+    struct panel p = {
+        .area = canvas_inset(canvas_part(c, 0, 0.55, 0, 1), 6.0, 1.0, 3.2, 0.7),
+        .x = pictures_scaled_axis(f->drifts, &s->drift, span_with_room(x->drift, NAN)),
+        .y = pictures_scaled_axis(f->shears, &s->shear, span_with_room(x->shear, NAN))};
     pictures_law_panel(c, &p, f->n_curve, 2, 3, f->n_sample > 0 ? 0.5 : 0);
     const struct axis axis[] = {
-        scale_axis("dissipated", &s->energy, span_with_room(x->energy, x->energy.low)),
-        scale_axis("plastic", &s->drift, span_with_room(x->plastic, NAN)),
-        scale_axis("tangent / k", &number, span_with_room(x->tangent, NAN)),
+        pictures_scaled_axis("dissipated", &s->energy, span_with_room(x->energy, x->energy.low)),
+        pictures_scaled_axis("plastic", &s->drift, span_with_room(x->plastic, NAN)),
+        pictures_scaled_axis("tangent / k", &number, span_with_room(x->tangent, NAN)),
     };
     for (int i = 0; i < 3; i++) {
         const bool last = i == 2;
         const struct area part = canvas_part(c, 0.55, 1, (2 - i) / 3.0 * 0.9 + (last ? 0 : 0.1),
                                              (3 - i) / 3.0 * 0.9 + 0.1);
         p.area = canvas_inset(part, 6.0, 0.5, last ? 3.2 : 0.6, 0.7);
-        p.x = scale_axis(last ? f->progress : NULL, &number, turns);
+        p.x = pictures_scaled_axis(last ? f->progress : NULL, &number, turns);
         p.x.kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS;
         p.y = axis[i];
         pictures_law_panel(c, &p, f->n_curve, 1, 4 + i, 0);
@@ -128,14 +126,11 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
     static const struct scale rotations[] = {{1.0, "rad"}, {1e-3, "mrad"}, {0.0, NULL}};
     static const struct scale moments[] = {{1e6, "MN m"}, {1e3, "kN m"}, {1.0, "N m"}, {0.0, NULL}};
     const struct scales s = {
-        .drift = scale_for(f->turns ? rotations : scale_lengths, largest(x.drift)),
-        .shear = scale_for(f->turns ? moments : scale_forces, largest(x.shear)),
-        .energy = scale_for(scale_energies, largest(x.energy))};
+        .drift = pictures_scale(f->turns ? rotations : pictures_lengths, largest(x.drift)),
+        .shear = pictures_scale(f->turns ? moments : pictures_forces, largest(x.shear)),
+        .energy = pictures_scale(pictures_energies, largest(x.energy))};
     struct canvas canvas;
-    const int status = figure_open(&head, to, &canvas, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
+    figure_open(&head, to, &canvas, e);
     const char *name[LOOP_FIGURE_CURVES];
     for (int c = 0; c < f->n_curve; c++) {
         name[c] = f->curve[c].name;
@@ -149,9 +144,8 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
         }
         fprintf(to->data, "EOD\n");
     }
-    canvas_head(&canvas, f->title, f->subtitle);
+    canvas_head(&canvas, f->title, "%s", f->subtitle);
     pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);
     draw_panels(f, &x, &s, &canvas);
-    figure_close(&canvas);
-    return STATUS_OK;
+    return figure_close(&canvas);
 }

@@ -15,9 +15,10 @@ struct pairs_spans {
 };
 
 static void pairs_data(const struct pairs_figure *f, const struct study_demand *d,
-                       struct pairs_spans *s, FILE *to) {
+                       struct pairs_spans *s, struct canvas *c) {
+    FILE *to = c->data;
     const long step = (f->n + POINTS_MAX - 1) / POINTS_MAX;
-    fputs("$pairs << EOD\n# demand of the second study, of the first one, ratio, intensity\n", to);
+    canvas_block(c, "demand of the second study, of the first one, ratio, intensity", "pairs");
     for (long i = 0; i < f->n; i += step) {
         const double a = d->factor * f->value[0][i], b = d->factor * f->value[1][i];
         const double ratio = b != 0.0 ? a / b : NAN;
@@ -33,16 +34,18 @@ static void pairs_data(const struct pairs_figure *f, const struct study_demand *
             span_add(&s->at, f->at[i]);
         }
     }
+    canvas_end(c);
     span_add(&s->ratio, 1.0);
     s->value = span_with_room(s->value, s->value.low < 0.0 ? (double)NAN : 0.0);
     s->at = span_with_room(s->at, NAN);
-    fprintf(to, "EOD\n$equal << EOD\n");
+    canvas_block(c, "line of equality", "equal");
     study_point(to, s->value.low, s->value.low);
     study_point(to, s->value.high, s->value.high);
-    fprintf(to, "EOD\n$one << EOD\n");
+    canvas_end(c);
+    canvas_block(c, "ratio of 1", "one");
     study_point(to, s->at.low, 1.0);
     study_point(to, s->at.high, 1.0);
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 // Opens a panel with the name of its upright axis beside it.
@@ -110,16 +113,13 @@ int pairs_figure_write(const struct pairs_figure *f, const struct figure_files *
     struct study_demand demand;
     struct canvas c;
     study_demand_init(&demand, f->edp);
-    const int status = figure_open(&head, to, &c, e);
-    if (status == STATUS_OK) {
-        pairs_data(f, &demand, &spans, to->data);
-        canvas_head(&c, f->title, f->subtitle);
-        c.area.left += 6.5;
-        pairs_scatter(f, &demand, &spans, &c);
-        if (f->at) {
-            pairs_ratio(f, &spans, &c);
-        }
-        figure_close(&c);
+    figure_open(&head, to, &c, e);
+    pairs_data(f, &demand, &spans, &c);
+    canvas_head(&c, f->title, f->subtitle);
+    c.area.left += 6.5;
+    pairs_scatter(f, &demand, &spans, &c);
+    if (f->at) {
+        pairs_ratio(f, &spans, &c);
     }
-    return status;
+    return figure_close(&c);
 }

@@ -57,4 +57,13 @@ void panel_upright(const struct canvas *c, double x, struct style s);
 // Ends the panel. It must have a series.
 void panel_close(struct canvas *c);
 
+// Colours of areas, the highest value light; and of lines on white, the highest value dark.
+enum shades { SHADES_AREAS, SHADES_LINES };
+
+// Sets the colours of values from 0 to `most` > 0, in a panel that is open.
+void panel_shades(const struct canvas *c, enum shades shades, double most);
+
+// Draws the scale as a panel of its own; `axis` spans from 0 to `most`.
+void panel_shades_scale(struct canvas *c, struct area a, const struct axis *axis);
+
 #endif

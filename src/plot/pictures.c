@@ -6,6 +6,23 @@
 
 static const char sample_colour[] = "#808080";
 
+const struct scale pictures_forces[] = {{1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {0.0, NULL}};
+const struct scale pictures_lengths[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {0.0, NULL}};
+const struct scale pictures_energies[] = {{1e6, "MJ"}, {1e3, "kJ"}, {1.0, "J"}, {0.0, NULL}};
+
+struct scale pictures_scale(const struct scale *known, double largest) {
+    int i = 0;
+    while (known[i + 1].unit && largest < known[i].size) {
+        i++;
+    }
+    return known[i];
+}
+
+struct axis pictures_scaled_axis(const char *name, const struct scale *s, struct span span) {
+    return (struct axis){
+        .name = name, .unit = s->unit, .span = {span.low / s->size, span.high / s->size}};
+}
+
 void pictures_law_panel(struct canvas *c, const struct panel *p, int n_curve, int x, int y,
                         double sample) {
     panel_open(c, p);

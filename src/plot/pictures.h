@@ -32,6 +32,17 @@ struct response_sheet {
 int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e);
 
+// Units of axes in which values need few digits.
+struct scale {
+    double size;
+    const char *unit;  // NULL behind the last of a list
+};
+extern const struct scale pictures_forces[], pictures_lengths[], pictures_energies[];
+
+// The unit of the list for values up to `largest`, and an axis in it.
+struct scale pictures_scale(const struct scale *known, double largest);
+struct axis pictures_scaled_axis(const char *name, const struct scale *s, struct span span);
+
 // What the pictures of laws share: a panel of curves $curve0, $curve1 ... with what was measured,
 // $measured, and the legend, which a single curve does not need.
 

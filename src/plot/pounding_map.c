@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "plot/panel.h"
-#include "plot/shades.h"
 
 // The border below period i; i = n: above the last one.
 static double border(const struct pounding_map *map, int i) {
@@ -45,25 +44,22 @@ int pounding_map_write(const struct pounding_map *map, const struct figure_files
                                      .version = map->version,
                                      .units = map->units};
     struct canvas c;
-    int status = figure_open(&head, to, &c, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
+    figure_open(&head, to, &c, e);
     const struct span force = write_data(map, c.data);
-    canvas_head(&c, map->title, map->subtitle);
+    canvas_head(&c, map->title, "%s", map->subtitle);
     const struct panel p = {.area = canvas_inset(c.area, 5.8, 9.5, 3.2, 0.7),
                             .x = period_axis(map, "T1, period of the left structure"),
                             .y = period_axis(map, "T2, period of the right structure")};
     panel_open(&c, &p);
-    shades_use(&c, SHADES_AREAS, force.high);
+    panel_shades(&c, SHADES_AREAS, force.high);
     // Each box reaches a little under the next one, lest the page shows between them.
     panel_series(&c, (struct style){.kind = STYLE_BOXES},
                  "$forces using 1:2:3:($4*1.01):5:($6*1.01):7");
     panel_close(&c);
     const struct area scale = {c.area.right - 2, c.area.right - 0.5, p.area.bottom, p.area.top};
-    shades_scale(&c, scale,
-                 &(struct axis){
-                     .name = "largest contact force", .dimension = dimension_force, .span = force});
-    figure_close(&c);
-    return STATUS_OK;
+    panel_shades_scale(&c, scale,
+                       &(struct axis){.name = "largest contact force",
+                                      .dimension = dimension_force,
+                                      .span = force});
+    return figure_close(&c);
 }

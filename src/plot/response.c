@@ -63,20 +63,21 @@ static void write_factor(const struct response_sheet *sheet, int record, char *t
     }
 }
 
-static void write_subtitle(const struct response_sheet *sheet, char *text, size_t size) {
+static void write_head(const struct response_sheet *sheet, const char *title, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
     const struct intensity *i = &sheet->intensity[0];
     const bool band = s->n_damping == 1;
     if (sheet->target) {
-        snprintf(text, size, "%sscaled to the target from %.4g to %.4g s",
-                 s->n_record > 1 ? "mean and 16 to 84 % of the records, " : "", sheet->match.low,
-                 sheet->match.high);
+        canvas_head(c, title, "%sscaled to the target from %.4g to %.4g s",
+                    s->n_record > 1 ? "mean and 16 to 84 % of the records, " : "", sheet->match.low,
+                    sheet->match.high);
     } else if (s->n_record > 1) {
-        snprintf(text, size, "mean%s of the records%s", band ? " and 16 to 84 %" : "",
-                 band && s->n_record <= NAMED_MAX ? "; at each name its PGA" : "");
+        canvas_head(c, title, "mean%s of the records%s", band ? " and 16 to 84 %" : "",
+                    band && s->n_record <= NAMED_MAX ? "; at each name its PGA" : "");
     } else {
-        snprintf(text, size, "PGA %.3g g, PGV %.3g m/s, Arias %.3g m/s, CAV %.3g m/s, D5-95 %.3g s",
-                 i->pga / sheet->gravity, i->pgv, i->arias, i->cav, i->d5_95);
+        canvas_head(c, title,
+                    "PGA %.3g g, PGV %.3g m/s, Arias %.3g m/s, CAV %.3g m/s, D5-95 %.3g s",
+                    i->pga / sheet->gravity, i->pgv, i->arias, i->cav, i->d5_95);
     }
 }
 
@@ -176,6 +177,23 @@ static void draw_series(const struct response_sheet *sheet, struct canvas *c) {
     }
 }
 
+static void write_title(const struct response_sheet *sheet, struct canvas *c) {
+    const struct spectra *s = sheet->spectra;
+    char title[256], damping[64] = "", name[128], factor[32];
+    if (s->n_damping == 1) {
+        snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
+    }
+    if (s->n_record > 1) {
+        snprintf(title, sizeof title, "Response spectra of %d%s records%s", s->n_record,
+                 sheet->target ? " scaled" : "", damping);
+    } else {
+        write_factor(sheet, 0, factor, sizeof factor);
+        script_shorten(sheet->name[0], 20, name, sizeof name);
+        snprintf(title, sizeof title, "Response spectrum of %s%s%s", name, factor, damping);
+    }
+    write_head(sheet, title, c);
+}
+
 int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e) {
     struct unit_system si;
@@ -184,29 +202,10 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
                                      .doc = "elastic response spectra",
                                      .version = sheet->version,
                                      .units = &si};
-    char title[256], subtitle[256];
     struct canvas c;
-    int status = figure_open(&head, to, &c, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
+    figure_open(&head, to, &c, e);
     write_data(sheet, c.data);
-    size_t size = sizeof title;
-    const struct spectra *s = sheet->spectra;
-    char damping[64] = "", name[128], factor[32];
-    if (s->n_damping == 1) {
-        snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
-    }
-    if (s->n_record > 1) {
-        snprintf(title, size, "Response spectra of %d%s records%s", s->n_record,
-                 sheet->target ? " scaled" : "", damping);
-    } else {
-        write_factor(sheet, 0, factor, sizeof factor);
-        script_shorten(sheet->name[0], 20, name, sizeof name);
-        snprintf(title, size, "Response spectrum of %s%s%s", name, factor, damping);
-    }
-    write_subtitle(sheet, subtitle, sizeof subtitle);
-    canvas_head(&c, title, subtitle);
+    write_title(sheet, &c);
     write_legend(sheet, &c);
     const struct panel p = {.area = canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7),
                             .x = period_axis(sheet->spectra),
@@ -221,6 +220,5 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
     }
     draw_series(sheet, &c);
     panel_close(&c);
-    figure_close(&c);
-    return STATUS_OK;
+    return figure_close(&c);
 }

@@ -107,18 +107,21 @@ static int read_one(const struct result_file *file, const struct history *h, dou
     return result_time(file, to, e);
 }
 
-int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
-              struct error *e) {
+bool runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
+               struct canvas *c) {
     assert(run >= 0 && run < s->n && n > 0);
     *d = (struct data){.n_row = 0};
-    int status = result_check_memory(s->file[run], n, e);
-    if (status == STATUS_OK) {
-        status = data_create(d, s->r[run]->n_row, n, e);
+    if (c->status == STATUS_OK) {
+        c->status = result_check_memory(s->file[run], n, c->e);
     }
-    for (int i = 0; i < n && status == STATUS_OK; i++) {
-        status = h[i].index < 0 ? STATUS_OK : read_one(s->file[run], &h[i], d->column[i], e);
+    if (c->status == STATUS_OK) {
+        c->status = data_create(d, s->r[run]->n_row, n, c->e);
     }
-    return status;
+    for (int i = 0; i < n && c->status == STATUS_OK; i++) {
+        c->status = h[i].index < 0 ? STATUS_OK : read_one(s->file[run], &h[i], d->column[i], c->e);
+    }
+    d->n_row = c->status == STATUS_OK ? d->n_row : 0;
+    return c->status == STATUS_OK;
 }
 
 bool runs_have(const struct runs *s, unsigned fields) {
@@ -300,21 +303,21 @@ void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
     }
 }
 
-int runs_move_to_level(const struct runs *s, int run, int building, int floor, double weight,
-                       double *u, size_t n, struct error *e) {
+bool runs_move_to_level(const struct runs *s, int run, int building, int floor, double weight,
+                        double *u, size_t n, struct canvas *c) {
     assert(run >= 0 && run < s->n && building >= 0);
     double *below = calloc(n + 1, sizeof *below);
     if (!below) {
-        return error_no_memory(e);
+        c->status = error_no_memory(c->e);
+        return false;
     }
-    int status = STATUS_OK;
     if (floor > 0) {
-        status =
-            result_floor_history(s->file[run], FIELD_DISPLACEMENT, building, floor - 1, below, e);
+        c->status = result_floor_history(s->file[run], FIELD_DISPLACEMENT, building, floor - 1,
+                                         below, c->e);
     }
-    for (size_t i = 0; status == STATUS_OK && i < n; i++) {
+    for (size_t i = 0; c->status == STATUS_OK && i < n; i++) {
         u[i] = weight * u[i] + (1 - weight) * below[i];
     }
     free(below);
-    return status;
+    return c->status == STATUS_OK;
 }

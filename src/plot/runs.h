@@ -22,9 +22,9 @@ int data_create(struct data *d, long n_row, int n_column, struct error *e);
 void data_free(struct data *d);
 
 // Writes the data block $NAME, thinned so that each of `bins` equal parts keeps the extremes of
-// every column. `heading` names the columns. Errors: STATUS_SYSTEM (no memory).
-int data_write(const struct data *d, const char *name, const char *heading, size_t bins, FILE *to,
-               struct error *e);
+// every column. `columns` names them.
+void data_write(const struct data *d, size_t bins, struct canvas *c, const char *columns,
+                const char *name, ...) __attribute__((format(printf, 5, 6)));
 
 void data_span(const struct data *d, int column, struct span *r);
 
@@ -69,10 +69,10 @@ struct history {
     int floor;  // from 0
 };
 
-// Reads histories of a run, one in each column. Call data_free afterwards, also after an error.
-// Errors: STATUS_INPUT (they take too much memory; a damaged file), STATUS_SYSTEM.
-int runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
-              struct error *e);
+// Reads histories of a run, one in each column. Call data_free afterwards, also after a failure of
+// the canvas (they take too much memory; a damaged file), which leaves no rows; false then.
+bool runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
+               struct canvas *c);
 
 // True if all runs hold all these histories, bits of enum field.
 bool runs_have(const struct runs *s, unsigned fields);
@@ -127,8 +127,8 @@ struct axis runs_height_axis(bool first, bool heights, double top);
 void runs_legend(const struct runs *s, const char *colour, struct legend *l);
 
 // Turns the displacements u (n) of a floor (from 0) into those of a level below it, at which the
-// floor has the weight and the floor below, or the ground, the rest.
-int runs_move_to_level(const struct runs *s, int run, int building, int floor, double weight,
-                       double *u, size_t n, struct error *e);
+// floor has the weight and the floor below, or the ground, the rest. False after a failure.
+bool runs_move_to_level(const struct runs *s, int run, int building, int floor, double weight,
+                        double *u, size_t n, struct canvas *c);
 
 #endif

@@ -8,20 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/safe.h"
-
 const char *const script_colour[SCRIPT_COLOURS] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9",
 };
 const int script_point[SCRIPT_COLOURS] = {7, 5, 9, 13, 11, 6, 4};
-
-void script_block(FILE *to, const char *name, const char *columns) {
-    fputc('$', to);
-    safe_put(to, SAFE_COMMENT, name);
-    fputs(" << EOD\n# ", to);
-    safe_put(to, SAFE_COMMENT, columns);
-    fputc('\n', to);
-}
 
 void script_raise(char *text) {
     for (char *at; (at = strchr(text, '^')) != NULL;) {

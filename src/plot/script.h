@@ -16,9 +16,6 @@ extern const char *const script_colour[];
 // A point for each colour, to tell them apart without: gnuplot's numbers.
 extern const int script_point[];
 
-// Opens the data block $NAME, which ends with the line EOD; `columns` says what is in it.
-void script_block(FILE *to, const char *name, const char *columns);
-
 // About how wide an UTF-8 text is [em]: usual sans-serif fonts are not wider.
 double script_width(const char *text);
 

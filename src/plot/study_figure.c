@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include "core/safe.h"
@@ -64,8 +65,12 @@ struct axis study_abscissa_axis(const struct suite *s) {
     return axis;
 }
 
-void study_head(struct canvas *c, const struct suite *s, const char *what) {
-    char text[512], failed[128] = "", hit[96] = "";
+void study_head(struct canvas *c, const struct suite *s, const char *what, ...) {
+    char text[512], shown[256], failed[128] = "", hit[96] = "";
+    va_list list;
+    va_start(list, what);
+    vsnprintf(shown, sizeof shown, what, list);
+    va_end(list);
     if (s->n_failed > 0) {
         snprintf(failed, sizeof failed, "%ld of %ld runs failed, %s; ", s->n_failed, s->n_run,
                  s->rule == SUITE_FAILED_ABOVE ? "counted above" : "left out");
@@ -74,10 +79,10 @@ void study_head(struct canvas *c, const struct suite *s, const char *what) {
         snprintf(hit, sizeof hit, "; in %ld of %ld runs of a %s", s->n_hit, s->n_run,
                  report_hit_name);
     }
-    snprintf(text, sizeof text, "%s%s%s%s%s", failed, what, hit, s->fixed[0] ? "; " : "", s->fixed);
+    snprintf(text, sizeof text, "%s%s%s%s%s", failed, shown, hit, s->fixed[0] ? "; " : "",
+             s->fixed);
     script_raise(text);
-    const char *title = s->view->title[0] ? s->view->title : s->view->path;
-    canvas_head(c, title, text);
+    canvas_head(c, s->view->title[0] ? s->view->title : s->view->path, "%s", text);
 }
 
 void study_hit_legend(const struct suite *s, struct legend *l) {

@@ -20,7 +20,8 @@ struct axis study_demand_axis(const struct study_demand *d, const struct suite *
 struct axis study_abscissa_axis(const struct suite *s);
 
 // Title, and a subtitle: the runs that failed, `what` is shown, and at which values of --at.
-void study_head(struct canvas *c, const struct suite *s, const char *what);
+void study_head(struct canvas *c, const struct suite *s, const char *what, ...)
+    __attribute__((format(printf, 3, 4)));
 
 // Rings around accelerations of floors that were hit, $hit of the data: in the legend, and as the
 // last series of a panel.

@@ -101,6 +101,34 @@ const void *layout_at(const struct column_table *t, int c, const void *base, siz
 long layout_whole(const struct column *c, const void *at);
 double layout_number(const struct column *c, const void *at);
 
+// A group of the tree of a run or of a study.
+enum layout_kind {
+    LAYOUT_BUILDING,
+    LAYOUT_MEMBERS,
+    LAYOUT_PARTS,  // the names of the parts, of which each has a group
+    LAYOUT_PART,
+    LAYOUT_FOUNDATION,
+    LAYOUT_LINKS,  // contacts, links or struck columns
+    LAYOUT_ENERGY,
+    LAYOUT_TOTALS,  // of a study; the root of a run has these attributes
+};
+struct layout_group {
+    enum layout_kind kind;
+    const char *parent, *name;            // "buildings", "A"; parent NULL: the root
+    const char *scale;                    // dimension of the values: "floor"; NULL: one value
+    size_t n;                             // values of each column
+    const void *base;                     // of the first struct
+    const struct column_table *own[2];    // properties; NULL: none
+    const struct column_table *envelope;  // NULL: none
+    int building;                         // its number, from 0
+    int number;                           // of the part, or of the first link, from 0
+    const struct link_group *links;
+};
+typedef void layout_visit_group(void *context, const struct layout_group *g);
+
+// Visits all groups in the order of the file.
+void layout_groups(const struct report *r, layout_visit_group *visit, void *context);
+
 // The columns of a table for one owner.
 struct layout_place {
     const char *parent, *owner, *leaf;  // group: "buildings", "A", "envelope"; NULL: none
@@ -114,8 +142,7 @@ typedef void layout_visit(void *context, const struct layout_place *p);
 // Sets the paths of a building whose name is there.
 void layout_paths(struct report_building *b, struct arena *a);
 
-// Visits all places of buildings, contacts, links, energies and totals in the order of the values
-// of a run.
+// Visits the places of all groups, in the order of the values of a run.
 void layout_each(const struct report *r, layout_visit *visit, void *context);
 
 #endif

@@ -6,66 +6,115 @@
 
 const char layout_isolated_name[] = "isolated";
 
-static void visit_links(const struct link_group *g, const struct report_link *link, int n,
-                        layout_visit *visit, void *context) {
-    struct layout_place p = {
-        .parent = g->name, .scale = g->scale, .table = &layout_link, .base = link, .n = (size_t)n};
-    visit(context, &p);
-    if (layout_has_levels(link, n)) {
-        p.table = &layout_level;
-        visit(context, &p);
+static void visit_building(const struct report *r, int k, layout_visit_group *visit,
+                           void *context) {
+    const struct report_building *b = &r->building[k];
+    const size_t n = (size_t)b->n_floor, n_member = (size_t)b->n_member,
+                 n_part = (size_t)b->n_share;
+    struct layout_group g = {LAYOUT_BUILDING,    "buildings",  b->name, "floor", n,   b,
+                             {&layout_building}, &layout_peak, k,       0,       NULL};
+    visit(context, &g);
+    if (n_member > 0) {
+        g = (struct layout_group){LAYOUT_MEMBERS,
+                                  b->path,
+                                  "members",
+                                  "member",
+                                  n_member,
+                                  b->member,
+                                  {&layout_member},
+                                  &layout_member_peak[b->hinged],
+                                  k,
+                                  0,
+                                  NULL};
+        visit(context, &g);
     }
-    p.table = g->peaks;
-    p.leaf = "envelope";
-    visit(context, &p);
-}
-
-static void visit_forces(const struct report_building *b, layout_visit *visit, void *context) {
-    if (b->n_member > 0) {
-        visit(context, &(struct layout_place){b->path, "members", "envelope", "member",
-                                              &layout_member_peak[b->hinged], b->member,
-                                              (size_t)b->n_member});
+    if (n_part > 0) {
+        g = (struct layout_group){LAYOUT_PARTS,    b->path, "parts", "part", n_part, b->share,
+                                  {&layout_share}, NULL,    k,       0,      NULL};
+        visit(context, &g);
     }
     for (int i = 0; i < b->n_share; i++) {
-        visit(context,
-              &(struct layout_place){b->parts, b->share[i].name, "envelope", "floor",
-                                     &layout_share_peak, &b->share[i], (size_t)b->n_floor});
+        const struct report_share *s = &b->share[i];
+        g = (struct layout_group){LAYOUT_PART, b->parts,           s->name, "floor", n,   s,
+                                  {NULL},      &layout_share_peak, k,       i,       NULL};
+        visit(context, &g);
+    }
+    if (b->foundation) {
+        g = (struct layout_group){LAYOUT_FOUNDATION,
+                                  b->path,
+                                  "foundation",
+                                  "slab",
+                                  1,
+                                  b->foundation,
+                                  {NULL},
+                                  &layout_foundation,
+                                  k,
+                                  0,
+                                  NULL};
+        visit(context, &g);
     }
 }
 
-static void visit_foundation(const struct report_building *b, layout_visit *visit, void *context) {
-    if (b->foundation) {
-        visit(context, &(struct layout_place){b->path, "foundation", "envelope", "slab",
-                                              &layout_foundation, b->foundation, 1});
+static void visit_links(const struct link_group *l, const struct report_link *link, int first,
+                        int n, layout_visit_group *visit, void *context) {
+    const struct column_table *level = layout_has_levels(link, n) ? &layout_level : NULL;
+    if (n > 0 || l == &layout_contacts) {
+        visit(context, &(struct layout_group){LAYOUT_LINKS,
+                                              NULL,
+                                              l->name,
+                                              l->scale,
+                                              (size_t)n,
+                                              link,
+                                              {&layout_link, level},
+                                              l->peaks,
+                                              0,
+                                              first,
+                                              l});
+    }
+}
+
+void layout_groups(const struct report *r, layout_visit_group *visit, void *context) {
+    for (int i = 0; i < r->n_building; i++) {
+        visit_building(r, i, visit, context);
+    }
+    const int n = r->n_contact, m = r->n_link;
+    visit_links(&layout_contacts, r->contact, 0, n, visit, context);
+    visit_links(&layout_links, r->link, n, m, visit, context);
+    visit_links(&layout_columns, r->column, n + m, r->n_column, visit, context);
+    struct layout_group g = {LAYOUT_ENERGY,    NULL, "energy", NULL, 1,   r,
+                             {&layout_energy}, NULL, 0,        0,    NULL};
+    visit(context, &g);
+    g = (struct layout_group){
+        LAYOUT_TOTALS, NULL, "totals", NULL, 1, r, {&layout_totals, &layout_collapse},
+        NULL,          0,    0,        NULL};
+    visit(context, &g);
+}
+
+struct each {
+    layout_visit *visit;
+    void *context;
+};
+
+static void visit_places(void *context, const struct layout_group *g) {
+    const struct each *e = context;
+    struct layout_place p = {.parent = g->parent ? g->parent : g->name,
+                             .owner = g->parent ? g->name : NULL,
+                             .scale = g->scale,
+                             .base = g->base,
+                             .n = g->n};
+    for (int i = 0; i < 2 && g->own[i]; i++) {
+        p.table = g->own[i];
+        e->visit(e->context, &p);
+    }
+    if (g->envelope) {
+        p.table = g->envelope;
+        p.leaf = "envelope";
+        e->visit(e->context, &p);
     }
 }
 
 void layout_each(const struct report *r, layout_visit *visit, void *context) {
-    for (int i = 0; i < r->n_building; i++) {
-        const struct report_building *b = &r->building[i];
-        struct layout_place p = {.parent = "buildings",
-                                 .owner = b->name,
-                                 .scale = "floor",
-                                 .table = &layout_building,
-                                 .base = b,
-                                 .n = (size_t)b->n_floor};
-        visit(context, &p);
-        p.table = &layout_peak;
-        p.leaf = "envelope";
-        visit(context, &p);
-        visit_forces(b, visit, context);
-        visit_foundation(b, visit, context);
-    }
-    visit_links(&layout_contacts, r->contact, r->n_contact, visit, context);
-    if (r->n_link > 0) {
-        visit_links(&layout_links, r->link, r->n_link, visit, context);
-    }
-    if (r->n_column > 0) {
-        visit_links(&layout_columns, r->column, r->n_column, visit, context);
-    }
-    visit(context, &(struct layout_place){"energy", NULL, NULL, NULL, &layout_energy, r, 1});
-    visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_totals, r, 1});
-    visit(context, &(struct layout_place){"totals", NULL, NULL, NULL, &layout_collapse, r, 1});
+    layout_groups(r, visit_places, &(struct each){visit, context});
 }
 
 void layout_paths(struct report_building *b, struct arena *a) {

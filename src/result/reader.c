@@ -10,7 +10,7 @@
 #include <string.h>
 
 // A file with larger numbers is damaged.
-enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
+enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26, PATH_SIZE = 4096 };
 
 bool reader_is_run(const struct result_file *r) {
     return r->root != r->h.file;
@@ -52,22 +52,15 @@ static void get_column(struct result_file *r, const struct spot *p, const struct
     }
 }
 
-// Of a study, reads only the columns that are the same for all runs.
+// Reads the columns of a table that are the same for all runs of a study, or the others.
+enum columns { COLUMNS_FIXED, COLUMNS_OTHER };
 static void get_columns(struct result_file *r, const struct spot *p, const struct column_table *t,
-                        void *base, size_t n) {
+                        enum columns which, void *base, size_t n) {
     for (int c = 0; c < t->n_column; c++) {
-        if (r->reading == READ_VALUES || layout_is_fixed(&t->column[c])) {
+        if (layout_is_fixed(&t->column[c]) == (which == COLUMNS_FIXED)) {
             get_column(r, p, t, c, base, n);
         }
     }
-}
-
-// The columns of the envelope in the group.
-static void get_envelope(struct result_file *f, const struct spot *group,
-                         const struct column_table *t, void *base, size_t n) {
-    const struct spot envelope = open_spot(f, group, "envelope");
-    get_columns(f, &envelope, t, base, n);
-    close_spot(f, &envelope);
 }
 
 static void get_attributes(struct result_file *f) {
@@ -98,54 +91,35 @@ static void get_attributes(struct result_file *f) {
     }
 }
 
-// Reads the members of a building that has the group.
+// Reads the names of the members of a building that has the group, and notes what their envelope
+// has.
 static void get_members(struct result_file *f, const struct spot *building,
                         struct report_building *b) {
     const struct spot members = open_spot(f, building, "members");
     const hid_t group = members.own >= 0 ? members.own : members.study;
     const size_t n = h5_get_length(&f->h, group, "member", LIST_LIMIT);
     b->member = h5_alloc(&f->h, f->report->arena, n, sizeof *b->member);
-    get_column(f, &members, &layout_member, 0, b->member, n);
+    get_columns(f, &members, &layout_member, COLUMNS_FIXED, b->member, n);
     const struct spot envelope = open_spot(f, &members, "envelope");
     b->hinged = !f->h.failed && h5_has(&f->h, envelope.own >= 0 ? envelope.own : envelope.study,
                                        layout_member_peak[1].column[MEMBER_PEAKS].name);
-    if (f->reading == READ_VALUES && !f->h.failed) {
-        get_columns(f, &envelope, &layout_member_peak[b->hinged], b->member, n);
-        b->extremes = envelope.own >= 0 &&
-                      h5_has(&f->h, envelope.own, layout_member_extreme[0].column[0].name);
-        if (b->extremes) {
-            get_columns(f, &envelope, &layout_member_extreme[b->hinged], b->member, n);
-        }
-    }
+    b->extremes = f->reading == READ_VALUES && envelope.own >= 0 &&
+                  h5_has(&f->h, envelope.own, layout_member_extreme[0].column[0].name);
     b->n_member = f->h.failed ? 0 : (int)n;
     close_spot(f, &envelope);
     close_spot(f, &members);
 }
 
-// Reads the shares of the restoring force of a building that has the group.
+// Reads the names of the parts of a building that has the group.
 static void get_shares(struct result_file *f, const struct spot *building,
                        struct report_building *b) {
     const struct spot parts = open_spot(f, building, "parts");
     const hid_t group = parts.own >= 0 ? parts.own : parts.study;
     const size_t n = h5_get_length(&f->h, group, "part", LIST_LIMIT);
     b->share = h5_alloc(&f->h, f->report->arena, n, sizeof *b->share);
-    get_column(f, &parts, &layout_share, 0, b->share, n);
-    for (size_t i = 0; f->reading == READ_VALUES && i < n && !f->h.failed; i++) {
-        const struct spot share = open_spot(f, &parts, b->share[i].name);
-        get_envelope(f, &share, &layout_share_peak, &b->share[i], (size_t)b->n_floor);
-        close_spot(f, &share);
-    }
+    get_columns(f, &parts, &layout_share, COLUMNS_FIXED, b->share, n);
     b->n_share = f->h.failed ? 0 : (int)n;
     close_spot(f, &parts);
-}
-
-// Reads the envelope of the foundation of a building that has the group.
-static void get_foundation(struct result_file *f, const struct spot *building,
-                           struct report_building *b) {
-    const struct spot foundation = open_spot(f, building, "foundation");
-    b->foundation = h5_alloc(&f->h, f->report->arena, 1, sizeof *b->foundation);
-    get_envelope(f, &foundation, &layout_foundation, b->foundation, 1);
-    close_spot(f, &foundation);
 }
 
 // The building in the group `name`, at its position, which must be free.
@@ -172,23 +146,6 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
         if (!f->h.failed && H5Aexists(building.own, layout_isolated_name) > 0) {
             b->isolated = (int)h5_get_long(&f->h, building.own, layout_isolated_name);
         }
-        if (f->reading == READ_VALUES) {
-            get_columns(f, &building, &layout_building, b, (size_t)b->n_floor);
-            if (building.own >= 0 && h5_has(&f->h, building.own, layout_pdelta.column[0].name)) {
-                get_columns(f, &building, &layout_pdelta, b, (size_t)b->n_floor);
-            }
-            // Residual drifts are not there where no storey can yield; of a run of a study, an
-            // attribute says so.
-            const struct spot envelope = open_spot(f, &building, "envelope");
-            const bool yields = envelope.own >= 0
-                                    ? h5_has(&f->h, envelope.own, layout_residual_drift_name)
-                                    : h5_get_long(&f->h, building.own, "yields") != 0;
-            const int n_column = layout_peak.n_column - (yields ? 0 : 1 + YIELD_QUANTITIES);
-            for (int c = 0; c < n_column; c++) {
-                get_column(f, &envelope, &layout_peak, c, b, (size_t)b->n_floor);
-            }
-            close_spot(f, &envelope);
-        }
     }
     if (!f->h.failed && h5_has(&f->h, holder(f, &building, "members"), "members")) {
         get_members(f, &building, &r->building[position]);
@@ -197,7 +154,8 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
         get_shares(f, &building, &r->building[position]);
     }
     if (!f->h.failed && h5_has(&f->h, holder(f, &building, "foundation"), "foundation")) {
-        get_foundation(f, &building, &r->building[position]);
+        struct report_foundation *slab = h5_alloc(&f->h, r->arena, 1, sizeof *slab);
+        r->building[position].foundation = slab;
     }
     for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
         r->fields |= h5_has(&f->h, building.own, field_names[i]) ? 1U << i : 0;
@@ -251,7 +209,7 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
     const struct spot root = root_of(r), links = open_spot(r, &root, g->name);
     const size_t n = h5_get_length(&r->h, links.own, g->scale, LIST_LIMIT);
     struct report_link *link = h5_alloc(&r->h, r->report->arena, n, sizeof *link);
-    get_columns(r, &links, &layout_link, link, n);
+    get_columns(r, &links, &layout_link, COLUMNS_FIXED, link, n);
     for (size_t i = 0; link && i < n; i++) {
         link[i].left_below = link[i].left_floor;
         link[i].right_below = link[i].right_floor;
@@ -259,7 +217,7 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
     }
     const char *level = layout_level.column[0].name;
     if (n > 0 && h5_has(&r->h, holder(r, &links, level), level)) {
-        get_columns(r, &links, &layout_level, link, n);
+        get_columns(r, &links, &layout_level, COLUMNS_FIXED, link, n);
     }
     int left = 0, right = 0;
     for (size_t i = 0; link && i < n && !r->h.failed; i++) {
@@ -271,7 +229,6 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
             const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
             r->report->fields |= h5_has(&r->h, links.own, g->field[i]) ? bit : 0;
         }
-        get_envelope(r, &links, g->peaks, link, n);
     }
     close_spot(r, &links);
     *n_link = (int)n;
@@ -295,6 +252,47 @@ static void count_impacts(struct report *r) {
             to->force_time = NAN;
         }
     }
+}
+
+// Can a storey of the building in the group `path` yield? If not, the file has no residual drifts
+// of it. Of a run of a study, an attribute says so.
+static bool yields(struct result_file *f, const struct spot *envelope, const char *path) {
+    if (envelope->own >= 0) {
+        return h5_has(&f->h, envelope->own, layout_residual_drift_name);
+    }
+    hid_t building = h5_open_object(&f->h, f->root, path);
+    const bool yields = h5_get_long(&f->h, building, "yields") != 0;
+    h5_close(&f->h, building);
+    return yields;
+}
+
+// Reads the values at a place. Energies and totals are not here: they are attributes.
+static void get_place(void *context, const struct layout_place *p) {
+    struct result_file *f = context;
+    void *base = (void *)p->base;  // of the report of this file
+    char owner[PATH_SIZE], path[PATH_SIZE + 16];
+    if (!p->scale || f->h.failed) {
+        return;
+    }
+    snprintf(owner, sizeof owner, "%s%s%s", p->parent, p->owner ? "/" : "",
+             p->owner ? p->owner : "");
+    snprintf(path, sizeof path, "%s%s%s", owner, p->leaf ? "/" : "", p->leaf ? p->leaf : "");
+    const struct spot root = root_of(f), spot = open_spot(f, &root, path);
+    struct column_table t = *p->table;
+    if (p->table == &layout_peak && !yields(f, &spot, owner)) {
+        t.n_column -= 1 + YIELD_QUANTITIES;
+    }
+    get_columns(f, &spot, &t, COLUMNS_OTHER, base, p->n);
+    // What only a run alone has.
+    const bool hinged = p->table == &layout_member_peak[1];
+    const struct column_table *more = p->table == &layout_building ? &layout_pdelta
+                                      : hinged || p->table == &layout_member_peak[0]
+                                          ? &layout_member_extreme[hinged]
+                                          : NULL;
+    if (more && spot.own >= 0 && h5_has(&f->h, spot.own, more->column[0].name)) {
+        get_columns(f, &spot, more, COLUMNS_OTHER, base, p->n);
+    }
+    close_spot(f, &spot);
 }
 
 static void get_impacts(struct result_file *f) {
@@ -345,7 +343,8 @@ void reader_get(struct result_file *r) {
     if (h5_has(&r->h, r->root, layout_columns.name)) {
         r->report->column = get_links(r, &layout_columns, &r->report->n_column);
     }
-    if (r->reading == READ_VALUES) {
+    if (r->reading == READ_VALUES && !r->h.failed) {
+        layout_each(r->report, get_place, r);
         get_impacts(r);
         get_energy(r);
     }

@@ -58,55 +58,24 @@ static void put_attributes(struct study_writer *w) {
     h5_put_long(&w->h, w->h.file, "parts", w->content->n_part);
 }
 
-// What is the same for the links of all runs.
-static void put_fixed(struct study_writer *w, const struct tree_group *g,
-                      const struct column_table *t, const struct report_link *link, size_t n) {
-    for (int c = 0; c < t->n_column; c++) {
-        if (layout_is_fixed(&t->column[c])) {
-            h5_put_column(&w->h, g->group, t, c, link, n, g->scale);
+// A group with what is the same for all runs.
+static void put_group(void *context, const struct layout_group *of) {
+    struct study_writer *w = context;
+    if (w->h.failed) {
+        return;
+    }
+    const struct tree_group g = tree_group(&w->tree, w->h.file, of);
+    for (int i = 0; i < 2 && of->own[i] && of->scale; i++) {
+        for (int c = 0; c < of->own[i]->n_column; c++) {
+            if (layout_is_fixed(&of->own[i]->column[c])) {
+                h5_put_column(&w->h, g.group, of->own[i], c, of->base, of->n, g.scale);
+            }
         }
     }
-}
-
-static void put_links(struct study_writer *w, const struct link_group *group,
-                      const struct report_link *link, int n) {
-    const struct tree_group g =
-        tree_group(&w->tree, w->h.file, group->name, group->scale, (size_t)n);
-    put_fixed(w, &g, &layout_link, link, (size_t)n);
-    if (layout_has_levels(link, n)) {
-        put_fixed(w, &g, &layout_level, link, (size_t)n);
+    if (of->envelope) {
+        h5_close(&w->h, tree_envelope(&w->tree, &g));
     }
-    h5_close(&w->h, tree_envelope(&w->tree, &g));
     tree_close(&w->tree, &g);
-}
-
-// Groups of the members of a building, of its foundation, and of the shares of what resists.
-static void put_forces(struct study_writer *w, hid_t building, const struct report_building *b) {
-    const struct tree *t = &w->tree;
-    if (b->n_member > 0) {
-        const size_t n = (size_t)b->n_member;
-        const struct tree_group g = tree_group(t, building, "members", "member", n);
-        h5_put_column(&w->h, g.group, &layout_member, 0, b->member, n, g.scale);
-        h5_close(&w->h, tree_envelope(t, &g));
-        tree_close(t, &g);
-    }
-    if (b->foundation) {
-        const struct tree_group g = tree_group(t, building, "foundation", "slab", 1);
-        h5_close(&w->h, tree_envelope(t, &g));
-        tree_close(t, &g);
-    }
-    if (b->n_share > 0) {
-        const size_t n = (size_t)b->n_share;
-        const struct tree_group all = tree_group(t, building, "parts", "part", n);
-        h5_put_column(&w->h, all.group, &layout_share, 0, b->share, n, all.scale);
-        for (int i = 0; i < b->n_share; i++) {
-            const struct tree_group g =
-                tree_group(t, all.group, b->share[i].name, "floor", (size_t)b->n_floor);
-            h5_close(&w->h, tree_envelope(t, &g));
-            tree_close(t, &g);
-        }
-        tree_close(t, &all);
-    }
 }
 
 // A dataset of the sweep dimensions; that of its own values comes last.
@@ -145,7 +114,6 @@ static hid_t put_item(struct study_writer *w, const struct study_item *item) {
 }
 
 void study_tree(struct study_writer *w) {
-    const struct report *r = w->content->first;
     struct tree *t = &w->tree;
     put_attributes(w);
     hid_t sweep = h5_group(&w->h, w->h.file, "sweep");
@@ -158,27 +126,8 @@ void study_tree(struct study_writer *w) {
     if (w->content->part) {
         study_part_put(w);
     }
-    hid_t buildings = h5_group(&w->h, w->h.file, "buildings");
-    for (int i = 0; i < r->n_building && !w->h.failed; i++) {
-        const struct report_building *b = &r->building[i];
-        const struct tree_group g = tree_building(t, buildings, b, i);
-        h5_close(&w->h, tree_envelope(t, &g));
-        put_forces(w, g.group, b);
-        tree_close(t, &g);
-    }
-    h5_close(&w->h, buildings);
-    put_links(w, &layout_contacts, r->contact, r->n_contact);
-    if (r->n_link > 0) {
-        put_links(w, &layout_links, r->link, r->n_link);
-    }
-    if (r->n_column > 0) {
-        put_links(w, &layout_columns, r->column, r->n_column);
-    }
-    static const char *const others[] = {"energy", "totals"};
-    for (int i = 0; i < 2; i++) {
-        const struct tree_group g = tree_group(t, w->h.file, others[i], NULL, 0);
-        tree_close(t, &g);
-    }
+    h5_close(&w->h, h5_group(&w->h, w->h.file, "buildings"));
+    layout_groups(w->content->first, put_group, w);
     struct h5_dataset outcome = over_sweeps(w, "status");
     outcome.quantity.long_name = "0: done, 1: failed, 2: missing";
     outcome.file_type = H5T_STD_I32LE;

@@ -22,14 +22,11 @@ struct tree_group {
     const char *name;  // of the scale
 };
 
-// Creates a group of `n` owners of values, `scale` is the name of their dimension; NULL: it has
-// none. The time or the sweeps are linked into it, so that a group opened alone (as xarray does)
-// shows its coordinates.
-struct tree_group tree_group(const struct tree *t, hid_t parent, const char *name,
-                             const char *scale, size_t n);
-// The same for building number `position` (from 0), over its floors, with its attributes.
-struct tree_group tree_building(const struct tree *t, hid_t parent, const struct report_building *b,
-                                int position);
+// Creates a group of the layout in the file or group `root`; buildings get their attributes. The
+// time or the sweeps are linked into it, so that a group opened alone (as xarray does) shows its
+// coordinates.
+struct tree_group tree_group(const struct tree *t, hid_t root, const struct layout_group *g);
+
 // Creates the group "envelope" in it with the same scale and the sweeps; open.
 hid_t tree_envelope(const struct tree *t, const struct tree_group *g);
 void tree_close(const struct tree *t, const struct tree_group *g);

@@ -23,21 +23,22 @@ static hsize_t chunk_rows(const struct result_writer *w, size_t width) {
     return in_chunks ? rows : 0;
 }
 
-// A history of `width` values a row; width_scale 0: one value, one dimension.
-static void put_history(struct result_writer *w, hid_t parent, const char *name,
-                        struct quantity quantity, struct stream s, hid_t width_scale) {
+// A history with a value for each owner in the group; without a scale, one value and one dimension.
+static void put_history(struct result_writer *w, const struct tree_group *g, size_t width,
+                        const char *name, struct quantity quantity, int source, int first) {
     const struct h5_dataset d = {
         .name = name,
         .quantity = quantity,
         .file_type = w->model->output.single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
-        .n_dim = width_scale > 0 ? 2 : 1,
-        .dim = {(hsize_t)w->report->n_row, s.width},
-        .scale = {w->tree.time, width_scale},
-        .chunk_rows = chunk_rows(w, s.width),
+        .n_dim = g->scale > 0 ? 2 : 1,
+        .dim = {(hsize_t)w->report->n_row, width},
+        .scale = {w->tree.time, g->scale > 0 ? g->scale : 0},
+        .chunk_rows = chunk_rows(w, width),
         .may_be_cut = w->model->collapse != NULL,
         .compress = w->model->output.compress,
     };
-    writer_stream(w, parent, &d, s);
+    writer_stream(w, g->group, &d,
+                  (struct stream){.source = source, .first = (size_t)first, .width = width});
 }
 
 static void put_time(struct result_writer *w) {
@@ -58,117 +59,100 @@ static void put_time(struct result_writer *w) {
 
 // Properties of a run of a study are in the tree of the study, unless a sweep has their name.
 static void put_columns(struct result_writer *w, const struct tree_group *g,
-                        const struct column_table *t, const void *base, size_t n) {
+                        const struct column_table *t, const struct layout_group *of) {
     const struct result_place *p = w->place;
     for (int c = 0; c < t->n_column && !w->h->failed; c++) {
         const char *name = t->column[c].name;
         if (!p || strncmp(name, "law", 3) == 0 || study_sweep_has(p->sweep, p->n_sweep, name)) {
-            h5_put_column(w->h, g->group, t, c, base, n, g->scale);
+            h5_put_column(w->h, g->group, t, c, of->base, of->n, g->scale);
         }
     }
 }
 
-// The members of frames and walls: their names, and the histories of their forces.
-static void put_members(struct result_writer *w, hid_t building, const struct report_building *b,
-                        const struct building *model) {
-    const size_t n = (size_t)b->n_member;
-    const struct tree_group g = tree_group(&w->tree, building, "members", "member", n);
-    put_columns(w, &g, &layout_member, b->member, n);
-    const int n_quantity = forces_quantities(model);
-    for (int q = 0; q < n_quantity && w->report->fields & FIELD_MEMBERS; q++) {
-        const size_t first = (size_t)model->force + (size_t)forces_of_members(model, 0, q);
-        const struct stream s = {.source = SOURCE_MEMBER_FORCE, .first = first, .width = n};
-        put_history(w, g.group, report_force_names[q], layout_member_field[q], s, g.scale);
+// The number of part `i` in the model, where some parts have no forces.
+static int number_of_part(const struct building *model, int i) {
+    int number = 0;
+    for (int before = 0; before < i || forces_of_share(model, number) < 0; number++) {
+        before += forces_of_share(model, number) >= 0;
     }
-    tree_close(&w->tree, &g);
+    return number;
 }
 
-// The shares of what resists, a group each.
-static void put_shares(struct result_writer *w, hid_t building, const struct report_building *b,
-                       const struct building *model) {
-    const size_t n = (size_t)b->n_floor;
-    const struct tree_group all =
-        tree_group(&w->tree, building, "parts", "part", (size_t)b->n_share);
-    put_columns(w, &all, &layout_share, b->share, (size_t)b->n_share);
-    for (int i = 0, number = 0; i < b->n_share; i++, number++) {
-        while (forces_of_share(model, number) < 0) {
-            number++;
-        }
-        const struct tree_group g = tree_group(&w->tree, all.group, b->share[i].name, "floor", n);
-        if (w->report->fields & FIELD_MEMBERS) {
-            const struct stream s = {.source = SOURCE_MEMBER_FORCE,
-                                     .first =
-                                         (size_t)(model->force + forces_of_share(model, number)),
-                                     .width = n};
-            put_history(w, g.group, "storey_shear", layout_share_field, s, g.scale);
-        }
-        tree_close(&w->tree, &g);
+// The histories of a group.
+static void put_histories(struct result_writer *w, const struct tree_group *g,
+                          const struct layout_group *of) {
+    static const enum field of_slab[] = {FIELD_DISPLACEMENT, FIELD_DISPLACEMENT, FIELD_STOREY_SHEAR,
+                                         FIELD_STOREY_SHEAR};
+    const struct building *b = &w->model->building[of->building];
+    const unsigned fields = w->report->fields;
+    const bool members = fields & FIELD_MEMBERS;
+    switch (of->kind) {
+        case LAYOUT_BUILDING:
+            for (int f = 0; f < FLOOR_FIELD_COUNT; f++) {
+                if (fields >> f & 1) {
+                    put_history(w, g, of->n, field_names[f], layout_field[f],
+                                SOURCE_FLOOR_FIELD + f, b->first);
+                }
+            }
+            break;
+        case LAYOUT_MEMBERS:
+            for (int q = 0; members && q < forces_quantities(b); q++) {
+                put_history(w, g, of->n, report_force_names[q], layout_member_field[q],
+                            SOURCE_MEMBER_FORCE, b->force + forces_of_members(b, 0, q));
+            }
+            break;
+        case LAYOUT_PART:
+            if (members) {
+                put_history(w, g, of->n, "storey_shear", layout_share_field, SOURCE_MEMBER_FORCE,
+                            b->force + forces_of_share(b, number_of_part(b, of->number)));
+            }
+            break;
+        case LAYOUT_FOUNDATION:  // its motion with the displacements, its forces with the shears
+            for (int q = 0; q < FOUNDATION_QUANTITIES; q++) {
+                if (fields & of_slab[q]) {
+                    put_history(w, g, 1, report_foundation_names[q], layout_foundation_field[q],
+                                SOURCE_MEMBER_FORCE, b->force + forces_of_foundation(b) + q);
+                }
+            }
+            break;
+        case LAYOUT_LINKS:
+            for (int f = 0; f < 2; f++) {
+                if (fields >> (FLOOR_FIELD_COUNT + f) & 1) {
+                    put_history(w, g, of->n, of->links->field[f], of->links->quantity[f],
+                                SOURCE_FORCE + f, of->number);
+                }
+            }
+            break;
+        case LAYOUT_ENERGY:
+            for (int i = 0; i < ENERGY_COUNT; i++) {
+                const struct column *c = &layout_energy.column[i];
+                put_history(w, g, 1, c->name, (struct quantity){c->long_name, c->dimension},
+                            SOURCE_ENERGY, i);
+            }
+            break;
+        case LAYOUT_PARTS:
+        case LAYOUT_TOTALS:
+            break;
     }
-    tree_close(&w->tree, &all);
 }
 
-// What the foundation does: its motion with the displacements, its forces with the shears.
-static void put_foundation(struct result_writer *w, hid_t building, const struct building *model) {
-    static const enum field field[] = {FIELD_DISPLACEMENT, FIELD_DISPLACEMENT, FIELD_STOREY_SHEAR,
-                                       FIELD_STOREY_SHEAR};
-    const struct tree_group g = tree_group(&w->tree, building, "foundation", "slab", 1);
-    for (int q = 0; q < FOUNDATION_QUANTITIES; q++) {
-        const struct stream s = {.source = SOURCE_MEMBER_FORCE,
-                                 .first = (size_t)(model->force + forces_of_foundation(model) + q),
-                                 .width = 1};
-        if (w->report->fields & field[q]) {
-            put_history(w, g.group, report_foundation_names[q], layout_foundation_field[q], s,
-                        g.scale);
-        }
+// Everything in a group that is known before the run.
+static void put_group(void *context, const struct layout_group *of) {
+    struct result_writer *w = context;
+    if (of->kind == LAYOUT_TOTALS || w->h->failed) {
+        return;
     }
-    tree_close(&w->tree, &g);
-}
-
-static void put_building(struct result_writer *w, hid_t parent, int position) {
-    const struct report_building *b = &w->report->building[position];
-    const struct building *model = &w->model->building[position];
-    const size_t n = (size_t)b->n_floor;
-    const struct tree_group g = tree_building(&w->tree, parent, b, position);
-    if (w->place) {
-        h5_put_long(w->h, g.group, "yields", !model->elastic);
+    const struct tree_group g = tree_group(&w->tree, w->root, of);
+    if (of->kind == LAYOUT_BUILDING && w->place) {
+        h5_put_long(w->h, g.group, "yields", !w->model->building[of->building].elastic);
     }
-    put_columns(w, &g, &layout_building, b, n);
-    if (b->axial && !w->place) {
-        put_columns(w, &g, &layout_pdelta, b, n);
+    for (int i = 0; i < 2 && of->own[i] && of->scale; i++) {
+        put_columns(w, &g, of->own[i], of);
     }
-    for (int f = 0; f < FLOOR_FIELD_COUNT; f++) {
-        if (w->report->fields >> f & 1) {
-            const struct stream s = {
-                .source = SOURCE_FLOOR_FIELD + f, .first = (size_t)model->first, .width = n};
-            put_history(w, g.group, field_names[f], layout_field[f], s, g.scale);
-        }
+    if (of->kind == LAYOUT_BUILDING && w->report->building[of->building].axial && !w->place) {
+        put_columns(w, &g, &layout_pdelta, of);
     }
-    if (b->n_member > 0) {
-        put_members(w, g.group, b, model);
-    }
-    if (b->n_share > 0) {
-        put_shares(w, g.group, b, model);
-    }
-    if (b->foundation) {
-        put_foundation(w, g.group, model);
-    }
-    tree_close(&w->tree, &g);
-}
-
-// /contacts or /links: the table of the links and the histories of their force and penetration.
-static void put_links(struct result_writer *w, const struct link_group *group,
-                      const struct report_link *link, size_t first, size_t n) {
-    const struct tree_group g = tree_group(&w->tree, w->root, group->name, group->scale, n);
-    put_columns(w, &g, &layout_link, link, n);
-    if (layout_has_levels(link, (int)n)) {
-        put_columns(w, &g, &layout_level, link, n);
-    }
-    for (int f = 0; f < 2; f++) {
-        if (w->report->fields >> (FLOOR_FIELD_COUNT + f) & 1) {
-            const struct stream s = {.source = SOURCE_FORCE + f, .first = first, .width = n};
-            put_history(w, g.group, group->field[f], group->quantity[f], s, g.scale);
-        }
-    }
+    put_histories(w, &g, of);
     tree_close(&w->tree, &g);
 }
 
@@ -178,11 +162,11 @@ static void put_ground(struct result_writer *w) {
     const struct model *m = w->model;
     static const struct quantity quantity = {"ground acceleration as applied",
                                              &dimension_acceleration};
-    hid_t group = h5_group(w->h, w->root, "ground");
+    const struct tree_group g = {h5_group(w->h, w->root, "ground"), -1, NULL};
     int *owner = calloc((size_t)m->n_ground + 1, sizeof *owner);
     if (!owner) {
         h5_no_memory(w->h);
-        h5_close(w->h, group);
+        h5_close(w->h, g.group);
         return;
     }
     bool time_is_taken = false;
@@ -190,18 +174,17 @@ static void put_ground(struct result_writer *w) {
         const struct building *b = &m->building[i];
         time_is_taken = time_is_taken || strcmp(b->name, "time") == 0;
         if (owner[b->ground] > 0) {
-            h5_hard_link(w->h, w->stream[owner[b->ground]].dataset, group, b->name);
+            h5_hard_link(w->h, w->stream[owner[b->ground]].dataset, g.group, b->name);
             continue;
         }
-        const struct stream s = {.source = SOURCE_GROUND, .first = (size_t)b->ground, .width = 1};
-        put_history(w, group, b->name, quantity, s, 0);
+        put_history(w, &g, 1, b->name, quantity, SOURCE_GROUND, b->ground);
         owner[b->ground] = w->n_stream - 1;
     }
     if (!time_is_taken) {
-        h5_hard_link(w->h, w->tree.time, group, "time");
+        h5_hard_link(w->h, w->tree.time, g.group, "time");
     }
     free(owner);
-    h5_close(w->h, group);
+    h5_close(w->h, g.group);
 }
 
 void writer_layout(struct result_writer *w) {
@@ -215,26 +198,8 @@ void writer_layout(struct result_writer *w) {
         }
     }
     put_time(w);
-    hid_t buildings = h5_group(w->h, w->root, "buildings");
-    for (int i = 0; i < r->n_building && !w->h->failed; i++) {
-        put_building(w, buildings, i);
-    }
-    h5_close(w->h, buildings);
-    put_links(w, &layout_contacts, r->contact, 0, (size_t)r->n_contact);
-    if (r->n_link > 0) {
-        put_links(w, &layout_links, r->link, (size_t)r->n_contact, (size_t)r->n_link);
-    }
-    if (r->n_column > 0) {
-        put_links(w, &layout_columns, r->column, (size_t)r->n_contact + (size_t)r->n_link,
-                  (size_t)r->n_column);
-    }
-    const struct tree_group g = tree_group(&w->tree, w->root, "energy", NULL, 0);
-    for (size_t i = 0; i < ENERGY_COUNT; i++) {
-        const struct column *c = &layout_energy.column[i];
-        const struct stream s = {.source = SOURCE_ENERGY, .first = i, .width = 1};
-        put_history(w, g.group, c->name, (struct quantity){c->long_name, c->dimension}, s, 0);
-    }
-    tree_close(&w->tree, &g);
+    h5_close(w->h, h5_group(w->h, w->root, "buildings"));
+    layout_groups(r, put_group, w);
     put_ground(w);
 }
 

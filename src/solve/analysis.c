@@ -12,8 +12,7 @@
 #include "core/wall.h"
 #include "model/forces.h"
 #include "model/foundation.h"
-#include "solve/account/peaks.h"
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 #include "solve/run.h"
 
 int run_poll_now(struct run *r, double time) {
@@ -78,10 +77,15 @@ static int analysis_show_row(struct run *r) {
         r->row_force[k] = s->link[k].force;
     }
     const bool members = forces_in_rows(r->model);
+    if (members && r->model->n_column > 0) {
+        memcpy(r->row_struck, s->u, (size_t)r->model->n_dof * sizeof *r->row_struck);
+        state_struck(s, r->model, r->row_struck);
+    }
     for (int k = 0; members && k < r->model->n_building; k++) {
         const struct building *g = &r->model->building[k];
         if (g->n_force > 0) {
-            forces_at(g, s->drift + g->first, s->storey_history, r->row_members + g->force);
+            forces_at(g, s->drift + g->first, s->storey_history, r->row_struck,
+                      r->row_members + g->force);
             forces_hide(g, r->row_members + g->force);
         }
     }
@@ -185,6 +189,7 @@ static bool analysis_alloc(struct run *r, struct arena *a) {
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
     r->row_members = arena_alloc(a, (size_t)m->n_force, sizeof *r->row_members);
+    r->row_struck = arena_alloc(a, m->n_column > 0 ? (size_t)m->n_dof : 0, sizeof *r->row_struck);
     r->row_drift = arena_alloc(a, m->storeys_differ ? (size_t)m->n_dof : 0, sizeof *r->row_drift);
     r->row_shear = arena_alloc(a, m->storeys_differ ? (size_t)m->n_dof : 0, sizeof *r->row_shear);
     return fields_alloc(&energy_fields, m, &r->energy, a) && state_alloc(r->now, m, a) &&

@@ -13,7 +13,7 @@ struct model;
 // The actions that forces follow from, in whole lanes: drifts, then departures of hinges.
 int fields_actions(const struct model *m);
 
-// States whose forces are looked at together (account/force_peaks.h).
+// States whose forces are looked at together (account/force_peaks.c).
 enum { FORCES_BATCH = 32 };
 
 // How many elements a field has. The list allocates arrays from FIELDS_ALLOCATED on.
@@ -56,10 +56,13 @@ struct fields {
     int n;
 };
 
-// Rows of a list for struct S: values in it, arrays behind a pointer, and structs with a list. The
-// members of the last two macros are arrays in S, of pointers to arrays and of structs with a list.
+// Rows of a list for struct S: a value in it, or all from the first to the last of some; arrays
+// behind a pointer, and structs with a list. The members of the last two macros are arrays in S, of
+// pointers to arrays and of structs with a list.
 #define FIELD_VALUE(S, member)                                                                     \
     { offsetof(S, member), sizeof((S *)0)->member, FIELD_ONE, NULL, 0 }
+#define FIELD_VALUES(S, first, last)                                                               \
+    { offsetof(S, first), FIELDS_END(S, last) - offsetof(S, first), FIELD_ONE, NULL, 0 }
 #define FIELD_ARRAY(S, member, count)                                                              \
     { offsetof(S, member), sizeof *((S *)0)->member, count, NULL, 0 }
 #define FIELD_PART(S, member, list)                                                                \
@@ -70,6 +73,7 @@ struct fields {
     { offsetof(S, member), sizeof **((S *)0)->member, count, NULL, FIELDS_MORE(S, member) }
 #define FIELD_EACH_PART(S, member, list)                                                           \
     { offsetof(S, member), sizeof *((S *)0)->member, FIELD_ONE, &(list), FIELDS_MORE(S, member) }
+#define FIELDS_END(S, member) (offsetof(S, member) + sizeof((S *)0)->member)
 #define FIELDS_MORE(S, member) (sizeof((S *)0)->member / sizeof *((S *)0)->member - 1)
 #define FIELDS(array)                                                                              \
     { array, sizeof(array) / sizeof(array)[0] }

@@ -11,8 +11,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "solve/floors/chain.h"
-
 // A corner this close, relative to a sample or to the size of the time, is reached.
 static const double AT_SAMPLE = 1e-6, AT_TIME = 1e-12;
 
@@ -23,8 +21,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct forcing, ground, FIELD_SIGNALS),
     FIELD_ARRAY(struct forcing, load, FIELD_LOADS),
     FIELD_ARRAY(struct forcing, lines, FIELD_GROUNDS),
-    FIELD_VALUE(struct forcing, sines),
-    FIELD_VALUE(struct forcing, corner),
+    FIELD_VALUES(struct forcing, sines, corner),
 };
 const struct fields forcing_fields = FIELDS(list);
 
@@ -164,11 +161,11 @@ static void forcing_on_floors(struct state *s, const struct model *m, const stru
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         const double a = s->ground_a[g->ground];
-        for (int i = 0; i < g->n_dof; i++) {
-            s->base[g->first + i] = a;
+        for (int i = g->first; i < g->first + g->n_dof; i++) {
+            s->base[i] = a;
+            s->external[i] = -m->mass[i] * a;
         }
     }
-    chain_inertia(&m->chain, s->base, s->external);
     for (int k = 0; k < m->n_load; k++) {
         const struct load *load = &m->load[k];
         s->external[load->dof] += f ? forcing_load(f, k, t) : signal_value(&load->signal, t);

@@ -4,10 +4,8 @@
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
-#include "solve/account/energy.h"
-#include "solve/account/force_peaks.h"
-#include "solve/account/impacts.h"
-#include "solve/newmark/flight.h"
+#include "solve/account/account.h"
+#include "solve/newmark/newmark.h"
 #include "solve/pace.h"
 #include "solve/work.h"
 
@@ -89,6 +87,7 @@ struct run {
     struct flight flight;
     double *row_force;              // [F] (n_link) of a row
     double *row_members;            // (model.n_force) of a row
+    double *row_struck;             // [L] (n_dof) displacements of struck points of a row
     double *row_drift, *row_shear;  // [L] [F] (n_dof) the same of storeys, with any foundation
     struct meeting *meeting;        // (n_contact) of rigid impacts
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/scale.h"
+#include "solve/pace.h"
 
 #include <math.h>
 
@@ -20,10 +20,7 @@ static const double WEIGHT = 0.03, MANY = 100.0;
 static const struct fields_row list[] = {
     FIELD_ARRAY(struct scales, over_u, FIELD_FLOORS),
     FIELD_ARRAY(struct scales, over_v, FIELD_FLOORS),
-    FIELD_VALUE(struct scales, most_u),
-    FIELD_VALUE(struct scales, most_v),
-    FIELD_VALUE(struct scales, most_a),
-    FIELD_VALUE(struct scales, noisy),
+    FIELD_VALUES(struct scales, most_u, noisy),
 };
 const struct fields scale_fields = FIELDS(list);
 

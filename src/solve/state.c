@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "model/parts.h"
-#include "solve/floors/chain.h"
+#include "model/struck_column.h"
 #include "solve/forcing.h"
 
 static const struct fields_row list[] = {
@@ -124,9 +124,20 @@ void state_parts(struct state *s, const struct building *g, const double *from, 
     parts_respond(g, from, s->drift + g->first, s->rate + g->first, &sums, after);
 }
 
+// Drifts of the storeys below each floor, and shears of elastic storeys.
+LANES static void state_strain(const struct chain *c, const double *restrict u,
+                               double *restrict drift, double *restrict shear) {
+    const double *restrict k = c->stiffness;
+    for (int i = 0, n = lanes_rounded(c->n); i < n; i++) {
+        double d = u[i] - c->joint[i] * u[i - 1];
+        drift[i] = d;
+        shear[i] = k[i] * d;
+    }
+}
+
 static void state_forces_from(struct state *s, const struct model *m, const double *from,
                               double *after) {
-    chain_strain(&m->chain, s->u, s->drift, s->shear);
+    state_strain(&m->chain, s->u, s->drift, s->shear);
     for (int k = 0; !m->elastic && k < m->n_body; k++) {
         if (!m->building[k].elastic) {
             state_storeys(s, m, &m->building[k], from, after);
@@ -192,6 +203,16 @@ double state_pressing(const struct state *s, const struct model *m, int k) {
 
 double state_rate(const struct state *s, const struct model *m, int k) {
     return state_gap(&m->link[k], m, s->v, s->ground_v);
+}
+
+void state_struck(const struct state *s, const struct model *m, double *u) {
+    for (int i = 0; i < m->n_column; i++) {
+        const int spring = m->n_link - m->n_column + i, point = m->column[i].dof[0];
+        if (m->column[i].yields) {
+            u[point] = struck_column_elastic(
+                &m->column[i], s->u[point], state_penetration(s, m, spring), s->link[spring].force);
+        }
+    }
 }
 
 void state_close_link(struct state *s, const struct model *m, int k) {

@@ -121,6 +121,10 @@ double state_penetration(const struct state *s, const struct model *m, int k);
 double state_rate(const struct state *s, const struct model *m, int k);
 double state_pressing(const struct state *s, const struct model *m, int k);
 
+// Sets the displacements of the struck points of columns that yield, in an array of degrees of
+// freedom, to those of elastic columns with the same forces (struck_column_elastic).
+void state_struck(const struct state *s, const struct model *m, double *u);
+
 // Closes link k at this instant: history and force from the velocity it closes with.
 void state_close_link(struct state *s, const struct model *m, int k);
 

@@ -7,7 +7,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/contact/sweep.h"
+#include "solve/contact/contact.h"
 
 static bool work_alloc_floors(struct work *w, const struct model *m, struct arena *a) {
     struct storeys *s = &w->storeys;

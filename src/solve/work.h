@@ -4,12 +4,11 @@
 #ifndef JOSTLE_WORK_H
 #define JOSTLE_WORK_H
 
-#include "solve/contact/cluster.h"
 #include "solve/contact/gaps.h"
 #include "solve/floors/effective.h"
 #include "solve/floors/floors.h"
 #include "solve/forcing.h"
-#include "solve/scale.h"
+#include "solve/pace.h"
 #include "solve/state.h"
 
 // What to do when the iteration of contacts or storeys does not converge.
@@ -25,6 +24,24 @@ struct storeys {
 };
 
 struct link_scratch;
+
+// Clusters: live links that are connected by buildings that they share. Newton steps on all links
+// of a cluster at once speed up the sweeps of contact.c. Here they are found, and the scratch of
+// their steps is. A cluster has the number of one of its buildings. Arrays (n_building) but where
+// another shape is given.
+struct clusters {
+    int *leader;      // of each building, towards the one whose number its cluster has
+    int *first;       // of each cluster, its first live link; -1: it has none
+    int *after;       // (n_link) of each live link, the next one of its cluster; -1: none
+    int *position;    // of the first link of each building in its cluster; -1: none yet
+    double *nearest;  // [L/T^2] the least that a sweep has moved the links of each cluster by
+    int most;         // links of a cluster; larger ones are left to sweeps
+    int n, *link;     // (most) links of the cluster in hand, in ascending order
+    int width;        // how far from each other in there links are that share a building, at most
+    double *matrix;   // (most, most)
+    double *change;   // [F] (most) of the forces
+    double *kept_q;   // [L/T^2] (n_dof) corrections to be restored
+};
 
 struct work {
     const struct model *model;  // borrowed, as are the next two

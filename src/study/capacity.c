@@ -25,10 +25,23 @@ struct job {
     double *all;  // (n_value) of a run
 };
 
+// The intensity of the hunt after `at`, the number `i` from 0. The last step may be a little
+// longer, so that no short one follows it.
+static double hunt_next(const struct capacity_request *q, double at, int i) {
+    const double next = q->step > 0.0 ? at + q->step + i * q->growth : at * q->factor;
+    return next * (1.0 + 1e-9) < q->to ? next : q->to;
+}
+
 int capacity_runs(const struct capacity_request *q) {
-    const double hunt = ceil(log(q->to / q->from) / log(q->factor)) + 1.0;
-    const double halvings = ceil(log2(log(q->factor) / log1p(q->tolerance)));
-    return (int)fmin(hunt + fmax(halvings, 0.0) + 1.0, CAPACITY_POINTS_MAX + 1.0);
+    double at = q->from, before = at;
+    int n = 1;
+    for (; at < q->to && n <= CAPACITY_POINTS_MAX; n++) {
+        before = at;
+        at = hunt_next(q, at, n - 1);
+    }
+    const double widest = fmax(at / before, hunt_next(q, q->from, 0) / q->from);
+    const double halvings = ceil(log2(log(widest) / log1p(q->tolerance)));
+    return (int)fmin(n + fmax(halvings, 0.0), CAPACITY_POINTS_MAX + 1.0);
 }
 
 static void fail(struct capacity *c, const struct capacity_request *q, double intensity,
@@ -42,11 +55,26 @@ static const double *intensity_of(const void *context, const struct sweep *s) {
     return strcmp(s->name, f->name) == 0 ? &f->value : NULL;
 }
 
-// Runs the sample at an intensity and adds the point. *exceeded; a run that fails ends the search.
-static int look(struct job *job, double intensity, bool *exceeded, struct error *e) {
+// Adds a point, and sets the lowest intensity that exceeds the limit and the highest one below it.
+static void add_point(struct capacity *c, struct capacity_point p) {
+    int i = c->n_point++;
+    for (; i > 0 && c->point[i - 1].intensity > p.intensity; i--) {
+        c->point[i] = c->point[i - 1];
+    }
+    c->point[i] = p;
+    c->below = c->above = c->value = NAN;
+    for (i = 0; i < c->n_point && !c->point[i].exceeded; i++) {
+        c->below = c->point[i].intensity;
+        c->value = c->point[i].value;
+    }
+    c->above = i < c->n_point ? c->point[i].intensity : c->above;
+    c->crossing = i == c->n_point ? CROSSING_ABOVE : i == 0 ? CROSSING_BELOW : CROSSING_AT;
+}
+
+// Runs the sample at an intensity and adds the point. A run that fails ends the search.
+static int look(struct job *job, double intensity, struct error *e) {
     const struct search *s = job->search;
     const struct capacity_request *q = s->request;
-    struct capacity *c = job->capacity;
     struct study_outcome outcome;
     double value;
     const struct capacity_at f = {q->intensity, intensity};
@@ -60,45 +88,49 @@ static int look(struct job *job, double intensity, bool *exceeded, struct error 
                                             .all = job->all};
     const int status = trial_ask(&question, &value, &outcome, e);
     if (status == STATUS_OK && outcome.status == STUDY_FAILED) {
-        fail(c, q, intensity, outcome.message);
+        fail(job->capacity, q, intensity, outcome.message);
     } else if (status == STATUS_OK) {
-        *exceeded = value > q->limit;
-        c->point[c->n_point++] = (struct capacity_point){intensity, value, *exceeded};
-        *(*exceeded ? &c->above : &c->below) = intensity;
-        c->value = *exceeded ? c->value : value;
+        add_point(job->capacity, (struct capacity_point){intensity, value, value > q->limit});
     }
     return status;
 }
 
-// Upwards from the lowest intensity.
-static int hunt(struct job *job, struct error *e) {
-    const struct capacity_request *q = job->search->request;
-    struct capacity *c = job->capacity;
-    bool exceeded = false;
-    double at = q->from;
-    for (;;) {
-        const int status = look(job, at, &exceeded, e);
-        if (status != STATUS_OK || c->failure[0]) {
-            return status;
-        }
-        if (exceeded || at >= q->to) {
-            break;
-        }
-        // The last factor may be a little larger, so that no short one follows it.
-        at = at * q->factor * (1.0 + 1e-9) < q->to ? at * q->factor : q->to;
+// Upwards from the lowest intensity; true while there is a next one.
+static bool hunt(const struct capacity_request *q, const struct capacity *c, double *at) {
+    if (c->n_point > 0 && (c->crossing != CROSSING_ABOVE || c->below >= q->to)) {
+        return false;
     }
-    c->crossing = !exceeded ? CROSSING_ABOVE : isnan(c->below) ? CROSSING_BELOW : CROSSING_AT;
-    return STATUS_OK;
+    *at = c->n_point == 0 ? q->from : hunt_next(q, c->below, c->n_point - 1);
+    return true;
 }
 
-static int bisect(struct job *job, struct error *e) {
+static bool bisect(const struct capacity_request *q, const struct capacity *c, double *at) {
+    *at = sqrt(c->below * c->above);
+    return c->crossing == CROSSING_AT && !capacity_is_found(q, c);
+}
+
+// The middle of the widest gap below the limit.
+static bool fill(const struct capacity_request *q, const struct capacity *c, double *at) {
+    double widest = 0.0;
+    for (int i = 1; i < c->n_point && !c->point[i].exceeded; i++) {
+        const double low = c->point[i - 1].intensity, high = c->point[i].intensity;
+        if (high - low > widest) {
+            widest = high - low;
+            *at = low + widest / 2.0;
+        }
+    }
+    return q->n_run > 0 && widest > 0.0;
+}
+
+static int find(struct job *job, struct error *e) {
     const struct capacity_request *q = job->search->request;
     struct capacity *c = job->capacity;
+    const int most = q->n_run > 0 ? q->n_run : CAPACITY_POINTS_MAX;
+    double at;
     int status = STATUS_OK;
-    bool exceeded;
-    while (status == STATUS_OK && c->crossing == CROSSING_AT &&
-           c->above / c->below > 1.0 + q->tolerance && c->n_point < CAPACITY_POINTS_MAX) {
-        status = look(job, sqrt(c->below * c->above), &exceeded, e);
+    while (status == STATUS_OK && !c->failure[0] && c->n_point < most &&
+           (hunt(q, c, &at) || bisect(q, c, &at) || fill(q, c, &at))) {
+        status = look(job, at, e);
     }
     return status;
 }
@@ -111,9 +143,13 @@ static int do_job(void *context, struct workers *workers, long number, void *scr
                       .capacity = &s->out->each[number],
                       .run = number,
                       .all = scratch};
-    *job.capacity = (struct capacity){.below = NAN, .above = NAN, .value = NAN};
-    const int status = hunt(&job, e);
-    return status == STATUS_OK ? bisect(&job, e) : status;
+    *job.capacity = (struct capacity){.below = NAN, .above = NAN, .value = NAN, .crossing_at = NAN};
+    const int status = find(&job, e);
+    if (status == STATUS_OK && job.capacity->crossing == CROSSING_AT) {
+        job.capacity->crossing_at =
+            capacity_curve_crossing(job.capacity, s->request->limit, s->request->curve);
+    }
+    return status;
 }
 
 static int poll_search(void *context, struct workers *workers, long n_done, struct error *e) {
@@ -146,10 +182,12 @@ void capacity_close(struct capacities *c) {
     c->each = NULL;
 }
 
-struct fragility_record capacity_record(const struct capacity_request *q,
-                                        const struct capacity *c) {
-    return (struct fragility_record){c->crossing, c->crossing == CROSSING_AT
-                                                      ? sqrt(c->below * c->above)
-                                                  : c->crossing == CROSSING_ABOVE ? q->to
-                                                                                  : q->from};
+struct fragility_record capacity_record(const struct capacity *c) {
+    return (struct fragility_record){c->crossing, c->crossing == CROSSING_AT      ? c->crossing_at
+                                                  : c->crossing == CROSSING_ABOVE ? c->below
+                                                                                  : c->above};
+}
+
+bool capacity_is_found(const struct capacity_request *q, const struct capacity *c) {
+    return c->crossing == CROSSING_AT && c->above / c->below <= 1.0 + q->tolerance;
 }

@@ -24,24 +24,55 @@
 #include "core/number.h"
 #include "model/link_end.h"
 
-static double absolute_sum(double left, double right, double rho) {
-    (void)rho;
-    return left + right;
+static double absolute_sum(const struct separation_ends *e, double rho,
+                           const struct separation_site *s) {
+    (void)rho, (void)s;
+    return e->displacement[0] + e->displacement[1];
 }
 
-static double root_of_squares(double left, double right, double rho) {
-    (void)rho;
-    return hypot(left, right);
+static double root_of_squares(const struct separation_ends *e, double rho,
+                              const struct separation_site *s) {
+    (void)rho, (void)s;
+    return hypot(e->displacement[0], e->displacement[1]);
 }
 
-static double reduced_root(double left, double right, double rho) {
-    (void)rho;
-    return 0.7 * hypot(left, right);
+static double reduced_root(const struct separation_ends *e, double rho,
+                           const struct separation_site *s) {
+    return 0.7 * root_of_squares(e, rho, s);
 }
 
-static double double_difference(double left, double right, double rho) {
+static double double_difference(const struct separation_ends *e, double rho,
+                                const struct separation_site *s) {
+    (void)s;
+    const double left = e->displacement[0], right = e->displacement[1];
     const double square = left * left + right * right - 2.0 * rho * left * right;
     return square < 0.0 ? 0.0 : sqrt(square);  // rounding may leave a trace below 0; NAN stays
+}
+
+// Of the lower building, and never below 100 mm.
+static double by_height(const struct separation_ends *e, double rho,
+                        const struct separation_site *s) {
+    (void)rho;
+    if (!(s->gb_step > 0.0) || isnan(e->height[0]) || isnan(e->height[1])) {
+        return NAN;
+    }
+    const double height = fmin(e->height[0], e->height[1]) / s->metre;
+    const double frame = 0.1 + 0.02 * fmax(0.0, height - 15.0) / s->gb_step;
+    return fmax(0.1, s->gb_share * frame) * s->metre;
+}
+
+// Each building keeps its part from the property line; a wall none.
+static double by_level(const struct separation_ends *e, double rho,
+                       const struct separation_site *s) {
+    (void)rho;
+    double sum = 0.0;
+    for (int side = 0; side < 2; side++) {
+        if (!isinf(e->height[side])) {
+            const double part = e->displacement[side] + s->ntc_slope * e->level[side];
+            sum += isnan(part) ? part : fmax(0.05 * s->metre, part);
+        }
+    }
+    return sum;
 }
 
 const struct separation_rule contact_free_rules[SEPARATION_RULES] = {
@@ -49,11 +80,16 @@ const struct separation_rule contact_free_rules[SEPARATION_RULES] = {
      "both set back from a property line: ASCE/SEI 7-16, 12.12.3; EN 1998-1:2004, 4.4.2.7(2)a",
      absolute_sum},
     {"srss", "SRSS", "sqrt(uA^2 + uB^2)",
-     "on one property: ASCE/SEI 7-16, 12.12.3; EN 1998-1:2004, 4.4.2.7(2)b", root_of_squares},
+     "on one property: ASCE/SEI 7-16, 12.12.3; EN 1998-1:2004, 4.4.2.7(2)b; NBCC 2015, 4.1.8.14",
+     root_of_squares},
     {"srss_level", "0.7 SRSS", "0.7 sqrt(uA^2 + uB^2)",
      "the same if all floors are at the same levels: EN 1998-1:2004, 4.4.2.7(3)", reduced_root},
     {"double_difference", "double diff.", "sqrt(uA^2 + uB^2 - 2 rho uA uB)",
      "Jeng, Kasai & Maison (1992); Penzien (1997); rho: Der Kiureghian (1980)", double_difference},
+    {"gb50011", "GB 50011", "share (100 mm + 20 mm (H - 15 m) / step), H the lower height",
+     "reinforced concrete, at least 100 mm: GB 50011-2010, 6.1.4", by_height},
+    {"ntc2004", "NTC 2004", "sum over A and B of max(50 mm, u + slope h), h the level",
+     "Mexico City, NTC for seismic design (2004), 1.10", by_level},
 };
 
 double contact_free_correlation(const double period[2], const double damping[2]) {
@@ -73,35 +109,63 @@ double contact_free_correlation(const double period[2], const double damping[2])
 }
 
 double contact_free_separation(const struct separation_rule *rule,
-                               const struct separation_ends *ends) {
-    const double left = ends->displacement[0], right = ends->displacement[1];
-    const double rho =
-        left > 0.0 && right > 0.0 ? contact_free_correlation(ends->period, ends->damping) : 0.0;
-    return rule->separation(left, right, rho);
+                               const struct separation_ends *ends,
+                               const struct separation_site *site) {
+    const double rho = ends->displacement[0] > 0.0 && ends->displacement[1] > 0.0
+                           ? contact_free_correlation(ends->period, ends->damping)
+                           : 0.0;
+    return rule->separation(ends, rho, site);
+}
+
+// The level of an end above the ground of its building, and the height of the building.
+static void read_heights(const struct link *l, int side, const struct building *g, double *level,
+                         double *height) {
+    double sum = 0.0, at = NAN;
+    for (int floor = 1; floor <= g->n_floor && g->height; floor++) {
+        sum += g->height[floor - 1];
+        at = floor == l->floor[side] ? sum : at;
+    }
+    *level = isnan(l->level[side]) ? at : l->level[side];
+    *height = g->height ? sum : NAN;
 }
 
 static void read_contact(const struct model *m, const struct model *deck, const struct results *r,
                          int i, double *value) {
     const struct link *l = &m->link[i];
-    struct separation_ends ends;
     for (int side = 0; side < 2; side++) {
         // Of the first mode of the building alone.
-        ends.period[side] = ends.damping[side] = NAN;
+        double period = NAN, damping = NAN, level = NAN, height = INFINITY;
         if (l->building[side] != WALL) {
             const struct building *g = &m->building[l->building[side]];
-            ends.period[side] = 2.0 * M_PI / g->omega[0];
-            ends.damping[side] = building_damping_ratio(g, 1);
+            period = 2.0 * M_PI / g->omega[0];
+            damping = building_damping_ratio(g, 1);
+            read_heights(l, side, g, &level, &height);
         }
-        ends.displacement[side] = link_at(l, side, r->peak[PEAK_DISPLACEMENT]);
-        value[FREE_LEFT + side] = ends.displacement[side];
-        value[FREE_PERIOD_LEFT + side] = ends.period[side];
-        value[FREE_DAMPING_LEFT + side] = ends.damping[side];
+        value[FREE_LEFT + side] = link_at(l, side, r->peak[PEAK_DISPLACEMENT]);
+        value[FREE_PERIOD_LEFT + side] = period;
+        value[FREE_DAMPING_LEFT + side] = damping;
+        value[FREE_LEVEL_LEFT + side] = level;
+        value[FREE_HEIGHT_LEFT + side] = height;
     }
     value[FREE_GAP] = deck->link[i].gap;
     value[FREE_CLOSING] = r->link[i].penetration + l->gap;
-    value[FREE_RHO] = contact_free_correlation(ends.period, ends.damping);
+    value[FREE_RHO] = contact_free_correlation(value + FREE_PERIOD_LEFT, value + FREE_DAMPING_LEFT);
+}
+
+// The separations of a contact after its other values.
+static void apply_rules(const struct link *l, const struct separation_site *site, double *value) {
+    struct separation_ends ends;
+    for (int side = 0; side < 2; side++) {
+        const int building = l->building[side];
+        const double factor = building != WALL && site->factor ? site->factor[building] : 1.0;
+        ends.displacement[side] = factor * value[FREE_LEFT + side];
+        ends.period[side] = value[FREE_PERIOD_LEFT + side];
+        ends.damping[side] = value[FREE_DAMPING_LEFT + side];
+        ends.level[side] = value[FREE_LEVEL_LEFT + side];
+        ends.height[side] = value[FREE_HEIGHT_LEFT + side];
+    }
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        value[FREE_RULE + k] = contact_free_separation(&contact_free_rules[k], &ends);
+        value[FREE_RULE + k] = contact_free_separation(&contact_free_rules[k], &ends, site);
     }
 }
 
@@ -147,7 +211,8 @@ static void find_idle(const struct plan *plan, struct contact_free *a) {
     }
 }
 
-int contact_free_run(const struct plan *plan, const struct gap_runs *how, struct contact_free *out,
+int contact_free_run(const struct plan *plan, const struct gap_runs *how,
+                     const struct separation_site *site, struct contact_free *out,
                      struct error *e) {
     const struct gap_runs_case which = {.plan = plan, .gap = INFINITY};
     struct gap_runs s = *how;
@@ -168,6 +233,10 @@ int contact_free_run(const struct plan *plan, const struct gap_runs *how, struct
         for (long run = 0; run < out->n_run; run++) {
             out->counts[run] = true;
             out->n_failed += out->outcome[run].status == STUDY_FAILED;
+            for (int i = 0; i < out->n_contact; i++) {
+                double *value = out->value + (run * out->n_contact + i) * FREE_VALUES;
+                apply_rules(&plan->first->link[i], site, value);
+            }
         }
         find_idle(plan, out);
     }

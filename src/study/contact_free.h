@@ -11,6 +11,17 @@ struct separation_ends {
     double displacement[2];  // [L] the largest absolute ones: left, right
     double period[2];        // [T] of the first modes; infinite: a free body
     double damping[2];       // ratios of the first modes
+    double level[2];         // [L] above the grounds; NAN: not given
+    double height[2];        // [L] of the buildings; NAN: not given; infinite: a wall
+};
+
+// What rules take from the user.
+struct separation_site {
+    const double *factor;  // (n_building) of displacements; NULL: all are 1
+    double metre;          // [L] 1 m
+    double gb_step;        // [m] of height for 20 mm more, after GB 50011; 0: not asked for
+    double gb_share;       // of its width for frames
+    double ntc_slope;      // of the level, after NTC; NAN: not asked for
 };
 
 struct separation_rule {
@@ -18,19 +29,23 @@ struct separation_rule {
     const char *name;     // in a table to be read
     const char *formula;  // of uA, uB and rho
     const char *source;
-    double (*separation)(double u_left, double u_right, double rho);  // [L]
+    double (*separation)(const struct separation_ends *e, double rho,
+                         const struct separation_site *s);  // [L]
 };
 
-enum { SEPARATION_RULES = 4 };
+// The first SEPARATION_GENERAL rules need nothing of the site.
+enum { SEPARATION_GENERAL = 4, SEPARATION_GB = SEPARATION_GENERAL, SEPARATION_NTC };
+enum { SEPARATION_RULES = SEPARATION_NTC + 1 };
 extern const struct separation_rule contact_free_rules[SEPARATION_RULES];
 
 // Correlation coefficient of the responses of two oscillators to the same white noise; NAN where a
 // period is infinite, or damping negative.
 double contact_free_correlation(const double period[2], const double damping[2]);
 
-// By one of the rules. NAN where it needs a correlation that does not exist.
+// By one of the rules. NAN where it needs a correlation or height that does not exist.
 double contact_free_separation(const struct separation_rule *rule,
-                               const struct separation_ends *ends);
+                               const struct separation_ends *ends,
+                               const struct separation_site *site);
 
 // What a run gives for a contact.
 enum contact_free_value {
@@ -43,6 +58,10 @@ enum contact_free_value {
     FREE_DAMPING_LEFT,   // ratio of that mode
     FREE_DAMPING_RIGHT,  //
     FREE_RHO,            // correlation coefficient of these modes
+    FREE_LEVEL_LEFT,     // [L] of the contact above the ground; NAN: not given
+    FREE_LEVEL_RIGHT,    // [L]
+    FREE_HEIGHT_LEFT,    // [L] of the building; NAN: not given; infinite: a wall
+    FREE_HEIGHT_RIGHT,   // [L]
     FREE_RULE,           // [L] separations by the rules
     FREE_VALUES = FREE_RULE + SEPARATION_RULES
 };
@@ -58,8 +77,8 @@ struct contact_free {
 
 // Runs all runs of the plan with its contacts open; bilateral links act. *out must be given to
 // contact_free_close, whatever happens. Errors as of gap_runs_run.
-int contact_free_run(const struct plan *plan, const struct gap_runs *how, struct contact_free *out,
-                     struct error *e);
+int contact_free_run(const struct plan *plan, const struct gap_runs *how,
+                     const struct separation_site *site, struct contact_free *out, struct error *e);
 void contact_free_close(struct contact_free *a);
 
 // The values (FREE_VALUES) of a contact in a run.

@@ -339,7 +339,12 @@ int fragility_fit_records(const struct fragility_record *record, int n, struct f
 }
 
 double fragility_probability(const struct fragility *f, double intensity) {
-    return gsl_cdf_ugaussian_P(log(intensity / f->median) / f->dispersion);
+    if (!f->mixed) {
+        return gsl_cdf_ugaussian_P(log(intensity / f->median) / f->dispersion);
+    }
+    const double eta = log(intensity / f->standing_median) / f->standing_dispersion;
+    const double collapse = 1.0 / (1.0 + exp(-f->logit[0] - f->logit[1] * log(intensity)));
+    return collapse + (1.0 - collapse) * gsl_cdf_ugaussian_P(eta);
 }
 
 const char *fragility_reason(const struct fragility *f) {
@@ -354,47 +359,10 @@ const char *fragility_reason(const struct fragility *f) {
         [FRAGILITY_NOT_POSITIVE] = "an intensity is not > 0, it has no logarithm",
         [FRAGILITY_FEW] = "fewer than two records first exceed the limit between two intensities",
         [FRAGILITY_NO_SPREAD] = "the records that exceed the limit first do so at one intensity",
+        [FRAGILITY_NO_LOGARITHM] = "a demand is not > 0, it has no logarithm; use --method counts",
+        [FRAGILITY_FEW_RUNS] = "fewer than three runs at different intensities did not collapse",
+        [FRAGILITY_NO_SCATTER] = "all demands lie on the line of the regression",
+        [FRAGILITY_NO_LOGIT] = "one intensity separates the runs that collapse from the others",
     };
     return reason[f->outcome];
-}
-
-void fragility_count(const struct suite *s, int group, double limit,
-                     struct fragility_level *level) {
-    for (int j = 0; j < s->n_point; j++) {
-        level[j] = (struct fragility_level){.intensity = s->point[j]};
-        for (int k = 0; k < s->n_sample; k++) {
-            const double x = suite_value(s, group, k, j);
-            level[j].n += isnan(x) ? 0 : 1;
-            level[j].exceeded += x > limit ? 1 : 0;
-        }
-    }
-}
-
-static struct fragility_record first(const struct suite *s, int group, int sample, double limit) {
-    struct fragility_record r = {CROSSING_NO_RUNS, NAN};
-    double last = NAN;
-    for (int j = 0; j < s->n_point; j++) {
-        const double x = suite_value(s, group, sample, j);
-        if (isnan(x)) {
-            continue;
-        }
-        if (x > limit && r.crossing == CROSSING_NO_RUNS) {
-            return (struct fragility_record){CROSSING_BELOW, s->point[j]};
-        }
-        if (x > limit) {
-            const double share = isinf(x) ? 1.0 : (limit - last) / (x - last);
-            return (struct fragility_record){CROSSING_AT,
-                                             r.intensity + share * (s->point[j] - r.intensity)};
-        }
-        r = (struct fragility_record){CROSSING_ABOVE, s->point[j]};
-        last = x;
-    }
-    return r;
-}
-
-void fragility_first(const struct suite *s, int group, double limit,
-                     struct fragility_record *record) {
-    for (int k = 0; k < s->n_sample; k++) {
-        record[k] = first(s, group, k, limit);
-    }
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lognormal fragility: the probability that a demand exceeds a limit at the intensity x,
+// Fragility, lognormal but where it says so: the probability that a demand exceeds a limit at the
+// intensity x,
 //     P(x) = Phi(ln(x / theta) / beta),
 // with the median theta and the dispersion beta of largest likelihood.
 #ifndef JOSTLE_FRAGILITY_H
 #define JOSTLE_FRAGILITY_H
 
+#include <stdbool.h>
+
 #include "jostle/error.h"
-#include "study/suite.h"
 
 // Of `n` runs at an intensity, `exceeded` were above the limit.
 struct fragility_level {
@@ -26,6 +28,10 @@ enum fragility_outcome {
     FRAGILITY_NOT_POSITIVE,  // an intensity is <= 0 and has no logarithm
     FRAGILITY_FEW,           // fewer than two records have a first exceedance
     FRAGILITY_NO_SPREAD,     // these are at one intensity
+    FRAGILITY_NO_LOGARITHM,  // a demand is not > 0; of cloud_fit, as those below
+    FRAGILITY_FEW_RUNS,      // fewer than three runs have a finite demand, or one intensity
+    FRAGILITY_NO_SCATTER,    // their demands lie on the line
+    FRAGILITY_NO_LOGIT,      // all runs that collapse are above all others
 };
 
 struct fragility {
@@ -35,6 +41,11 @@ struct fragility {
     // Separated: the highest intensity with runs below the limit, and the lowest with runs above
     // it; they are equal where one intensity has both.
     double between[2];
+    // Of a cloud with collapses: the curve is not lognormal, and median and dispersion are only its
+    // quantiles. The probability of collapse has the logit logit[0] + logit[1] ln x; the runs that
+    // do not collapse have a lognormal curve of their own.
+    bool mixed;
+    double logit[2], standing_median, standing_dispersion;
 };
 
 // Maximum likelihood over counts of exceedance, Baker (2015), Earthquake Spectra 31(1), 579-599,
@@ -54,19 +65,10 @@ struct fragility_record {
 int fragility_fit_records(const struct fragility_record *record, int n, struct fragility *out,
                           struct error *e);
 
-// The first exceedances of one group of a suite: n_sample records. The demand is taken as linear
-// between two intensities; where it is above all values at the upper one, that is the crossing.
-void fragility_first(const struct suite *s, int group, double limit,
-                     struct fragility_record *record);
-
-// P(x) of fitted parameters; theta and beta > 0.
+// P(x) of what was fitted.
 double fragility_probability(const struct fragility *f, double intensity);
 
 // Half a sentence that says why nothing was fitted; "" where it was.
 const char *fragility_reason(const struct fragility *f);
-
-// Counts of one group of a suite over the limit: n_point levels. Values equal to the limit do not
-// exceed it.
-void fragility_count(const struct suite *s, int group, double limit, struct fragility_level *level);
 
 #endif

@@ -2,12 +2,16 @@
 #include "study/hazard.h"
 
 #include <assert.h>
+#include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_erf.h>
 #include <math.h>
 
 #include "core/arena.h"
 #include "motion/time_series.h"
+
+enum { PIECES_MAX = 1000 };
+static const double PIECE_ERROR = 1e-9;  // relative
 
 int hazard_read(struct arena *a, const char *path, struct dimension dimension, double unit,
                 struct hazard *out, struct error *e) {
@@ -53,7 +57,8 @@ static double between(double factor, double from, double to) {
 //     integral of P |d rate| = P0 r0 - P1 r1 + integral of rate dP,
 // where the last integral is r0 exp(k ln(x0 / theta) + k^2 beta^2 / 2) [Phi(u1 + k beta) -
 // Phi(u0 + k beta)], u = ln(x / theta) / beta.
-static double exceedances(const struct fragility *f, const double *x, const double *rate) {
+static double lognormal_exceedances(const struct fragility *f, const double *x,
+                                    const double *rate) {
     const double beta = f->dispersion, k = log(rate[0] / rate[1]) / log(x[1] / x[0]);
     const double low = log(x[0] / f->median), high = log(x[1] / f->median);
     const double sum = fragility_probability(f, x[0]) * rate[0] -
@@ -61,6 +66,40 @@ static double exceedances(const struct fragility *f, const double *x, const doub
                        rate[0] * between(k * low + gsl_pow_2(k * beta) / 2.0, low / beta + k * beta,
                                          high / beta + k * beta);
     return fmax(sum, 0.0);  // it may be below by rounding
+}
+
+// The integrand k P(x) rate(x) over ln x.
+struct mixture {
+    const struct fragility *f;
+    double start, rate, k;
+};
+
+static double mixture_density(double at, void *context) {
+    const struct mixture *m = context;
+    return m->k * m->rate * exp(-m->k * (at - m->start)) * fragility_probability(m->f, exp(at));
+}
+
+// The same rate of a curve with collapses, which has no closed form: by Gauss and Kronrod, on
+// pieces as long as the curve takes to rise.
+static double mixture_exceedances(const struct fragility *f, const double *x, const double *rate) {
+    struct mixture m = {f, log(x[0]), rate[0], log(rate[0] / rate[1]) / log(x[1] / x[0])};
+    gsl_function density = {mixture_density, &m};
+    const double length = log(x[1] / x[0]);
+    const double piece = fmin(f->standing_dispersion, 1.0 / f->logit[1]);
+    const double n = fmin(ceil(length / piece), PIECES_MAX);
+    double sum = 0.0;
+    for (int i = 0; i < (int)n; i++) {
+        double part, error;
+        size_t n_value;
+        gsl_integration_qng(&density, m.start + i / n * length, m.start + (i + 1) / n * length, 0.0,
+                            PIECE_ERROR, &part, &error, &n_value);
+        sum += part;
+    }
+    return sum;
+}
+
+static double exceedances(const struct fragility *f, const double *x, const double *rate) {
+    return f->mixed ? mixture_exceedances(f, x, rate) : lognormal_exceedances(f, x, rate);
 }
 
 // Of the curve at an intensity of the part from point `i` to the next.

@@ -87,3 +87,22 @@ int manifest_check(struct manifest *m, const struct deck_path *file,
     f->seen = now;
     return STATUS_OK;
 }
+
+int manifest_expect(struct manifest *m, const char *name, const struct checksum *sum,
+                    struct error *e) {
+    struct manifest_file *f = find(m, name);
+    f = f ? f : enter(m, name, false);
+    if (!f) {
+        return error_no_memory(e);
+    }
+    if (checksum_equal(sum, &f->sum)) {
+        return STATUS_OK;
+    }
+    const struct checksum meaning = sum_of(f->path, true);  // the file may be an included deck
+    if (f->included || !checksum_equal(sum, &meaning)) {
+        return error_set(e, STATUS_INPUT, "%s", name);
+    }
+    f->included = true;
+    f->sum = meaning;
+    return STATUS_OK;
+}

@@ -35,4 +35,9 @@ void manifest_close(struct manifest *m);
 int manifest_check(struct manifest *m, const struct deck_path *file,
                    const struct manifest_file **entry, struct error *e);
 
+// Enters the file of this name and compares it with `sum`. Errors: STATUS_INPUT with the name (the
+// file has another checksum), STATUS_SYSTEM (no memory).
+int manifest_expect(struct manifest *m, const char *name, const struct checksum *sum,
+                    struct error *e);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include "core/checksum.h"
 #include "deck/parameter.h"
+#include "jostle/numerics.h"
 #include "jostle/study_merge.h"
 
 static struct checksum sum_sweep(const struct sweep *s) {
@@ -137,4 +138,45 @@ int origin_part(const struct plan *p, const struct manifest *m, struct study_par
     }
     *out = (struct study_part){.shard = p->shard, .run = run};
     return STATUS_OK;
+}
+
+// Compares what the runs of a file come from with the study of the text `study`. Errors:
+// STATUS_INPUT with the name of the first difference, STATUS_SYSTEM.
+static int compare_origin(struct manifest *m, const char *study, const struct study_origin *o,
+                          struct error *e) {
+    int length;
+    if (strcmp(o->study, study) != 0) {
+        const char *cause = origin_difference(o->study, study, &length);
+        return error_set(e, STATUS_INPUT, "%.*s", length, cause);
+    }
+    for (int i = 0; i < o->n_source; i++) {
+        const struct study_source *s = &o->source[i];
+        const int status = manifest_expect(m, s->path, &s->sum, e);
+        if (status != STATUS_OK) {
+            return status;
+        }
+    }
+    return STATUS_OK;
+}
+
+int origin_check(struct manifest *m, const struct plan *p, const struct study_view *v,
+                 struct error *e) {
+    const struct study_request study = {.first = p->first,
+                                        .define = p->define,
+                                        .n_define = p->n_define,
+                                        .numerics = NUMERICS_VERSION};
+    const char *current = NULL;
+    if (!v->origin.study) {
+        return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from", v->path);
+    }
+    int status = origin_study(m->arena, &study, p->table->n_value, &current, e);
+    if (status == STATUS_OK && current) {
+        status = compare_origin(m, current, &v->origin, e);
+    }
+    if (status != STATUS_INPUT) {
+        return status;
+    }
+    const struct error cause = *e;
+    return error_set(e, STATUS_INPUT, "%s cannot be computed again: %s has changed since", v->path,
+                     cause.message);
 }

@@ -37,4 +37,10 @@ int origin_describe(const struct study_request *q, const struct manifest *m,
 int origin_part(const struct plan *p, const struct manifest *m, struct study_part *out,
                 struct error *e);
 
+// The deck of the plan must be that of the study of a file, and so must the files that its runs
+// have read. Errors: STATUS_INPUT (something has changed, or the file does not tell),
+// STATUS_SYSTEM.
+int origin_check(struct manifest *m, const struct plan *p, const struct study_view *v,
+                 struct error *e);
+
 #endif

@@ -14,6 +14,7 @@
 #include "study/number_list.h"
 #include "study/plan.h"
 #include "study/roles.h"
+#include "study/selection.h"
 #include "study/trial.h"
 
 struct rerun {
@@ -56,22 +57,11 @@ static int draw(struct rerun *r, struct error *e) {
 // Chooses the runs that the request names.
 static int choose(struct rerun *r, struct error *e) {
     const struct study_rerun_request *q = r->request;
-    for (int k = 0; k < q->n_run; k++) {
-        if (q->run[k] < 1 || q->run[k] > r->view->n_study) {
-            return error_set(e, STATUS_INPUT, "%s has no run %ld; its study has the runs 1 to %ld",
-                             r->view->path, q->run[k], r->view->n_study);
-        }
-        long i = 0;
-        while (i < r->view->n_run && study_view_run(r->view, i) != q->run[k] - 1) {
-            i++;
-        }
-        if (i == r->view->n_run) {
-            return error_set(e, STATUS_INPUT, "%s is part of a study and has no run %ld",
-                             r->view->path, q->run[k]);
-        }
-        r->chosen[i] = 1;
+    int status = STATUS_OK;
+    for (int k = 0; k < q->n_run && status == STATUS_OK; k++) {
+        status = selection_read(r->file, q->run[k], r->chosen, e);
     }
-    return q->n_draw > 0 ? draw(r, e) : STATUS_OK;
+    return status == STATUS_OK && q->n_draw > 0 ? draw(r, e) : status;
 }
 
 // The keys of the runs of the deck, and those of the file.

@@ -231,12 +231,43 @@ static int any_free(const struct study_view *v, const struct roles *r) {
     return any;
 }
 
+static bool is_intensity(const struct sweep *s) {
+    const char *const *name = intensities;
+    while (*name && strcmp(s->name, *name) != 0) {
+        name++;
+    }
+    return *name;
+}
+
+// The first paired sweep of numbers that is free and has the name of an intensity; NULL.
+static const struct sweep *find_paired(const struct study_view *v, const struct roles *r, int *i) {
+    for (*i = 0; *i < v->n_sweep; ++*i) {
+        for (const struct sweep *s = v->sweep[*i]->along; s; s = s->along) {
+            if (r->role[*i] == ROLE_GROUP && s->number && !s->random && is_intensity(s)) {
+                return s;
+            }
+        }
+    }
+    return NULL;
+}
+
+// The abscissa that is not named; -1 after an error. A measured intensity needs none: then the
+// records do, so that other numbers stay groups.
 static int guess_abscissa(const struct study_view *v, const struct suite_request *q,
-                          const struct roles *r, struct error *e) {
-    int i = guess(v, r, intensities, VALUES_NUMBER);
-    if (i < 0 && q->guess == SUITE_ANY) {
+                          struct roles *r, struct error *e) {
+    int paired, i = guess(v, r, intensities, VALUES_NUMBER);
+    const bool named = i >= 0 && is_intensity(v->sweep[i]);
+    r->along = named ? NULL : find_paired(v, r, &paired);
+    if (r->along) {
+        return paired;
+    }
+    if (q->measured && !named) {
+        i = guess(v, r, records, VALUES_TEXT);
+    }
+    if (i < 0 && (q->measured || q->guess == SUITE_ANY)) {
         i = any_free(v, r);
     }
+    r->along = i >= 0 ? v->sweep[i] : NULL;
     if (i < 0) {
         error_set(e, STATUS_INPUT,
                   "%s has no sweep 'im', 'sa' or 'pga'; name the intensity with --im NAME",
@@ -250,7 +281,6 @@ static int find_abscissa(const struct study_view *v, const struct suite_request 
     int i = -1;
     if (!q->abscissa) {
         i = guess_abscissa(v, q, r, e);
-        r->along = i >= 0 ? v->sweep[i] : NULL;
     } else {
         r->along = roles_find_name(v, q->abscissa, strlen(q->abscissa), &i);
         if (!r->along) {
@@ -261,9 +291,7 @@ static int find_abscissa(const struct study_view *v, const struct suite_request 
         return STATUS_INPUT;
     }
     r->abscissa = i;
-    for (const char *const *name = intensities; *name; name++) {
-        r->is_intensity = r->is_intensity || strcmp(r->along->name, *name) == 0;
-    }
+    r->is_intensity = is_intensity(r->along);
     return set_role(v, r, i, ROLE_ABSCISSA, e);
 }
 

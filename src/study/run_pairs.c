@@ -209,11 +209,14 @@ int run_pairs_open(struct run_pairs *p, struct study_file *first, struct study_f
     const long n[2] = {p->view[0]->n_run, p->view[1]->n_run}, sum = n[0] + n[1];
     struct entry *entry = calloc((size_t)sum + 1, sizeof *entry);
     p->pair = p->arena ? arena_alloc(p->arena, (size_t)sum, sizeof *p->pair) : NULL;
-    int status = entry && p->pair ? STATUS_OK : error_no_memory(e);
-    for (long i = 0; i < sum && status == STATUS_OK; i++) {
+    if (!entry || !p->pair) {
+        free(entry);
+        return error_no_memory(e);
+    }
+    for (long i = 0; i < sum; i++) {
         entry[i] = (struct entry){.side = i >= n[0], .row = i < n[0] ? i : i - n[0]};
     }
-    status = status == STATUS_OK ? make_pairs(p, entry, sum, e) : status;
+    const int status = make_pairs(p, entry, sum, e);
     free(entry);
     return status;
 }

@@ -1,40 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/sensitivity.h"
 
-#include <gsl/gsl_sort.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "deck/random.h"
 #include "motion/record_cache.h"
+#include "study/design.h"
 #include "study/trial.h"
 #include "study/workers.h"
 
-enum { VALUES_MIN = 4 };
-
-// A design: which value each parameter has in which run.
-struct design {
-    const struct sensitivity_request *request;
+// The runs of a design.
+struct runs_of_design {
+    struct design design;
     struct sensitivity *out;
     struct record_cache *records;
-    size_t **order;  // (n_parameter) (n) its values in ascending order, by their numbers
-    double **rank;   // (n_parameter) (n) probability of a smaller value than this one
-    long n_set;      // of values of the parameters
     double *demand;  // (n_group, n_set)
+    // The first run that failed or collapsed, by its number, and why it failed. Under the lock.
+    long bad;
+    struct study_outcome outcome;
 };
-
-// Number of the value of parameter `i` in set `set`.
-static size_t design_choice(const struct design *d, long set, int i) {
-    if (d->request->method == SENSITIVITY_VARIANCE) {
-        const long row = set / (d->out->n_parameter + SOBOL_PARAMETER);
-        const long column = set % (d->out->n_parameter + SOBOL_PARAMETER);
-        const bool from_b = column == SOBOL_B || column == SOBOL_PARAMETER + i;
-        return (size_t)(row + (from_b ? d->out->n_value / 2 : 0));
-    }
-    // Set 0 has all medians, sets 1 + 2 i and 2 + 2 i the two quantiles of parameter i.
-    const double share = d->request->share;
-    const double fraction = set == 1 + 2L * i ? share : set == 2 + 2L * i ? 1.0 - share : 0.5;
-    return d->order[i][lround(fraction * (d->out->n_value - 1))];
-}
 
 // Which parameter a sweep is; -1: none.
 static int parameter_of(const struct sensitivity *s, const struct sweep *sweep) {
@@ -53,50 +39,71 @@ struct chosen_set {
 
 static const double *number_in_set(const void *context, const struct sweep *sweep) {
     const struct chosen_set *c = context;
-    const int i = parameter_of(c->design->out, sweep);
-    return i < 0 ? NULL : &sweep->number[design_choice(c->design, c->set, i)];
+    const int i = parameter_of(c->design->of, sweep);
+    return i < 0 ? NULL : &c->design->value[design_at(c->design, c->set, i)];
 }
 
 static int do_job(void *context, struct workers *workers, long number, void *scratch,
                   struct error *e) {
-    const struct design *d = context;
-    const struct chosen_set set = {d, number / d->out->n_group};
-    const long group = number % d->out->n_group;
+    struct runs_of_design *r = context;
+    const struct chosen_set set = {&r->design, number / r->out->n_group};
+    const long group = number % r->out->n_group;
+    double *demand = &r->demand[group * r->design.n_set + set.set];
     struct study_outcome outcome;
     struct plan_fixed at;
-    plan_fix(d->request->plan, number_in_set, &set, &at);
+    plan_fix(r->design.request->plan, number_in_set, &set, &at);
     const struct trial_question question = {.plan = &at.plan,
                                             .run = group,
-                                            .edp = &d->request->edp,
-                                            .records = d->records,
+                                            .edp = &r->design.request->edp,
+                                            .records = r->records,
                                             .workers = workers,
                                             .all = scratch};
-    return trial_ask(&question, &d->demand[group * d->n_set + set.set], &outcome, e);
+    const int status = trial_ask(&question, demand, &outcome, e);
+    if (status == STATUS_OK && !isfinite(*demand)) {
+        workers_lock(workers);
+        r->out->n_failed += outcome.status == STUDY_FAILED;
+        r->out->n_collapsed += outcome.status != STUDY_FAILED;
+        if (number < r->bad) {
+            r->bad = number;
+            r->outcome = outcome;
+        }
+        workers_unlock(workers);
+    }
+    return status;
 }
 
 static int poll_design(void *context, struct workers *workers, long n_done, struct error *e) {
-    const struct sensitivity_request *q = ((const struct design *)context)->request;
+    const struct sensitivity_request *q = ((const struct runs_of_design *)context)->design.request;
     (void)workers;
     return q->poll ? q->poll(q->context, n_done, e) : STATUS_OK;
 }
 
-// Sorts the values of each parameter. False: no memory.
-static bool design_rank(struct design *d, struct arena *a) {
-    const size_t n = (size_t)d->out->n_value, n_parameter = (size_t)d->out->n_parameter;
-    d->order = arena_alloc(a, n_parameter, sizeof *d->order);
-    d->rank = arena_alloc(a, n_parameter, sizeof *d->rank);
-    for (size_t i = 0; d->order && d->rank && i < n_parameter; i++) {
-        d->order[i] = arena_alloc(a, n, sizeof *d->order[i]);
-        d->rank[i] = arena_alloc(a, n, sizeof *d->rank[i]);
-        if (!d->order[i] || !d->rank[i]) {
-            return false;
-        }
-        gsl_sort_index(d->order[i], d->out->parameter[i]->number, 1, n);
-        for (size_t k = 0; k < n; k++) {
-            d->rank[i][d->order[i][k]] = ((double)k + 0.5) / (double)n;
+static void append(struct sensitivity *s, const char *name, double value) {
+    const size_t used = strlen(s->why);
+    snprintf(s->why + used, sizeof s->why - used, "%s%s = %.6g", used > 0 ? ", " : "", name, value);
+}
+
+// Says at which values the first bad run is, and why it has no demand.
+static void explain(const struct runs_of_design *r) {
+    struct sensitivity *s = r->out;
+    int choice[STUDY_SWEEPS_MAX], n = 0;
+    plan_choose(&s->others.plan, r->bad % s->n_group, choice);
+    for (int i = 0; i < s->n_parameter; i++) {
+        append(s, s->parameter[i]->name,
+               r->design.value[design_at(&r->design, r->bad / s->n_group, i)]);
+    }
+    for (const struct sweep *v = s->others.plan.first->deck->sweeps; v; v = v->next, n++) {
+        if (!v->fixed && v->number) {
+            append(s, v->name, v->number[choice[n]]);
+        } else if (!v->fixed) {
+            const size_t used = strlen(s->why);
+            snprintf(s->why + used, sizeof s->why - used, ", %s = %s", v->name,
+                     v->label[choice[n]]);
         }
     }
-    return d->order && d->rank;
+    const size_t used = strlen(s->why);
+    snprintf(s->why + used, sizeof s->why - used, ": %s",
+             r->outcome.status == STUDY_FAILED ? r->outcome.message : "it collapsed");
 }
 
 // Sorts the parameters by what `size` says, the largest first.
@@ -111,44 +118,58 @@ static void set_order(const struct sensitivity *s, double *size, struct sensitiv
     }
 }
 
-static void find_swings(const struct design *d, long group, double *size) {
-    struct sensitivity_group *to = &d->out->group[group];
-    const double *demand = d->demand + group * d->n_set;
+static void find_swings(const struct runs_of_design *r, long group, double *size) {
+    const struct design *d = &r->design;
+    struct sensitivity_group *to = &r->out->group[group];
+    const double *demand = r->demand + group * d->n_set;
     to->middle = demand[0];
-    for (int i = 0; i < d->out->n_parameter; i++) {
+    for (int i = 0; i < r->out->n_parameter; i++) {
         for (int k = 0; k < 2; k++) {
             const long set = 1 + 2L * i + k;
-            to->swing[i].at[k] = d->out->parameter[i]->number[design_choice(d, set, i)];
+            to->swing[i].at[k] = d->value[design_at(d, set, i)];
             to->swing[i].demand[k] = demand[set];
         }
         size[i] = fabs(to->swing[i].demand[1] - to->swing[i].demand[0]);
     }
 }
 
-static int find_shares(const struct design *d, long group, struct arena *a, double *size,
+static int find_effects(const struct runs_of_design *r, long group, double *size, struct error *e) {
+    struct sensitivity_group *to = &r->out->group[group];
+    const struct design *d = &r->design;
+    const int status = morris_find(&d->morris, r->demand + group * d->n_set, d->u[1] - d->u[0],
+                                   to->effect, &to->n_left_out, e);
+    for (int i = 0; i < r->out->n_parameter; i++) {
+        size[i] = to->effect[i].mu_star.value;
+    }
+    return status;
+}
+
+static int find_shares(const struct runs_of_design *r, long group, struct arena *a, double *size,
                        struct error *e) {
-    struct sensitivity_group *to = &d->out->group[group];
-    const int n_parameter = d->out->n_parameter;
-    const size_t n = (size_t)(d->out->n_value / 2);
+    struct sensitivity_group *to = &r->out->group[group];
+    const int n_parameter = r->out->n_parameter;
+    const size_t n = (size_t)r->out->n_row;
     double *step = arena_alloc(a, (size_t)n_parameter * n, sizeof *step);
     if (!step) {
         return error_no_memory(e);
     }
     for (int i = 0; i < n_parameter; i++) {
+        const double *u = r->design.u + (long)i * r->design.n_level;
         for (size_t k = 0; k < n; k++) {
-            step[(size_t)i * n + k] = d->rank[i][k + n] - d->rank[i][k];
+            step[(size_t)i * n + k] = u[k + n] - u[k];
         }
     }
-    const struct sobol_runs runs = {n, n_parameter, d->demand + group * d->n_set, step};
+    const struct sobol_runs runs = {n, n_parameter, r->demand + group * r->design.n_set, step};
     const int status = sobol_find(&runs, to->share, &to->summary, e);
+    to->n_left_out = to->summary.n_left_out;
     for (int i = 0; i < n_parameter; i++) {
         size[i] = to->share[i].total.value;
     }
     return status;
 }
 
-static int conclude(const struct design *d, struct arena *a, struct error *e) {
-    struct sensitivity *s = d->out;
+static int conclude(const struct runs_of_design *r, struct arena *a, struct error *e) {
+    struct sensitivity *s = r->out;
     const size_t n = (size_t)s->n_parameter;
     double *size = arena_alloc(a, n, sizeof *size);
     s->group = arena_alloc(a, (size_t)s->n_group, sizeof *s->group);
@@ -159,38 +180,22 @@ static int conclude(const struct design *d, struct arena *a, struct error *e) {
     for (long g = 0; g < s->n_group && status == STATUS_OK; g++) {
         struct sensitivity_group *to = &s->group[g];
         *to = (struct sensitivity_group){.swing = arena_alloc(a, n, sizeof *to->swing),
+                                         .effect = arena_alloc(a, n, sizeof *to->effect),
                                          .share = arena_alloc(a, n, sizeof *to->share),
                                          .order = arena_alloc(a, n, sizeof *to->order)};
-        if (!to->swing || !to->share || !to->order) {
+        if (!to->swing || !to->effect || !to->share || !to->order) {
             return error_no_memory(e);
         }
-        if (d->request->method == SENSITIVITY_VARIANCE) {
-            status = find_shares(d, g, a, size, e);
+        if (r->design.request->method == SENSITIVITY_VARIANCE) {
+            status = find_shares(r, g, a, size, e);
+        } else if (r->design.request->method == SENSITIVITY_MORRIS) {
+            status = find_effects(r, g, size, e);
         } else {
-            find_swings(d, g, size);
+            find_swings(r, g, size);
         }
         set_order(s, size, to);
     }
     return status;
-}
-
-// Random sweeps are paired: an error where one that is not random goes with them, or where these
-// have another number of values than those before.
-static int check_sweep(const struct sweep *s, int *n_value, struct error *e) {
-    if (sweep_named(s->along)) {
-        return error_set(e, STATUS_INPUT,
-                         "'%s' is paired with '%s', which is not random: it cannot change alone",
-                         s->along->name, sweep_named(s->along)->name);
-    }
-    for (const struct sweep *v = s->along; v; v = v->along) {
-        if (*n_value > 0 && v->n != *n_value) {
-            return error_set(e, STATUS_INPUT,
-                             "'%s' has %d values and others %d; give all random sweeps as many",
-                             v->name, v->n, *n_value);
-        }
-        *n_value = v->n;
-    }
-    return STATUS_OK;
 }
 
 static bool has_random(const struct sweep *s) {
@@ -201,15 +206,20 @@ static bool has_random(const struct sweep *s) {
     return random && !s->fixed;
 }
 
-// Finds the parameters, their number of values, and how many combinations the other sweeps have.
+// Finds the parameters, and how many combinations the other sweeps have.
 static int find_parameters(const struct plan *p, struct sensitivity *out, struct error *e) {
-    int status = STATUS_OK;
     out->n_group = p->n_run;
-    for (const struct sweep *s = p->first->deck->sweeps; s && status == STATUS_OK; s = s->next) {
+    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
         if (!has_random(s)) {
             continue;
         }
-        status = check_sweep(s, &out->n_value, e);
+        const struct sweep *other = sweep_named(s->along);
+        if (other) {
+            return error_set(
+                e, STATUS_INPUT,
+                "'%s' is paired with '%s', which is not random: it cannot change alone",
+                s->along->name, other->name);
+        }
         out->n_group /= s->n;
         for (const struct sweep *v = s->along; v; v = v->along) {
             if (out->n_parameter < PLAN_PAIRED_MAX) {
@@ -218,22 +228,28 @@ static int find_parameters(const struct plan *p, struct sensitivity *out, struct
             out->n_parameter++;
         }
     }
-    if (status == STATUS_OK && (out->n_parameter == 0 || out->n_value < VALUES_MIN)) {
-        return error_set(e, STATUS_INPUT,
-                         out->n_parameter == 0
-                             ? "the deck has no parameter that is random: sweep NAME random ..."
-                             : "the random sweeps need %d values (-n) or more",
-                         VALUES_MIN);
-    }
-    return status == STATUS_OK && out->n_parameter > PLAN_PAIRED_MAX
+    return out->n_parameter == 0
+               ? error_set(e, STATUS_INPUT,
+                           "the deck has no parameter that is random: sweep NAME random ...")
+           : out->n_parameter > PLAN_PAIRED_MAX
                ? error_set(e, STATUS_INPUT, "more than %d random sweeps", PLAN_PAIRED_MAX)
-               : status;
+               : STATUS_OK;
 }
 
-static long count_sets(const struct sensitivity_request *q, const struct sensitivity *s) {
-    return q->method == SENSITIVITY_VARIANCE
-               ? (long)(s->n_parameter + SOBOL_PARAMETER) * (s->n_value / 2)
-               : 1 + 2L * s->n_parameter;
+// Effects of one parameter have no meaning if another one follows it.
+static int check_independence(const struct sensitivity *s, struct error *e) {
+    for (int i = 0; i < s->n_parameter; i++) {
+        for (int k = 0; k < s->n_parameter; k++) {
+            const struct sweep *of = s->parameter[i], *other = s->parameter[k];
+            if (random_is_correlated(of->law, other->law)) {
+                return error_set(e, STATUS_INPUT,
+                                 "'%s' is correlated with '%s': it does not change alone; fix one "
+                                 "of them with -D, or leave out -correlated",
+                                 of->name, other->name);
+            }
+        }
+    }
+    return STATUS_OK;
 }
 
 int sensitivity_find(const struct sensitivity_request *q, struct arena *a, struct sensitivity *out,
@@ -243,40 +259,59 @@ int sensitivity_find(const struct sensitivity_request *q, struct arena *a, struc
     if (!parameter) {
         return error_no_memory(e);
     }
-    const int status = find_parameters(q->plan, out, e);
+    int status = find_parameters(q->plan, out, e);
+    if (status == STATUS_OK) {
+        status = check_independence(out, e);
+    }
     if (status != STATUS_OK) {
         return status;
     }
-    const double n = (double)count_sets(q, out) * (double)out->n_group;
+    out->n_row = q->n_row > 0 ? q->n_row : out->parameter[0]->n / 2;
+    if (q->method != SENSITIVITY_ONE_AT_A_TIME && out->n_row < 2) {
+        return error_set(e, STATUS_INPUT, "'%s' has %d values (-n); at least 4 are needed",
+                         out->parameter[0]->name, out->parameter[0]->n);
+    }
+    const double n = (double)design_count_sets(q, out) * (double)out->n_group;
     out->n_run = (long)fmin(n, 2.0 * STUDY_RUNS_MAX);
     return out->n_run <= STUDY_RUNS_MAX
                ? STATUS_OK
                : error_set(e, STATUS_INPUT, "%.6g runs; at most %d are made", n, STUDY_RUNS_MAX);
 }
 
-int sensitivity_run(const struct sensitivity_request *q, struct arena *a, struct sensitivity *s,
-                    struct error *e) {
-    struct design d = {.request = q,
-                       .out = s,
-                       .records = record_cache_create(RECORD_CACHE_BYTES),
-                       .n_set = count_sets(q, s),
-                       .demand = arena_alloc(a, (size_t)s->n_run, sizeof *d.demand)};
-    const struct chosen_set first = {&d, 0};
+static int make_runs(const struct sensitivity_request *q, struct runs_of_design *r, struct arena *a,
+                     struct error *e) {
+    struct sensitivity *s = r->out;
+    const struct chosen_set first = {&r->design, 0};
     const struct workers_request request = {
         .n_thread = s->n_run < q->n_thread ? (int)s->n_run : q->n_thread,
         .scratch = (q->plan->table->n_value + 1) * sizeof(double),
         .n_job = s->n_run,
         .work = do_job,
         .poll = poll_design,
-        .context = &d};
-    int status = STATUS_OK;
-    if (d.records && d.demand && design_rank(&d, a)) {
-        plan_fix(q->plan, number_in_set, &first, &s->others);
-        status = workers_run(&request, e);
-        status = status == STATUS_OK ? conclude(&d, a, e) : status;
-    } else {
-        status = error_no_memory(e);
+        .context = r};
+    plan_fix(q->plan, number_in_set, &first, &s->others);
+    int status = workers_run(&request, e);
+    if (status == STATUS_OK && r->bad < s->n_run) {
+        explain(r);
     }
-    record_cache_free(d.records);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = conclude(r, a, e);
+    const struct error cause = *e;
+    return status == STATUS_FAILED ? error_set(e, status, "%s; %s", cause.message, s->why) : status;
+}
+
+int sensitivity_run(const struct sensitivity_request *q, struct arena *a, struct sensitivity *s,
+                    struct error *e) {
+    struct runs_of_design r = {.out = s,
+                               .records = record_cache_create(RECORD_CACHE_BYTES),
+                               .demand = arena_alloc(a, (size_t)s->n_run, sizeof *r.demand),
+                               .bad = s->n_run};
+    int status = r.records && r.demand ? design_init(&r.design, q, s, a, e) : error_no_memory(e);
+    if (status == STATUS_OK) {
+        status = make_runs(q, &r, a, e);
+    }
+    record_cache_free(r.records);
     return status;
 }

@@ -10,7 +10,7 @@
 
 #include "study/percentile.h"
 
-enum { BOOTSTRAPS = 1000, SEED = 1 };
+enum { SEED = 1 };
 
 static const double CONFIDENCE = 0.95;
 
@@ -55,15 +55,14 @@ static void shares(const struct rows *r, int i, double *first, double *total) {
     *total = variance > 0.0 ? left / (2.0 * (double)r->n * variance) : (double)NAN;
 }
 
-// The interval between the quantiles of the bootstraps, which it sorts.
-static void set_interval(double *bootstrap, struct sobol_index *index) {
-    gsl_sort(bootstrap, 1, BOOTSTRAPS);
-    index->low = percentile_sorted(bootstrap, BOOTSTRAPS, (1.0 - CONFIDENCE) / 2.0);
-    index->high = percentile_sorted(bootstrap, BOOTSTRAPS, (1.0 + CONFIDENCE) / 2.0);
+void sobol_set_interval(double *bootstrap, struct sobol_index *index) {
+    gsl_sort(bootstrap, 1, SOBOL_BOOTSTRAPS);
+    index->low = percentile_sorted(bootstrap, SOBOL_BOOTSTRAPS, (1.0 - CONFIDENCE) / 2.0);
+    index->high = percentile_sorted(bootstrap, SOBOL_BOOTSTRAPS, (1.0 + CONFIDENCE) / 2.0);
 }
 
 static void find_share(const struct rows *r, int i, gsl_rng *random, struct sobol_share *to) {
-    double first[BOOTSTRAPS], total[BOOTSTRAPS];
+    double first[SOBOL_BOOTSTRAPS], total[SOBOL_BOOTSTRAPS];
     const double *step = r->runs->step + (size_t)i * r->runs->n;
     for (size_t k = 0; k < r->n; k++) {
         r->drawn[k] = k;
@@ -73,14 +72,14 @@ static void find_share(const struct rows *r, int i, gsl_rng *random, struct sobo
     shares(r, i, &to->first.value, &to->total.value);
     to->scatter = gsl_stats_sd(r->effect, 1, r->n);
     to->effect = gsl_stats_absdev_m(r->effect, 1, r->n, 0.0);
-    for (int b = 0; b < BOOTSTRAPS; b++) {
+    for (int b = 0; b < SOBOL_BOOTSTRAPS; b++) {
         for (size_t k = 0; k < r->n; k++) {
             r->drawn[k] = gsl_rng_uniform_int(random, r->n);
         }
         shares(r, i, &first[b], &total[b]);
     }
-    set_interval(first, &to->first);
-    set_interval(total, &to->total);
+    sobol_set_interval(first, &to->first);
+    sobol_set_interval(total, &to->total);
 }
 
 // Takes the rows in which all runs have a finite demand.

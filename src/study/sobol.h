@@ -23,6 +23,8 @@ struct sobol_runs {
     const double *step;    // (n_parameter, n) p_B - p_A
 };
 
+enum { SOBOL_BOOTSTRAPS = 1000 };
+
 // An index and the interval in which it is with a confidence of 95 %, by 1000 bootstraps of the
 // rows.
 struct sobol_index {
@@ -41,6 +43,9 @@ struct sobol_summary {
     double mean, deviation;  // of the demand, over A and B
     size_t n_left_out;       // rows
 };
+
+// Sets the interval from the values (SOBOL_BOOTSTRAPS) of bootstraps, which are sorted.
+void sobol_set_interval(double *bootstrap, struct sobol_index *index);
 
 // Fills `share` (n_parameter). Errors: STATUS_FAILED (fewer than two rows), STATUS_SYSTEM.
 int sobol_find(const struct sobol_runs *runs, struct sobol_share *share, struct sobol_summary *out,

@@ -17,7 +17,8 @@ struct maker {
     struct roles roles;
     double *value, *reached;
     bool *hit, *collapsed;
-    int *place;  // (values of the abscissa) the place of each among the points
+    long *row, n_row;  // of the file; those read
+    int *place;        // (values of the abscissa) the place of each among the points
     bool no_memory;
 };
 
@@ -181,6 +182,7 @@ static int take_run(void *context, const struct study_run *r, struct error *e) {
     struct maker *m = context;
     struct suite *s = m->s;
     const struct study_outcome *outcome = r->outcome;
+    const long row = m->n_row++;
     int k[STUDY_SWEEPS_MAX];
     bool looked_at = outcome->status == STUDY_DONE || outcome->status == STUDY_FAILED;
     for (int i = 0; i < s->view->n_sweep; i++) {
@@ -196,6 +198,7 @@ static int take_run(void *context, const struct study_run *r, struct error *e) {
     const size_t at = (group * (size_t)s->n_sample + sample) * (size_t)s->n_point +
                       (size_t)m->place[k[m->roles.abscissa]];
     int place;
+    m->row[at] = row;
     m->value[at] = edp_value(&s->edp, r->value, &place);
     m->reached[at] = m->value[at];
     m->collapsed[at] = outcome->status == STUDY_DONE && edp_collapsed(s->view, r->value);
@@ -233,6 +236,7 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     const struct sweep *dimension = v->sweep[m->roles.abscissa];
     s->abscissa = m->roles.along;
     s->is_intensity = m->roles.is_intensity;
+    s->im = s->abscissa->name;
     s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &s->abscissa_size);
     s->abscissa_units =
         dimension_equal(s->abscissa_dimension, dimension_none) ? "" : s->abscissa->units;
@@ -246,18 +250,16 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     s->n_sample = roles_count(v, &m->roles, ROLE_SAMPLE);
     s->n_group = roles_count(v, &m->roles, ROLE_GROUP);
     s->n_run = (long)s->n_point * s->n_sample * s->n_group;
-    m->value = take(m, (size_t)s->n_run, sizeof *m->value);
-    m->reached = take(m, (size_t)s->n_run, sizeof *m->reached);
-    m->collapsed = take(m, (size_t)s->n_run, sizeof *m->collapsed);
-    m->hit = take(m, (size_t)s->n_run, sizeof *m->hit);
-    s->value = m->value;
-    s->reached = m->reached;
-    s->collapsed = m->collapsed;
-    s->hit = m->hit;
+    s->value = m->value = take(m, (size_t)s->n_run, sizeof *m->value);
+    s->reached = m->reached = take(m, (size_t)s->n_run, sizeof *m->reached);
+    s->collapsed = m->collapsed = take(m, (size_t)s->n_run, sizeof *m->collapsed);
+    s->hit = m->hit = take(m, (size_t)s->n_run, sizeof *m->hit);
+    s->row = m->row = take(m, (size_t)s->n_run, sizeof *m->row);
     order_points(m);
     s->n_missing = s->n_run;
-    for (long i = 0; m->value && m->reached && i < s->n_run; i++) {
+    for (long i = 0; !m->no_memory && i < s->n_run; i++) {
         m->value[i] = m->reached[i] = NAN;
+        m->row[i] = -1;
     }
     if (!m->no_memory) {
         name_roles(m);
@@ -300,6 +302,27 @@ void suite_free(struct suite *s) {
     }
 }
 
+int suite_measure(struct suite *s, const struct measure *m, const double *value, struct error *e) {
+    double *intensity = arena_alloc(s->arena, (size_t)s->n_run, sizeof *intensity);
+    double *demand = arena_alloc(s->arena, (size_t)s->n_run, sizeof *demand);
+    if (!intensity || !demand) {
+        return error_no_memory(e);
+    }
+    for (long i = 0; i < s->n_run; i++) {
+        const double x = s->row[i] < 0 ? NAN : value[s->row[i]];
+        intensity[i] = isnan(x) ? 0.0 : x;
+        demand[i] = isnan(x) ? NAN : s->value[i];
+        s->n_unplaced += isnan(x) && !isnan(s->value[i]);
+    }
+    s->intensity = intensity;
+    s->value = demand;
+    s->im = m->text;
+    s->is_intensity = true;
+    s->abscissa_dimension = edp_units(m->units, s->view->units.gravity, &s->abscissa_size);
+    s->abscissa_units = unit_suffix(m->units);
+    return STATUS_OK;
+}
+
 int suite_group_choice(const struct suite *s, int group, int i) {
     for (int k = s->n_group_sweep - 1; k > i; k--) {
         group /= s->view->sweep[s->group_sweep[k]]->n;
@@ -310,6 +333,10 @@ int suite_group_choice(const struct suite *s, int group, int i) {
 static size_t place_of(const struct suite *s, int group, int sample, int point) {
     const size_t row = (size_t)group * (size_t)s->n_sample + (size_t)sample;
     return row * (size_t)s->n_point + (size_t)point;
+}
+
+double suite_intensity(const struct suite *s, int group, int sample, int point) {
+    return s->intensity ? s->intensity[place_of(s, group, sample, point)] : s->point[point];
 }
 
 double suite_value(const struct suite *s, int group, int sample, int point) {

@@ -68,6 +68,25 @@ expect "a limit is searched by default over all gaps that matter" '[ $status -eq
 expect "a limit on a contact has no value without contact" '! grep -qi "without any contact\|no contact" "$out"'
 expect "the scan is shown" '[ "$(grep -cE "^ .* (met|exceeded) " "$out")" -eq 33 ]'
 
+cat >tall.deck <<'END'
+units kN m s
+building A -floors 10 -mass 1t -stiffness 1MN/m -height 3m
+building B -floors 7 -mass 1t -stiffness 1MN/m -height 3m
+initial A -displacement 10mm
+contact A:7 B:7 -gap 100mm -law linear -k 1e5
+contact A:10 wall -gap 100mm -law linear -k 1e5
+step fixed 1ms
+duration 0.1
+END
+run "$jostle" gap tall.deck --tsv --gb 8 --gb-type frame-wall --ntc II --factor 3 --factor A=2
+# B is 21 m high, 6 m above 15 m: 70 % of 100 mm + 20 mm 6/3; A is 30 m high: 70 % of 200 mm. Zone
+# II: 0.003 of 21 m and of 30 m, with twice 10 mm of A, at least 50 mm.
+expect "rules by height are those computed by hand, with factors of displacements" '[ $status -eq 0 ] && awk -F "\t" "function near(x, y) { return x - y < 1e-9 && y - x < 1e-9 } NR == 1 { for (i = 1; i <= NF; i++) at[\$i] = i } NR == 2 { good = near(\$at[\"u_left [m]\"], 0.01) && near(\$at[\"absolute_sum [m]\"], 0.02) && near(\$at[\"gb50011 [m]\"], 0.1) && near(\$at[\"ntc2004 [m]\"], 0.146) } NR == 3 { good = good && near(\$at[\"gb50011 [m]\"], 0.14) && near(\$at[\"ntc2004 [m]\"], 0.11) } END { exit !good }" "$out"'
+run "$jostle" gap tall.deck --gb 8 --factor B=1.5
+expect "and have a table, with their formula and what the user gave" 'grep -qE "^A:7-B:7 +21 +21 +30 +21 +0\.14 " "$out" && grep -qE "^A:10-wall +30 +- +30 +- +0\.2 " "$out" && grep -q "^    here step = 3 m, share = 1$" "$out" && grep -q "^The rules multiply the displacements of B by 1.5.$" "$out" && ! grep -q "NTC" "$out" && ! grep -qE "^.{101,}" "$out"'
+run "$jostle" gap tall.deck --gb 9 --ntc III
+expect "both rules fit a line of 100 characters" '! grep -qE "^.{101,}" "$out"'
+
 cat >away.deck <<'END'
 building A -floors 1 -mass 1 -stiffness 40
 building B -floors 1 -mass 1 -stiffness 0
@@ -97,6 +116,17 @@ for option in --limit --range --tolerance --percentile --parameter; do
     refuses "$option is given twice" swing.deck $option 1 $option 2
 done
 refuses "--range goes with --limit" swing.deck --range 0:1:3
+refuses "--gb takes a whole number from 6 to 9, not '5'" swing.deck --gb 5
+refuses "--gb-type is frame or frame-wall or wall, not 'steel'" swing.deck --gb 7 --gb-type steel
+refuses "--gb-type goes with --gb" swing.deck --gb-type wall
+refuses "--ntc is I or II or III, not 'IV'" swing.deck --ntc IV
+refuses "--gb needs the storey heights of building A" swing.deck --gb 7
+refuses "--ntc needs the storey heights of building A" swing.deck --ntc I
+refuses "--factor is for the rules, which --limit does not apply" swing.deck --limit impacts=0 --factor 2
+refuses "--gb is for the rules, which --limit does not apply" swing.deck --limit impacts=0 --gb 7
+for factor in C=2 A=0 A= x -1 A=2s; do
+    refuses "--factor takes a number > 0 or BUILDING=NUMBER, not '$factor'" swing.deck "--factor=$factor"
+done
 run "$jostle" gap swing.deck --limit acceleration:A=20
 expect "and so does each value" 'awk "/\\[g\\]/ { head = 1 } head && \$1 ~ /^[0-9]/ { n++; if (\$2 < 9.80 * \$3 || \$2 > 9.81 * \$3) bad = 1 } END { exit bad || n < 3 }" "$out"'
 expect "a limit of accelerations shows g too" 'grep -q "^largest acceleration:A at most 20 m/s^2 (2.039 g) in all 3 runs$" "$out"'

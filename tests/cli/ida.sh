@@ -17,27 +17,44 @@ END
 "$jostle" run linear.deck -q -D im=1 -o unit.h5
 "$jostle" show unit.h5 --wide --edp drift | cut -f 2,3,5 >unit.tsv
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --tsv
-expect "a search of each sample ends with 0" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 7 ] && head -n 1 "$out" | grep -qxP "record\tmass\tbelow\tabove\tdemand \[m\]\truns\toutcome\tedp\tlimit \[m\]\tmedian\tdispersion"'
+expect "a search of each sample ends with 0" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 7 ] && head -n 1 "$out" | grep -qxP "record\tmass\tbelow\tabove\tcapacity\tdemand \[m\]\truns\toutcome\tedp\tlimit \[m\]\tmedian\tdispersion"'
 expect "the demand reaches the limit between both intensities" 'awk -F "\t" "
     NR == FNR { unit[\$1, \$2] = \$3; next }
-    FNR > 1 { n++; u = unit[\$1, \$2]; if (!(u > 0 && \$3 * u <= 0.02 && \$4 * u > 0.02 && \$4 < 1.0011 * \$3 && \$5 <= 0.02 && \$5 > 0.01998)) bad = 1 }
+    FNR > 1 { n++; u = unit[\$1, \$2]; if (!(u > 0 && \$3 * u <= 0.02 && \$4 * u > 0.02 && \$4 < 1.0011 * \$3 && \$6 <= 0.02 && \$6 > 0.01998 && (d = \$5 * u / 0.02 - 1) * d < 1e-18)) bad = 1 }
     END { exit bad || n != 6 }" <(tail -n +2 unit.tsv) "$out"'
-awk -F '\t' 'NR > 1 && $2 == 2 { x = (log($3) + log($4)) / 2; n++; s += x; q += x * x } END { printf "%.9g\t%.9g\n", exp(s / n), sqrt((q - s * s / n) / (n - 1)) }' "$out" >fit.tsv
-expect "the curve is that of the mean and the scatter of the logarithms" 'awk -F "\t" "NR == FNR { m = \$1; d = \$2; next } FNR > 1 && \$2 == 2 { n++; if (\$10 / m > 1 + 1e-8 || m / \$10 > 1 + 1e-8 || \$11 / d > 1 + 1e-6 || d / \$11 > 1 + 1e-6) bad = 1 } END { exit bad || n != 3 }" fit.tsv "$out"'
+awk -F '\t' 'NR > 1 && $2 == 2 { x = log($5); n++; s += x; q += x * x } END { printf "%.9g\t%.9g\n", exp(s / n), sqrt((q - s * s / n) / (n - 1)) }' "$out" >fit.tsv
+expect "the curve is that of the mean and the scatter of the logarithms" 'awk -F "\t" "NR == FNR { m = \$1; d = \$2; next } FNR > 1 && \$2 == 2 { n++; if (\$11 / m > 1 + 1e-8 || m / \$11 > 1 + 1e-8 || \$12 / d > 1 + 1e-6 || d / \$12 > 1 + 1e-6) bad = 1 } END { exit bad || n != 3 }" fit.tsv "$out"'
 cp "$out" one.tsv
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --tsv -j 3
 expect "threads change nothing" 'cmp one.tsv "$out"'
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --tolerance 0.1% --over record --points --tsv
-expect "--points has every run" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq "$(awk -F "\t" "NR > 1 { n += \$6 } END { print n + 1 }" one.tsv)" ] && awk -F "\t" "FNR > 1 && (\$4 > 0.02) != \$5 { bad = 1 } END { exit bad }" "$out"'
+expect "--points has every run" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq "$(awk -F "\t" "NR > 1 { n += \$7 } END { print n + 1 }" one.tsv)" ] && awk -F "\t" "FNR > 1 && (\$4 > 0.02) != \$5 { bad = 1 } END { exit bad }" "$out"'
 # With a hazard curve that is straight in logarithms the rate is H(median) exp((k beta)^2 / 2).
 printf '1e-6 1e12\n1e6 1e-12\n' >hazard.txt
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt --tsv
-expect "a hazard curve gives the annual rate" '[ $status -eq 0 ] && awk -F "\t" "NR > 1 { want = \$10 ^ -2 * exp(2 * \$11 ^ 2); d = \$12 / want - 1; n += d * d < 1e-18 } END { exit !(n == NR - 1 && n > 1) }" "$out"'
+expect "a hazard curve gives the annual rate" '[ $status -eq 0 ] && awk -F "\t" "NR > 1 { want = \$11 ^ -2 * exp(2 * \$12 ^ 2); d = \$13 / want - 1; n += d * d < 1e-18 } END { exit !(n == NR - 1 && n > 1) }" "$out"'
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt
 expect "and so does the text" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -qE "^exceeded [0-9.e+]+ times a year, once in [0-9.e-]+ years; probability in 50 years [0-9.]+ %$" "$out"'
 printf '0.001 1e-3\n0.002 1e-4\n' >hazard.txt
 run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --hazard hazard.txt --tsv
 expect "a curve that is too short for a rate is told for each group" '[ $status -eq 0 ] && [ "$(grep -c "warning: the hazard curve ends at 0.002, where" "$err")" -eq 2 ]'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --step 0.05:0.02 --tolerance 10% --tsv
+expect "on a coarse search the curve finds what is proportional to the intensity" '[ $status -eq 0 ] && awk -F "\t" "
+    NR == FNR { unit[\$1, \$2] = \$3; next }
+    FNR > 1 { n++; d = \$5 * unit[\$1, \$2] / 0.02 - 1; if (d * d > 1e-18 || \$4 > 1.1001 * \$3 || \$4 < 1.01 * \$3) bad = 1 }
+    END { exit bad || n != 6 }" <(tail -n +2 unit.tsv) "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --step 0.05:0.02 --tolerance 10% --runs 20 --points --csv
+expect "steps grow, and runs that are left fill the gaps" '[ $status -eq 0 ] && awk -F , "NR > 1 { n[\$1, \$2]++; s = s \" \" \$3 \" \" } END { for (i in n) if (n[i] != 20) bad = 1; exit bad || s !~ / 0.01 .* 0.0600*[0-9]* .* 0.13 .* 0.22 / }" "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --runs 4
+expect "too few runs are told" '[ $status -eq 1 ] && grep -q "too few runs" "$out" && said "6 of 6 searches have too few runs for the tolerance; give more --runs or a larger --tolerance"'
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --bootstrap 200 --seed 3
+cp "$out" seeded.txt
+run "$jostle" ida linear.deck --limit drift=20mm --range 0.01:100 --over record --bootstrap 200 --seed 3 -j 2
+expect "a bootstrap depends on its seed only" '[ $status -eq 0 ] && [ "$(grep -c "^95 % of [0-9]* bootstraps: median [0-9.]* to [0-9.]*, dispersion" "$out")" -eq 2 ] && cmp seeded.txt "$out"'
+run "$jostle" ida linear.deck --limit drift=20mm --factor 2 --step 1
+expect "a search goes by a factor or by steps" '[ $status -eq 2 ] && said "give --factor or --step, not both"'
+run "$jostle" ida linear.deck --limit drift=20mm --step 0.1:x
+expect "a step is a value of the intensity" '[ $status -eq 2 ] && said "--step takes FIRST or FIRST:GROWTH, values of im, not '"'0.1:x'"'"'
 printf '1 1\n2 1\n' >hazard.txt
 run "$jostle" ida linear.deck --limit drift=20mm --over record --hazard hazard.txt
 expect "a hazard curve must fall" '[ $status -eq 2 ] && grep -q "hazard.txt: the rate does not fall from intensity 1 to 2" "$err"'
@@ -62,10 +79,12 @@ step fixed 5ms
 END
 run "$jostle" ida pair.deck --limit drift-ratio:A=2% --tsv
 expect "the pair is searched" '[ $status -eq 0 ]'
-runs=$(awk -F '\t' 'NR > 1 { n += $5 } END { print n }' "$out")
-median=$(awk -F '\t' 'NR == 2 { print $9 }' "$out")
+runs=$(awk -F '\t' 'NR > 1 { n += $6 } END { print n }' "$out")
+median=$(awk -F '\t' 'NR == 2 { print $10 }' "$out")
 "$jostle" run pair.deck -q
 grid=$("$jostle" fragility pair.h5 --edp drift-ratio:A --limit 2% --method ida --tsv | awk -F '\t' 'NR == 2 { print $9 }')
+coarse=$("$jostle" ida pair.deck --limit drift-ratio:A=2% --step 0.1g:0.05g --tolerance 10% --tsv | awk -F '\t' 'NR == 2 { m = $10 } NR > 1 { n += $6 } END { print m, n }')
+expect "steps that grow and a tolerance of 10 % find it by a twentieth" 'awk -v coarse="$coarse" "BEGIN { split(coarse, c, \" \"); exit !(c[1] / $grid < 1.01 && $grid / c[1] < 1.01 && c[2] <= 440 && c[2] > 200) }"'
 expect "its median is that of a grid of 200 intensities within 1 %, by a tenth of the runs" 'awk "BEGIN { exit !($median / $grid < 1.01 && $grid / $median < 1.01 && $runs <= 880 && $runs > 300) }"'
 
 cp pair.deck wrong.deck

@@ -45,6 +45,49 @@ run "$jostle" law hinge bilinear -yield 600kN -hardening 0 -stiffness 60MN*m -am
 expect "its yield is a moment" '[ $status -eq 2 ] && said "a moment or energy"'
 run "$jostle" law hinge fps -weight 1 -mu 0.1 -stiffness 60 -amplitude 1
 expect "no hinge depends on the velocity" '[ $status -eq 2 ] && said "law fps depends on the velocity; it is for storeys only"'
+
+# Links. By hand: a hook catches at 10 mm, a dashpot does c v^2 of work, and a spring and a dashpot in
+# series lose pi a^2 k x / (1 + x^2) in a cycle of the circular frequency w, with x = w c / k.
+# shellcheck disable=SC2086
+link() {
+    run "$jostle" law link "$@"
+}
+link hook -stiffness 60MN/m -slack 10mm --protocol turns.txt --tsv
+expect "a link has tensions over lengthenings" '[ $status -eq 0 ] && [ "$(head -n 1 "$out" | cut -f 3,4)" = "$(printf "lengthening [m]\ttension [N]")" ] && near $(cell 4 3) 1.8e6 1e-12 && [ "$(cell 4 4)" = 0 ]'
+link gap -yield 600kN -hardening 0 -stiffness 60MN/m -slack 10mm --protocol turns.txt --tsv
+expect "a gap spring pushes only" '[ "$(cell 4 3)" = 0 ] && near $(cell 4 4) -600e3 1e-12 && near $(cell 7 4) 12e3 1e-4'
+link friction -slip 600kN -stiffness 60MN/m --protocol turns.txt --tsv
+expect "friction slips as bilinear does" 'near $(cell 7 5) 66e3 1e-4'
+link viscous -dashpot 1MN*s/m --protocol turns.txt -period 1s --tsv
+expect "a dashpot loses c v^2" '[ $status -eq 0 ] && near $(cell 7 5) 23687.05 1e-4 && [ "$(cell 4 3)" = 0 ]'
+for _ in 1 2 3 4 5 6 7 8 9 10; do printf '0.02\n-0.02\n'; done >cycles.txt
+link maxwell -stiffness 60MN/m -dashpot 2MN*s/m --protocol cycles.txt -period 1s --tsv
+expect "a spring in series with it loses less" 'near $(awk -F "\t" "{ x[NR] = \$7 } END { print x[NR] - x[NR - 2] }" "$out") 15127.788 1e-4'
+link maxwell -stiffness 60MN/m -dashpot 2MN*s/m --protocol turns.txt -period 1s --compare "viscous -dashpot 2MN*s/m" --script link
+expect "links are compared in a picture" '[ $status -eq 0 ] && grep -q "tension \[kN\]" link/loops.gp && grep -q "lengthening \[mm\]" link/loops.gp && [ "$(grep -cx "viscous -dashpot 2e+06" "$out")" -eq 1 ]'
+link hook -stiffness 60MN/m -slack 5mm --protocol turns.txt --history hook.tsv
+cut -f 1,2 hook.tsv >hook.txt
+link hook --fit hook.txt -find slack --tsv
+expect "--fit finds a slack" '[ $status -eq 0 ] && near $(cell 3 2) 6e7 1e-6 && near $(cell 3 3) 0.005 1e-6'
+loop=$root/input/loops/friction_damper.txt
+link friction -find slack --fit "$loop" --tsv
+expect "the loop of a damper with backlash: its slip, its slack, and the error" 'near $(cell 3 2) 9.02e6 0.01 && near $(cell 3 3) 2.321e-3 1e-3 && near $(cell 3 4) 10142 1e-3 && near $(cell 3 5) 0.1226 1e-3'
+link friction --fit "$loop" --tsv
+expect "which is larger without the slack" 'near $(cell 3 4) 0.1932 1e-3'
+link viscous -dashpot 1 --protocol turns.txt
+expect "a dashpot needs a period" '[ $status -eq 2 ] && said "law viscous depends on the velocity: give -period, the time of a cycle of the protocol"'
+link viscous --protocol turns.txt -period 1
+expect "and a constant" '[ $status -eq 2 ] && said "a link needs -stiffness or -dashpot"'
+link maxwell -dashpot 1 --fit hook.txt
+expect "--fit knows no velocities" '[ $status -eq 2 ] && said "law maxwell depends on the velocity, which --fit does not know"'
+link bilinear -yield 1 -hardening 0 -stiffness 1 -tension-only -compression-only --protocol turns.txt
+expect "a link acts in some direction" '[ $status -eq 2 ] && said "-tension-only and -compression-only cannot be combined"'
+link hok
+expect "an unknown law of a link is named with the nearest" '[ $status -eq 2 ] && said "unknown law of a link '"'hok'; did you mean 'hook'?"'"'
+storey bilinear --fit hook.txt -period 1
+expect "--fit has no -period" '[ $status -eq 2 ] && said "--fit knows no times; leave out -period"'
+storey fps -weight 1MN -mu 0.1 -mu-slow 0.05 -rate 50s/m -radius 2m -stiffness 100MN/m --protocol turns.txt -period 1s --history fps.tsv
+expect "a bearing slides with its velocity" 'near $(awk "NR == 33 { print \$2 - 500000 * \$1 }" fps.tsv) 1e5 0.05'
 storey $bilinear --protocol turns.txt -amplitude 20mm --tsv
 expect "-amplitude scales the drifts of a file" '[ "$(cut -f 3 "$out" | tail -n 3 | tr "\n" " ")" = "0.02 -0.02 0 " ]'
 storey $bilinear --protocol turns.txt
@@ -78,7 +121,7 @@ expect "a stiffness is needed" '[ $status -eq 2 ] && said "error: bilinear needs
 storey $bilinear
 expect "and an amplitude" '[ $status -eq 2 ] && said "protocol fema461 needs -amplitude: largest deformation of the protocol"'
 storey bilinear -yield 600kN 500kN -hardening 0 -stiffness 60MN/m -amplitude 1mm
-expect "one storey has one value" '[ $status -eq 2 ] && said "command line:1:27: error: one storey has one -yield"'
+expect "one storey has one value" '[ $status -eq 2 ] && said "command line:1:27: error: -yield has one value here"'
 storey takeda -yield 1 -hardening 0 -alpha 1 -stiffness 1 -amplitude 1
 expect "values have their ranges" '[ $status -eq 2 ] && said "error: alpha is 1; it must be >= 0 and < 1"'
 storey imk -yield 1 -hardening 0 -capping 3 -stiffness 1 -amplitude 1

@@ -4,16 +4,16 @@
 . tests/support/cli.sh
 
 mkdir -p include/jostle src/core src/model src/solve/contact src/solve/event src/solve/newmark
-echo '#include "solve/event/rest.h"' >src/solve/newmark/flight.c
-echo '#include "solve/state.h"' >src/solve/event/rest.h
+echo '#include "solve/event/event.h"' >src/solve/newmark/flight.c
+echo '#include "solve/state.h"' >src/solve/event/event.h
 echo '#include "core/arena.h"' >src/solve/state.h
 run bash "$root/tests/support/check_layers.sh"
 expect "includes of lower groups are accepted" '[ $status = 0 ] && [ ! -s "$err" ]'
 
-echo '#include "solve/event/rest.h"' >src/solve/state.h
+echo '#include "solve/event/event.h"' >src/solve/state.h
 run bash "$root/tests/support/check_layers.sh"
 expect "a state that includes an event is refused" '[ $status = 1 ] &&
-    grep -q "^src/solve/state.h:1: group .state. includes \"solve/event/rest.h\" of .event., which" "$err"'
+    grep -q "^src/solve/state.h:1: group .state. includes \"solve/event/event.h\" of .event., which" "$err"'
 
 echo '#include "solve/dormand_prince/dp.h"' >src/solve/newmark/flight.c
 echo >src/solve/state.h

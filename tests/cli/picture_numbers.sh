@@ -54,7 +54,7 @@ run "$jostle" run -q pair.deck -D gap=8mm -o wider.h5
 sed -i 's/-gap 5mm/-gap 8mm/' towers.deck
 run "$jostle" run -q towers.deck -o farther.h5
 
-kinds=$("$jostle" plot --help | sed -n '/^KIND/,/^$/ s/^  \([a-z]*\) .*/\1/p' | grep -v "overview\|members")
+kinds=$("$jostle" plot --help | sed -n '/^KIND/,/^$/ s/^  \([a-z]*\) .*/\1/p' | grep -v "overview\|members\|street")
 for kind in $kinds; do
     for files in pair.h5 other.h5 wall.h5 body.h5 towers.h5 "pair.h5 wider.h5" "towers.h5 farther.h5"; do
         # shellcheck disable=SC2086  # one file or two

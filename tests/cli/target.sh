@@ -99,6 +99,36 @@ sed 's/records\/napa.AT2/.\/centro.AT2/' elsewhere/study.deck >elsewhere/twins.d
 run "$jostle" check elsewhere/twins.deck -D record=centro
 expect "a name of two files chooses none" '[ $status -eq 2 ] && said "centro: No such file"'
 
+run "$jostle" spectrum centro.AT2 --target en1998:ground=B,ag=0.25g --match $match --tsv --intensities
+cp "$out" of_code
+run "$jostle" spectrum centro.AT2 --target code.txt --match $match --tsv --intensities
+expect "the file is the spectrum of the code" '[ $status -eq 0 ] && paste <(factors of_code) <(factors "$out") | awk "{ exit !((\$2 / \$5 - 1)^2 < 1e-24 && \$1 == \$4) }"'
+run "$jostle" spectrum centro.AT2 --target en1998:ground=B,ag=0.25g --periods 0,1,5 --damping 2% --tsv
+expect "and its damping is that of the spectra" '[ $status -eq 0 ] && awk -F "\t" "\$1 == \"target\" && \$2 == \"en1998\" { n++; if (\$4 == 1) ok = (\$5 / (0.375 * sqrt(10 / 7)) - 1)^2 < 1e-20 } END { exit !(ok && n == 2) }" "$out"'
+
+for name in NAPA_2014_68150_HNN RIDGECREST_2019_CLC_090 RIDGECREST_2019_CLC_360; do
+    cp "$root/input/records/$name.AT2" .
+done
+all="centro.AT2 napa.AT2 NAPA_2014_68150_HNN.AT2 RIDGECREST_2019_CLC_090.AT2 RIDGECREST_2019_CLC_360.AT2"
+# shellcheck disable=SC2086  # several records
+run "$jostle" spectrum $all --target code.txt --match $match --select 2 --factors 0.5:1.1 --deck
+expect "the two best records with a factor within the limits are chosen" '[ $status -eq 0 ] && [ "$(grep -o "\"[^\"]*\"" "$out" | tr -d "\"\n")" = centro.AT2napa.AT2 ]'
+# shellcheck disable=SC2086
+run "$jostle" spectrum $all --target code.txt --match $match --select 3 --factors 0.8:3 --intensities
+expect "how many there were is told" '[ $status -eq 0 ] && grep -q "^3 of 5 records chosen; 1 record has a factor outside 0.8 to 3$" "$out"'
+# shellcheck disable=SC2086
+run "$jostle" spectrum $all --target code.txt --match $match --select 3 --improve --intensities
+expect "so is what exchanges did for the mean" '[ $status -eq 0 ] && grep -q "^misfit of the mean of the scaled spectra: 0.1454; 0.1718 before 1 exchange$" "$out" && [ "$(awk "/factor +misfit/ { inside = 1; next } inside && NF == 3 { printf \"%s \", \$3 } !NF { inside = 0 }" "$out")" = "centro napa RIDGECREST_2019_CLC_360 " ]'
+# shellcheck disable=SC2086
+run "$jostle" spectrum ${all#* } --target code.txt --match $match --pairs --deck
+cp "$out" pairs.deck
+awk '$1 == "sweep" && $2 == "factor" { exit !($4 == $5 && $6 == $7 && $4 != $6) }' pairs.deck
+status=$?
+expect "a pair has one factor" '[ $status -eq 0 ]'
+sed -n '/^ground/,$p' study.deck >>pairs.deck
+run "$jostle" check pairs.deck
+expect "which a deck reads, too" '[ $status -eq 0 ] && grep -q "4 runs" "$out" && [ ! -s "$err" ]'
+
 wrong() {
     local sentence=$1 words=$2
     shift 2
@@ -112,6 +142,7 @@ cp centro.AT2 'a"b.AT2'
 wrong "a target that is not there is named" "no.txt: No such file" centro.AT2 --target no.txt
 wrong "a target must say its unit" "bare.txt:2: the unit of PSA is not given" centro.AT2 --target bare.txt
 wrong "faults have their place" "negative.txt:3:3: PSA is -1; it must be > 0" centro.AT2 --target negative.txt
+wrong "a word of a code is named" "ground takes A, B, C, D or E, not 'F'" centro.AT2 --target en1998:ground=F
 wrong "the target must reach over the periods" "code.txt goes from 0 to 4 s, without 5 s of --match" centro.AT2 --target code.txt --match 1,5
 wrong "periods of --match ascend" "periods must ascend" centro.AT2 --target code.txt --match 2,1
 wrong "it takes periods" "--match takes FROM:TO:N or a list" centro.AT2 --target code.txt --match wide
@@ -121,6 +152,13 @@ wrong "a target has one damping" "takes one damping ratio" centro.AT2 --target c
 wrong "--match is for a target" "--match needs --target" centro.AT2 --match 1,2
 wrong "for the deck of --pounding there is none" "--match needs --target" --pounding some.deck --match 1,2
 wrong "and so is --deck" "--deck needs --target" centro.AT2 --deck
+wrong "--select is for a target" "--select needs --target" centro.AT2 --select 1
+wrong "so are --pairs" "--pairs needs --target" centro.AT2 napa.AT2 --pairs
+wrong "--factors are for a choice" "--factors needs --select" centro.AT2 --target code.txt --factors 0.5:2
+wrong "so is --improve" "--improve needs --select" centro.AT2 --target code.txt --improve
+wrong "--factors takes two" "--factors takes two factors > 0 such as 0.5:2, not '2:1'" centro.AT2 --target code.txt --factors 2:1 --select 1
+wrong "a pair has two records" "--pairs takes an even number of records, not 1" centro.AT2 --target code.txt --pairs
+wrong "too few records are told" "2 of 2 records have a factor from 0 to inf; 3 are to be chosen" centro.AT2 napa.AT2 --target code.txt --select 3
 wrong "one form is printed" "--deck and --tsv exclude each other" centro.AT2 --target code.txt --deck --tsv
 wrong "a path with a line end cannot stand in a deck" "cannot stand in a deck" $'a\nb.AT2' --target code.txt --deck
 wrong "nor can one with a quote" "cannot stand in a deck" 'a"b.AT2' --target code.txt --deck

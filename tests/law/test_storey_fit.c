@@ -37,7 +37,9 @@ static int fit(const char *name, const char *values, const int *row, int n_row,
     const struct storey_law *law = storey_law_find(name);
     double value[STOREY_ROWS_MAX];
     test_storey_values(law, values, value);
-    const struct storey_fit_request q = {law, value, NAN, row, n_row, SAMPLES, l->drift, l->shear};
+    struct loop_law of;
+    loop_law_of_storey(law, &of);
+    const struct storey_fit_request q = {&of, value, NAN, row, n_row, SAMPLES, l->drift, l->shear};
     return storey_fit_run(&q, out, e);
 }
 

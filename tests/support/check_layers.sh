@@ -64,12 +64,12 @@ path_of() {
 solve_group() {
     case ${1#src/solve/} in
     fields.* | pace.* | scale.*) echo "0 base" ;;
-    floors/chain.* | floors/effective* | floors/floor_terms.h | floors/floor_vectors.h) echo "1 matrix" ;;
+    floors/effective* | floors/floor_terms.h | floors/floor_vectors.h) echo "1 matrix" ;;
     state.* | forcing.*) echo "2 state" ;;
     event/*) echo "3 event" ;;
     account/*) echo "4 account" ;;
-    contact/gaps.* | contact/cluster.h) echo "5 scratch" ;;
-    floors/floors.h | newmark/flight.h | work.h) echo "5 scratch" ;;
+    contact/gaps.*) echo "5 scratch" ;;
+    floors/floors.h | newmark/newmark.h | work.h) echo "5 scratch" ;;
     floors/*) echo "6 floors" ;;
     contact/*) echo "7 contact" ;;
     newmark/run_step.c | newmark/*_newmark.c) echo "10 method" ;;

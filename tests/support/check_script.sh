@@ -3,11 +3,12 @@
 # check_script.sh [FILE]...: holds src/plot to safe_put of src/core/safe.h, because gnuplot executes
 # what it reads: a text in a comment of a script runs commands once it has a line break. Without
 # safe_put only literals reach a script or its data. A literal is a text in quotes, a choice of two, or
-# an element of a table that the list below names.
+# an element of a table that the list below names. The names of blocks of data are literals, too.
 set -euo pipefail
 [ $# -gt 0 ] || set -- src/plot/*.c
 
 awk -v tables='colour dash font heading before between comma palette power dark data words FONT' '
+BEGIN { format_of["fprintf"] = 2; format_of["panelseries"] = 3; format_of["canvasblock"] = 3; format_of["datawrite"] = 5 }
 BEGIN { n = split(tables, word, " "); while (n > 0) is_table[word[n--]] = 1 }
 
 # True if the argument, in which "" stands for a text in quotes, is a literal.
@@ -30,13 +31,14 @@ function bad(text) {
     status = 1
 }
 
-# Checks the arguments of one call; the second is the format of fprintf, the third that of panel_series.
+# Checks the arguments of one call, from that which is its format on.
 function check(call,   k, rest, one) {
-    if (call !~ /^(fprintf|panelseries)$/) {
+    if (!(call in format_of)) {
         if (!is_literal(quoteless[1])) bad(argument[1])
         return
     }
-    k = call == "fprintf" ? 2 : 3
+    k = format_of[call]
+    if (argument[k] ~ /^const char \*/) return  # it is declared here
     if (!is_literal(quoteless[k]) && argument[k] != "p->format") bad("the format " argument[k])
     rest = argument[k++]
     while (match(rest, /%[-+ #0]*[*0-9]*(\.[*0-9]*)?[hlzjtL]*[a-zA-Z%]/)) {
@@ -52,7 +54,7 @@ function check(call,   k, rest, one) {
 # Takes the file apart into calls, their arguments and the texts in quotes.
 function take(text,   call, at, depth, n, c, name, size) {
     line = 1
-    while (match(text, /(^|[^a-z_])(fprintf|fputs|vfprintf|fwrite|dprintf|panel_series)\(/)) {
+    while (match(text, /(^|[^a-z_])(fprintf|fputs|vfprintf|fwrite|dprintf|panel_series|canvas_block|data_write)\(/)) {
         call = substr(text, RSTART, RLENGTH)
         name = substr(text, 1, RSTART + RLENGTH)
         line += gsub(/\n/, "", name)
@@ -77,7 +79,7 @@ function take(text,   call, at, depth, n, c, name, size) {
             argument[n] = argument[n] c
             quoteless[n] = quoteless[n] c
         }
-        if (call == "vfprintf" && file ~ /plot\/panel\.c$/) continue  # the format of panel_series
+        if (call == "vfprintf" && file ~ /plot\/(panel|canvas)\.c$/) continue  # of the last three
         if (call ~ /^(vfprintf|fwrite|dprintf)$/) bad("by " call)
         else check(call)
         name = substr(text, 1, at)

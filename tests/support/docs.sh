@@ -23,7 +23,9 @@ sh tests/support/with_block.sh deck "$folder/deck" <README.md |
 sed -e "s|$folder/||" -e '/^wall time/d' "$folder/printed" >"$folder/study"
 sh tests/support/with_block.sh study "$folder/study" <docs/studies.md >"$folder/studies.md"
 "$jostle" sensitivity input/monte_carlo.deck --edp force -D record=ELCENTRO_1940_NS >"$folder/ranked"
-sh tests/support/with_block.sh sensitivity "$folder/ranked" <"$folder/studies.md" >"$folder/studies.ranked"
+"$jostle" sensitivity input/monte_carlo.deck --edp force -D record=ELCENTRO_1940_NS --morris 10 >"$folder/effects"
+sh tests/support/with_block.sh sensitivity "$folder/ranked" <"$folder/studies.md" |
+    sh tests/support/with_block.sh morris "$folder/effects" >"$folder/studies.ranked"
 mv "$folder/studies.ranked" "$folder/studies.md"
 "$jostle" run input/ida.deck -o "$folder/ida.h5" -q --force
 "$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% >"$folder/fragility"
@@ -31,6 +33,16 @@ mv "$folder/studies.ranked" "$folder/studies.md"
 "$jostle" fragility "$folder/ida.h5" --edp impacts --limit 0 --hazard input/hazard.txt |
     tail -n 15 >"$folder/hazard"
 "$jostle" ida input/ida.deck --limit drift-ratio:A=2% >"$folder/adaptive"
+"$jostle" ida input/ida.deck --limit drift-ratio:A=2% --step 0.1g:0.05g --tolerance 10% >"$folder/hunted"
+"$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% --bootstrap 1000 |
+    tail -n 2 >"$folder/bootstrap"
+"$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% --method cloud |
+    tail -n 2 >"$folder/cloud"
+"$jostle" fragility "$folder/ida.h5" --edp drift-ratio:A --limit 2% --im "Sa_avg(0.2s:2s)" \
+    --method cloud | tail -n 4 >"$folder/measured"
+"$jostle" run input/stripes.deck -o "$folder/stripes.h5" -q --force
+"$jostle" fragility "$folder/stripes.h5" --edp drift-ratio:A --limit 2% --bootstrap 1000 \
+    >"$folder/stripes"
 "$jostle" run input/collapse.deck -o "$folder/collapse.h5" -q --force
 "$jostle" fragility "$folder/collapse.h5" --collapse | grep -e '^collapse' -e '^median' >"$folder/collapse"
 "$jostle" show "$folder/ida.h5" --long --edp drift-ratio:A | sed -n 1,5p >"$folder/long"
@@ -38,6 +50,11 @@ sh tests/support/with_block.sh fragility "$folder/fragility" <docs/ida.md |
     sh tests/support/with_block.sh hits "$folder/hits" |
     sh tests/support/with_block.sh hazard "$folder/hazard" |
     sh tests/support/with_block.sh adaptive "$folder/adaptive" |
+    sh tests/support/with_block.sh hunted "$folder/hunted" |
+    sh tests/support/with_block.sh bootstrap "$folder/bootstrap" |
+    sh tests/support/with_block.sh cloud "$folder/cloud" |
+    sh tests/support/with_block.sh measured "$folder/measured" |
+    sh tests/support/with_block.sh stripes "$folder/stripes" |
     sh tests/support/with_block.sh collapse "$folder/collapse" |
     sh tests/support/with_block.sh long "$folder/long" >"$folder/ida.md"
 "$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"

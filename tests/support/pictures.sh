@@ -42,6 +42,10 @@ draw energy.png multistorey energy --compare "$folder/apart.h5"
 draw floor_spectrum.png multistorey spectrum
 draw modes.png multistorey modes
 draw members.png frame_wall members
+"$jostle" street input/street.csv --record "$PWD/input/records/ELCENTRO_1940_NS.AT2" --pga 0.2g \
+    -o "$folder/street.deck" --force
+"$jostle" run "$folder/street.deck" -o "$folder/street.h5" -q --force
+draw street.png street street
 draw ida.png ida ida
 draw fragility.png ida fragility --edp drift-ratio:A --limit 1%,2%
 draw collapse.png collapse fragility --collapse

@@ -2,7 +2,7 @@
 #include "support/single_step.h"
 
 #include "core/arena.h"
-#include "solve/account/peaks.h"
+#include "solve/account/account.h"
 #include "support/support.h"
 
 void single_step_init(struct single_step *s, struct model *m) {

@@ -43,7 +43,8 @@ static int run_plan(const struct model *m, struct error *e) {
     if (status != STATUS_OK) {
         return status;
     }
-    status = contact_free_run(&p, &how, &a, e);
+    static const struct separation_site site = {.metre = 1.0};
+    status = contact_free_run(&p, &how, &site, &a, e);
     contact_free_close(&a);
     status = status == STATUS_OK ? run_search(&p, e) : status;
     plan_close(&p);

@@ -18,7 +18,8 @@ static int match_of(const struct spectra *s, struct arena *a, struct error *e) {
         return status;
     }
     const double goal[] = {target_at(&t, s->period[0]), target_at(&t, s->period[1])};
-    return target_match(&m, s, goal, a, e);
+    const struct match_request q = {.spectra = s, .goal = goal, .n_component = 1, .high = INFINITY};
+    return target_match(&m, &q, a, e);
 }
 
 static int spectra_of(const char *path, struct arena *a, struct error *e) {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "solve/contact/cluster.h"
+#include "solve/contact/contact.h"
 #include "support/random.h"
 #include "support/support.h"
 

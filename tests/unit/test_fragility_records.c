@@ -4,7 +4,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 
-#include "study/fragility.h"
+#include "study/fragility_runs.h"
 #include "support/random.h"
 #include "support/suite.h"
 #include "support/support.h"
@@ -165,13 +165,16 @@ static void first_exceedances_of_a_study_lie_between_its_intensities(void **stat
     struct error e;
     struct fragility_record r[5];  // k = 2500 100 400 900 1600
     assert_int_equal(suite_create(f, &(struct suite_request){.over = "k"}, &s, &e), STATUS_OK);
-    fragility_first(s, 0, 0.045, r);
+    struct fragility_runs runs;
+    assert_int_equal(fragility_runs_create(s, &runs, &e), STATUS_OK);
+    fragility_runs_take(&runs, s, 0);
+    fragility_runs_first(&runs, 0.045, r);
     assert_true(r[0].crossing == AT && r[3].crossing == AT && r[4].crossing == AT);
     assert_close(r[0].intensity, 2.25, 1e-3);
     assert_close(r[3].intensity, 1.35, 1e-3);
     assert_close(r[4].intensity, 1.8, 1e-3);
     assert_true(r[1].crossing == BELOW && r[1].intensity == 1.0 && r[2].crossing == BELOW);
-    fragility_first(s, 0, 0.25, r);
+    fragility_runs_first(&runs, 0.25, r);
     assert_true(r[0].crossing == ABOVE && r[0].intensity == 3.0);
     assert_true(r[1].crossing == AT && r[1].intensity == 3.0);
     suite_free(s);

@@ -29,7 +29,8 @@ static void run_contact_free(const struct model *m, int n_thread, struct contact
     struct error e;
     const struct plan p = plan_of(m);
     const struct gap_runs how = {.n_thread = n_thread};
-    assert_int_equal(contact_free_run(&p, &how, a, &e), STATUS_OK);
+    static const struct separation_site site = {.metre = 1.0};
+    assert_int_equal(contact_free_run(&p, &how, &site, a, &e), STATUS_OK);
 }
 
 static void closing_displacements_are_those_of_the_closed_form(void **state) {

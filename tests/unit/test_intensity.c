@@ -37,6 +37,18 @@ static void a_triangle_has_its_integrals(void **state) {
     assert_close(i.d5_75, 2.0 - cbrt(0.5) - cbrt(0.1), ROUNDING);
 }
 
+// The rule of the samples exceeds both integrals, by hand: squares 1/2 (1 + 1) against 2/3 for the
+// triangle, and 2 (1 + 1) / 2 against 1 for |a| where the sign changes.
+static void the_trapezoidal_rule_is_told_apart(void **state) {
+    (void)state;
+    struct intensity i = intensity_of_values((const double[]){0.0, 1.0, 0.0}, 3, 1.0);
+    assert_close(i.arias_trapezoid, M_PI / (2.0 * G), ROUNDING);
+    assert_close(i.cav_trapezoid, 1.0, ROUNDING);
+    i = intensity_of_values((const double[]){1.0, -1.0}, 2, 2.0);
+    assert_close(i.arias_trapezoid, M_PI / (2.0 * G) * 2.0, ROUNDING);
+    assert_close(i.cav_trapezoid, 2.0, ROUNDING);
+}
+
 // v = t - t^2 / 2 is largest at t = 1, where the sign changes.
 static void a_change_of_sign_within_a_step_is_exact(void **state) {
     (void)state;
@@ -104,6 +116,7 @@ static void a_record_of_zeros_has_no_intensity(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_triangle_has_its_integrals),
+        cmocka_unit_test(the_trapezoidal_rule_is_told_apart),
         cmocka_unit_test(a_change_of_sign_within_a_step_is_exact),
         cmocka_unit_test(a_displacement_that_turns_within_a_step_is_exact),
         cmocka_unit_test(a_constant_acceleration_has_its_integrals),

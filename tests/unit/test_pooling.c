@@ -3,7 +3,7 @@
 // pushes only push, and only where bodies stay together; momentum and energy are accounted for.
 #include <math.h>
 
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 #include "support/random.h"
 #include "support/support.h"
 

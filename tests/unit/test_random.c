@@ -13,7 +13,6 @@
 
 enum { MANY = 20000 };
 static double value[MANY], other[MANY];
-static int order[MANY];
 
 static const struct distribution *find(const char *name) {
     for (int i = 0; i < n_random_distribution; i++) {
@@ -38,7 +37,7 @@ static struct random_values request(const char *distribution, double a, double b
 
 static void draw(const struct random_values *r, double *to) {
     struct error e;
-    assert_int_equal(random_draw(r, order, to, &e), STATUS_OK);
+    assert_int_equal(random_draw(r, to, &e), STATUS_OK);
 }
 
 static void expect(const struct random_values *r, const double *want) {
@@ -183,7 +182,7 @@ static void truncation_holds_far_from_the_middle_too(void **state) {
     assert_near(value[MANY / 2], median, 4.0 / (40.0 * sqrt(MANY)));
     struct error e;
     r.min = 50.0;
-    assert_int_equal(random_draw(&r, order, value, &e), STATUS_INPUT);
+    assert_int_equal(random_draw(&r, value, &e), STATUS_INPUT);
 }
 
 static void a_longer_sample_begins_like_a_shorter_one(void **state) {
@@ -215,6 +214,104 @@ static void other_names_and_seeds_give_independent_values(void **state) {
     }
 }
 
+// The standard normal scores of a sample of "normal 0 1" are its values.
+static struct random_values score_of(const char *name, enum random_plan plan,
+                                     const struct random_values *before) {
+    struct random_values r = request("normal", 0.0, 1.0, MANY);
+    r.name = name;
+    r.plan = plan;
+    r.before = before;
+    r.n_before = before ? before->n_before + 1 : 0;
+    return r;
+}
+
+static void correlate(struct random_values *r, const double *correlation, double *weight) {
+    assert_true(random_correlate(r, correlation, weight));
+    r->correlation = correlation;
+    r->weight = weight;
+}
+
+// z' = rho z_k + sqrt(1 - rho^2) z, both z as drawn without a correlation. A uniform parameter has
+// the probabilities of z'.
+static void a_correlated_score_mixes_two_independent_ones(void **state) {
+    (void)state;
+    static double mixed[MANY];
+    const double rho[] = {-0.8};
+    double weight[2];
+    const struct random_values k = score_of("k", RANDOM_INDEPENDENT, NULL);
+    struct random_values gap = score_of("gap", RANDOM_INDEPENDENT, &k);
+    draw(&k, value);
+    draw(&gap, other);
+    correlate(&gap, rho, weight);
+    draw(&gap, mixed);
+    for (int i = 0; i < MANY; i++) {
+        assert_near(mixed[i], -0.8 * value[i] + 0.6 * other[i], 1e-12);
+    }
+    gap.distribution = find("uniform");
+    draw(&gap, value);
+    for (int i = 0; i < MANY; i++) {
+        assert_close(value[i], gsl_cdf_ugaussian_P(mixed[i]), 1e-14);
+    }
+}
+
+// A sample correlation of normal values has the standard error (1 - rho^2) / sqrt(n). The strata
+// of a Latin hypercube stay what they are.
+static void three_parameters_have_their_correlations(void **state) {
+    (void)state;
+    static double third[MANY];
+    for (enum random_plan plan = RANDOM_INDEPENDENT; plan <= RANDOM_LATIN; plan++) {
+        const double rho_b[] = {0.6}, rho_c[] = {-0.3, 0.4};
+        double weight_b[2], weight_c[3];
+        const struct random_values a = score_of("a", plan, NULL);
+        struct random_values b = score_of("b", plan, &a), c = score_of("c", plan, &b);
+        correlate(&b, rho_b, weight_b);
+        correlate(&c, rho_c, weight_c);
+        draw(&a, value);
+        draw(&b, other);
+        draw(&c, third);
+        assert_near(gsl_stats_correlation(value, 1, other, 1, MANY), 0.6, 4.0 * 0.64 / sqrt(MANY));
+        assert_near(gsl_stats_correlation(value, 1, third, 1, MANY), -0.3, 4.0 * 0.91 / sqrt(MANY));
+        assert_near(gsl_stats_correlation(other, 1, third, 1, MANY), 0.4, 4.0 * 0.84 / sqrt(MANY));
+        assert_true(random_is_correlated(&c, &a) && random_is_correlated(&c, &b));
+        assert_true(!random_is_correlated(&a, &c));
+        if (plan == RANDOM_LATIN) {
+            gsl_sort(third, 1, MANY);
+            for (int i = 0; i < MANY; i++) {
+                assert_int_equal((int)(MANY * gsl_cdf_ugaussian_P(third[i])), i);
+            }
+        }
+    }
+}
+
+// The determinant of (1, r, r; r, 1, -r; r, -r, 1) is (1 + r)^2 (1 - 2 r).
+static void correlations_must_be_possible_together(void **state) {
+    (void)state;
+    double weight_b[2], weight_c[3];
+    for (int step = -1; step <= 1; step++) {
+        const double r = 0.5 + 1e-9 * step, rho_b[] = {r}, rho_c[] = {r, -r};
+        const struct random_values a = score_of("a", RANDOM_LATIN, NULL);
+        struct random_values b = score_of("b", RANDOM_LATIN, &a);
+        correlate(&b, rho_b, weight_b);
+        const struct random_values c = score_of("c", RANDOM_LATIN, &b);
+        assert_int_equal(random_correlate(&c, rho_c, weight_c), step < 0);
+    }
+}
+
+static void quantiles_are_those_of_the_distribution(void **state) {
+    (void)state;
+    struct random_values r = request("lognormal", 3.0, 0.5, 1);
+    assert_close(random_value(&r, 0.5), 3.0, 1e-15);
+    assert_close(random_value(&r, 0.1), gsl_cdf_lognormal_Pinv(0.1, log(3.0), 0.5), 1e-13);
+    assert_true(isinf(random_value(&r, 1.0)));
+    r = request("uniform", 2.0, 5.0, 1);
+    assert_true(random_value(&r, 0.0) == 2.0 && random_value(&r, 1.0) == 5.0);
+    r = request("normal", 0.0, 1.0, 1);
+    r.min = -1.0;
+    r.max = 1.0;
+    assert_true(random_value(&r, 0.0) == -1.0 && random_value(&r, 1.0) == 1.0);
+    assert_near(random_value(&r, 0.5), 0.0, 1e-15);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(first_values_are_those_of_an_independent_program),
@@ -224,6 +321,10 @@ int main(void) {
         cmocka_unit_test(truncation_holds_far_from_the_middle_too),
         cmocka_unit_test(a_longer_sample_begins_like_a_shorter_one),
         cmocka_unit_test(other_names_and_seeds_give_independent_values),
+        cmocka_unit_test(a_correlated_score_mixes_two_independent_ones),
+        cmocka_unit_test(three_parameters_have_their_correlations),
+        cmocka_unit_test(correlations_must_be_possible_together),
+        cmocka_unit_test(quantiles_are_those_of_the_distribution),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

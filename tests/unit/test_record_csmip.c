@@ -146,13 +146,13 @@ static void what_a_file_says_wrongly_is_refused(void **state) {
          "a.txt:7: the line says 5000 values; the file ends before"},
         {VOLUME_1("Chan 1: Up", "1.500",
                   " 5 Accelerogram points at 0 pts/sec in units of g. Format: (3f9.6)", VALUES),
-         "a.txt:7: '0' after AT is not a number > 0"},
+         "a.txt:7: the number after AT is 0; it must be > 0"},
         {VOLUME_1("Chan 1: Up", "1.500", " 5 Accelerogram points at 100 pts/sec in units of g.",
                   VALUES),
          "a.txt:7: the line has no format such as (8F9.6)"},
         {VOLUME_1("Chan 1: Up", "1.500",
                   " 5.5 Accelerogram points at 100 pts/sec in units of g. (3f9.6)", VALUES),
-         "a.txt:7: '5.5' is not a number of values: it must be whole and at least 2"},
+         "a.txt:7: number of values is 5.5; it must be a whole number from 2 to 1e9"},
     };
     struct reading *r = *state;
     for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {

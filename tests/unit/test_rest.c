@@ -2,7 +2,7 @@
 // The motion of a rigid contact at rest, whose force always suffices, by Newmark's formulas.
 #include <math.h>
 
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 #include "support/random.h"
 #include "support/support.h"
 

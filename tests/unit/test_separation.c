@@ -79,22 +79,26 @@ static void it_is_that_of_responses_to_white_noise(void **state) {
     gsl_integration_workspace_free(work);
 }
 
+static const struct separation_site no_site = {.metre = 1.0, .ntc_slope = NAN};
+
+static double separation(int rule, const struct separation_ends *ends) {
+    return contact_free_separation(&contact_free_rules[rule], ends, &no_site);
+}
+
 static void the_rules_combine_displacements(void **state) {
     (void)state;
     struct separation_ends ends = {
         .displacement = {0.3, 0.4}, .period = {1.0, 0.5}, .damping = {0.05, 0.05}};
-    assert_close(contact_free_separation(&contact_free_rules[0], &ends), 0.7, 1e-15);
-    assert_close(contact_free_separation(&contact_free_rules[1], &ends), 0.5, 1e-15);
-    assert_close(contact_free_separation(&contact_free_rules[2], &ends), 0.35, 1e-15);
-    assert_close(contact_free_separation(&contact_free_rules[3], &ends),
-                 sqrt(0.25 - 0.24 * rho(1.0, 0.5, 0.05, 0.05)), 1e-14);
+    assert_close(separation(0, &ends), 0.7, 1e-15);
+    assert_close(separation(1, &ends), 0.5, 1e-15);
+    assert_close(separation(2, &ends), 0.35, 1e-15);
+    assert_close(separation(3, &ends), sqrt(0.25 - 0.24 * rho(1.0, 0.5, 0.05, 0.05)), 1e-14);
     ends.period[1] = 1.0;  // alike: the difference of the displacements
-    assert_close(contact_free_separation(&contact_free_rules[3], &ends), 0.1, 1e-14);
+    assert_close(separation(3, &ends), 0.1, 1e-14);
     ends.displacement[1] = 0.0;  // a wall, which has no period
     ends.period[1] = ends.damping[1] = NAN;
-    for (int k = 0; k < SEPARATION_RULES; k++) {
-        assert_close(contact_free_separation(&contact_free_rules[k], &ends), k == 2 ? 0.21 : 0.3,
-                     1e-15);
+    for (int k = 0; k < SEPARATION_GENERAL; k++) {
+        assert_close(separation(k, &ends), k == 2 ? 0.21 : 0.3, 1e-15);
     }
 }
 
@@ -102,13 +106,56 @@ static void a_rule_without_its_correlation_has_no_value(void **state) {
     (void)state;
     struct separation_ends ends = {
         .displacement = {0.3, 0.4}, .period = {1.0, INFINITY}, .damping = {0.05, NAN}};
-    assert_true(isnan(contact_free_separation(&contact_free_rules[3], &ends)));
-    assert_close(contact_free_separation(&contact_free_rules[1], &ends), 0.5, 1e-15);
+    assert_true(isnan(separation(3, &ends)));
+    assert_close(separation(1, &ends), 0.5, 1e-15);
     ends.period[1] = 0.5;
     ends.damping[1] = -0.01;  // it swings ever wider
-    assert_true(isnan(contact_free_separation(&contact_free_rules[3], &ends)));
+    assert_true(isnan(separation(3, &ends)));
     ends.damping[0] = -0.02;
-    assert_true(isnan(contact_free_separation(&contact_free_rules[3], &ends)));
+    assert_true(isnan(separation(3, &ends)));
+}
+
+// By hand from the texts: 100 mm up to 15 m, 20 mm more for each 5, 4, 3 or 2 m of intensity 6 to
+// 9; frames with walls 70 %, walls 50 %, never below 100 mm; the lower building counts.
+static void gb_50011_is_computed_by_hand(void **state) {
+    (void)state;
+    const struct separation_rule *rule = &contact_free_rules[SEPARATION_GB];
+    struct separation_site site = {.metre = 1000.0, .gb_step = 3.0, .gb_share = 1.0};  // in mm
+    struct separation_ends ends = {.height = {60e3, 30e3}};
+    assert_close(contact_free_separation(rule, &ends, &site), 200.0, 1e-14);
+    site.gb_step = 2.0;
+    assert_close(contact_free_separation(rule, &ends, &site), 250.0, 1e-14);
+    site.gb_share = 0.7;
+    assert_close(contact_free_separation(rule, &ends, &site), 175.0, 1e-14);
+    ends.height[0] = 14e3;
+    assert_close(contact_free_separation(rule, &ends, &site), 100.0, 1e-14);
+    site.gb_share = 1.0;
+    assert_close(contact_free_separation(rule, &ends, &site), 100.0, 1e-14);
+    ends.height[0] = INFINITY;  // a wall
+    assert_close(contact_free_separation(rule, &ends, &site), 250.0, 1e-14);
+    ends.height[1] = NAN;
+    assert_true(isnan(contact_free_separation(rule, &ends, &site)));
+    ends.height[1] = 30e3;
+    site.gb_step = 0.0;
+    assert_true(isnan(contact_free_separation(rule, &ends, &site)));
+}
+
+// Of each building its displacement and a share of the level, at least 50 mm.
+static void ntc_is_computed_by_hand(void **state) {
+    (void)state;
+    const struct separation_rule *rule = &contact_free_rules[SEPARATION_NTC];
+    struct separation_site site = {.metre = 100.0, .ntc_slope = 0.006};  // in cm
+    struct separation_ends ends = {
+        .displacement = {20.0, 1.0}, .level = {1200.0, 400.0}, .height = {3000.0, 800.0}};
+    assert_close(contact_free_separation(rule, &ends, &site), 20.0 + 7.2 + 5.0, 1e-14);
+    site.ntc_slope = 0.001;
+    assert_close(contact_free_separation(rule, &ends, &site), 21.2 + 5.0, 1e-14);
+    ends = (struct separation_ends){
+        .displacement = {20.0, 0.0}, .level = {1200.0, NAN}, .height = {3000.0, INFINITY}};
+    assert_close(contact_free_separation(rule, &ends, &site), 21.2, 1e-14);
+    ends.level[0] = NAN;
+    assert_true(isnan(contact_free_separation(rule, &ends, &site)));
+    assert_true(isnan(contact_free_separation(rule, &ends, &no_site)));
 }
 
 int main(void) {
@@ -119,6 +166,8 @@ int main(void) {
         cmocka_unit_test(it_is_that_of_responses_to_white_noise),
         cmocka_unit_test(the_rules_combine_displacements),
         cmocka_unit_test(a_rule_without_its_correlation_has_no_value),
+        cmocka_unit_test(gb_50011_is_computed_by_hand),
+        cmocka_unit_test(ntc_is_computed_by_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,7 @@
 
 #include "core/arena.h"
 #include "jostle/result.h"
-#include "study/fragility.h"
+#include "study/fragility_runs.h"
 #include "study/suite.h"
 #include "support/suite.h"
 #include "support/support.h"
@@ -176,13 +176,19 @@ static void runs_at_the_limit_do_not_exceed_it(void **state) {
     (void)state;
     struct study_file *f = suite_ran(suite_oscillators);
     struct suite *s = arranged(f, (struct suite_request){.over = "k"});
-    struct fragility_level level[3];
-    fragility_count(s, 0, suite_value(s, 0, 3, 0), level);
+    struct fragility_level level[15];
+    struct fragility_runs runs;
+    struct error e;
+    assert_int_equal(fragility_runs_create(s, &runs, &e), STATUS_OK);
+    fragility_runs_take(&runs, s, 0);
+    assert_int_equal(fragility_runs_count(&runs, suite_value(s, 0, 3, 0), NULL, level), 3);
     assert_true(level[0].n == 5 && level[0].exceeded == 2);
     assert_true(level[2].n == 5 && level[2].exceeded == 5);
     suite_free(s);
     s = arranged(f, (struct suite_request){.over = "k", .failed = SUITE_FAILED_LEFT_OUT});
-    fragility_count(s, 0, suite_value(s, 0, 3, 0), level);
+    assert_int_equal(fragility_runs_create(s, &runs, &e), STATUS_OK);
+    fragility_runs_take(&runs, s, 0);
+    assert_int_equal(fragility_runs_count(&runs, suite_value(s, 0, 3, 0), NULL, level), 3);
     assert_true(level[2].n == 4 && level[2].exceeded == 4);
     suite_free(s);
     study_file_close(f);

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "solve/contact/sweep.h"
-#include "solve/event/rest.h"
+#include "solve/contact/contact.h"
+#include "solve/event/event.h"
 #include "support/analysis.h"
 #include "support/random.h"
 #include "support/random_deck.h"

@@ -179,7 +179,7 @@ static void members_on_a_foundation_have_forces(void **state) {
     for (int k = 0; k < 3; k++) {
         const struct building *b = &a[k].model->building[0];
         double drift[4] = {1e-3, -2e-3, 5e-4, 3e-4}, force[64], columns = 0.0;
-        forces_at(b, drift, NULL, force);
+        forces_at(b, drift, NULL, NULL, force);
         for (int i = 0; i < 3; i++) {
             columns += force[forces_of_members(b, 0, FRAME_SHEAR) + i];
         }

@@ -51,7 +51,7 @@ static struct statics statics_of(struct model *m, const double *load) {
     for (size_t i = 0; i < n; i++) {
         s.u[i] = s.drift[i] + (i > 0 ? s.u[i - 1] : 0.0);
     }
-    forces_at(g, s.drift, NULL, s.force);
+    forces_at(g, s.drift, NULL, NULL, s.force);
     return s;
 }
 

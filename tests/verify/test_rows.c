@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/account/peaks.h"
+#include "solve/account/account.h"
 #include "solve/contact/gaps.h"
 #include "solve/floors/effective.h"
 #include "support/analysis.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "solve/contact/exact.h"
+#include "solve/contact/contact.h"
 #include "support/analysis.h"
 #include "support/single_step.h"
 #include "support/support.h"

@@ -180,13 +180,18 @@ static void storeys_inside_parts_are_noted(void **state) {
 
 // One excursion of a storey with imk: it has consumed its plastic work, and the index of Park & Ang
 // follows from drift and energy.
-static void deterioration_and_damage_are_those_of_the_formulas(void **state) {
-    (void)state;
-    struct analysis a = analysis_of(
+static struct analysis excursion(const char *more) {
+    return analysis_of(
         UNITS "building A -floors 1 -mass 1t -stiffness 1MN/m\n"
               "storey A imk -yield 5kN -hardening 0 -gamma-s 40 -gamma-c 30 -ultimate 80mm "
-              "-capping 70mm -post-capping -0.1\n"
-              "initial A:1 -velocity 0.5\nstep adaptive -tolerance 1e-11\nduration 0.13\n");
+              "-capping 70mm -post-capping -0.1 %s\n"
+              "initial A:1 -velocity 0.5\nstep adaptive -tolerance 1e-11\nduration 0.13\n",
+        more);
+}
+
+static void deterioration_and_damage_are_those_of_the_formulas(void **state) {
+    (void)state;
+    struct analysis a = excursion("");
     const double *demand = a.results->storey_demand[0].value;
     const double energy = 1e3 * 0.25 / 2.0, at_yield = 5e-3, force = 5e3;
     const double peak = at_yield + (energy - force * at_yield / 2.0) / force;
@@ -195,6 +200,38 @@ static void deterioration_and_damage_are_those_of_the_formulas(void **state) {
     assert_close(demand[YIELD_HYSTERETIC], dissipated, 1e-8);
     assert_close(demand[YIELD_DETERIORATION], dissipated / (30.0 * force * at_yield), 1e-8);
     assert_close(demand[YIELD_DAMAGE], peak / 0.08 + 0.05 * dissipated / (force * 0.08), 1e-8);
+    analysis_free(&a);
+    // The deck may give either constant.
+    static const struct {
+        const char *more;
+        double ultimate, beta;
+    } of[] = {{"-damage-beta 0.15", 0.08, 0.15},
+              {"-damage-ultimate 60mm", 0.06, 0.05},
+              {"-damage-ultimate 60mm -damage-beta 0", 0.06, 0.0}};
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        a = excursion(of[i].more);
+        assert_close(a.results->storey_demand[0].value[YIELD_DAMAGE],
+                     (peak + of[i].beta * dissipated / force) / of[i].ultimate, 1e-8);
+        analysis_free(&a);
+    }
+}
+
+// The index of a hinge follows from its ductility and its energy.
+static void damage_of_hinges_is_that_of_the_formula(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(
+        UNITS "building A -floors 1 -mass 20t -height 3m\nframe A -bays 6m -modulus 30GPa\n"
+              "columns A -I 2e-3m^4 -A 0.1m^2\nbeams A -I 2e-3m^4\n"
+              "hinges A:1 columns bilinear -yield 40kN*m -hardening 3%% -stiffness 500MN*m "
+              "-damage-ultimate 0.02 -damage-beta 0.1\n"
+              "initial A:1 -velocity 0.8\nstep fixed 0.2ms\nduration 0.5\n");
+    for (int i = 0; i < 4; i++) {
+        const double *demand = a.results->hinge_demand[i].value, yield = 40e3 / 500e6;
+        assert_true(demand[YIELD_DUCTILITY] > 2.0);
+        const double most = demand[YIELD_DUCTILITY] * yield;
+        assert_close(demand[YIELD_DAMAGE], (most + 0.1 * demand[YIELD_HYSTERETIC] / 40e3) / 0.02,
+                     1e-12);
+    }
     analysis_free(&a);
 }
 
@@ -207,6 +244,7 @@ int main(void) {
         cmocka_unit_test(the_energies_of_hinges_are_those_of_the_account),
         cmocka_unit_test(storeys_inside_parts_are_noted),
         cmocka_unit_test(deterioration_and_damage_are_those_of_the_formulas),
+        cmocka_unit_test(damage_of_hinges_is_that_of_the_formula),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

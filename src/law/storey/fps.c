@@ -111,8 +111,8 @@ const struct storey_law storey_fps = {
         "for sliding bearings; the statement isolator finds the weight and the initial stiffness. "
         "Typical of PTFE on steel: mu 0.04 to 0.12, mu-slow 0.3 to 0.6 mu, rate 20 to 100 s/m. "
         "The weight is constant: the law has neither uplift nor overturning moments. Friction is "
-        "the same in both directions and does not warm up. jostle law storey moves slowly: it "
-        "shows mu-slow",
+        "the same in both directions and does not warm up. jostle law storey moves slowly without "
+        "-period: it shows mu-slow",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -125,13 +125,10 @@ static bool read_options(struct builder *b, const struct statement *s, struct ar
                               law->name, rows[i].key);
         }
     }
-    if (!law || !storey_choice_read(b->deck, s, law, law->row, &own, NULL, c)) {
+    if (!law || !storey_choice_read(b->deck, s, law->row, law->n_row, &own, NULL, c)) {
         return false;
     }
-    if (a[LINE].given) {
-        return deck_error(b->deck, &a[LINE].key,
-                          "-line is for elastic columns; this one has a law");
-    }
+    c->law = law;
     if (a[DAMPING].given) {
         return deck_error(b->deck, &a[DAMPING].key,
                           "-damping is for elastic columns; this one has a law");

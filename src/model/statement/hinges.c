@@ -8,7 +8,7 @@
 #include "model/storey_choice.h"
 #include "model/storey_choices.h"
 
-enum { STIFFNESS, LINES, BAYS, N_ROW };
+enum { STIFFNESS, LINES, BAYS, DAMAGE, N_ROW = DAMAGE + STOREY_DAMAGE_COUNT };
 
 static const struct row rows[N_ROW] = {
     [STIFFNESS] = {"stiffness",
@@ -22,6 +22,7 @@ static const struct row rows[N_ROW] = {
                "column lines, from 1 at the left; all if not given"},
     [BAYS] = {"bays", ROW_LIST, 0, OF_NONE, NULL, NAN,
               "bays of beams, from 1 at the left; all if not given"},
+    STOREY_CHOICES_DAMAGE(OF_NONE),
 };
 
 enum where { COLUMNS, BEAMS, BASES, N_WHERE };
@@ -127,11 +128,12 @@ static void build(struct builder *b, const struct statement *s) {
     struct row turned[STOREY_ROWS_MAX];
     const bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &q.selection);
     const int where = deck_keyword(b->deck, &s->word[2], "place of hinges", where_names, N_WHERE);
-    struct storey_choices c = {.law = storey_choice_find_rateless(b->deck, &s->word[3])};
+    struct storey_choices c = {.law = storey_choice_find_rateless(b->deck, &s->word[3]),
+                               .damage = a + DAMAGE};
     if (!selected || where < 0 || !c.law) {
         return;
     }
-    storey_choice_turn(c.law, turned);
+    storey_choice_turn(c.law->row, c.law->n_row, turned);
     struct row_set set[] = {{rows, N_ROW, a}, {turned, c.law->n_row, c.given}};
     struct building_draft *d = builder_draft(b, q.selection.building);
     if (!deck_options(b->deck, s, set, 2) || !frame_draft_has_frame(b, s, d)) {
@@ -147,7 +149,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_hinges = {
     .name = "hinges",
     .usage = "BUILDING:FLOORS columns|beams|bases LAW ... -stiffness LIST [-lines LIST | -bays "
-             "LIST]",
+             "LIST] [-damage-ultimate LIST] [-damage-beta LIST]",
     .summary = "hinges at both ends of members of a frame, or at its bases, in series with them: "
                "a storey law of moment and rotation",
     .example = "hinges A:1:3 beams bilinear -yield 220kN*m -hardening 0.03 -stiffness 500MN*m",

@@ -125,16 +125,6 @@ static bool set_storey_law(struct builder *b, struct link *link, int k, const vo
     return link->constant != NULL;
 }
 
-// False after a report that the link would act in no direction.
-static bool check_directions(struct builder *b, const struct argument *given) {
-    const struct argument *second = &given[LINK_ROW_COMPRESSION_ONLY];
-    if (second->given && given[LINK_ROW_TENSION_ONLY].given) {
-        return deck_error(b->deck, &second->key,
-                          "-tension-only and -compression-only cannot be combined");
-    }
-    return true;
-}
-
 static void build_storey_law(struct builder *b, const struct statement *s, const struct pairs *p,
                              const struct link_law *law) {
     const int n_row = LINK_ROWS + law->n_row;
@@ -149,8 +139,7 @@ static void build_storey_law(struct builder *b, const struct statement *s, const
             set[n_set++] = (struct row_set){&link_law_rows[r], 1, &given[r]};
         }
     }
-    if (!made || !value || !deck_options(b->deck, s, set, n_set) || !check_directions(b, given) ||
-        !p) {
+    if (!made || !value || !deck_options(b->deck, s, set, n_set) || !p) {
         return;
     }
     const struct storey_links choice = {s, law, made, value};
@@ -164,22 +153,8 @@ static bool find_law(struct builder *b, const struct statement *s, struct link_l
     int n = 0;
     const struct word *w = deck_option(s, rows[LAW].key, &n);
     *law = link_law_at(0);
-    if (!w || n == 0) {
-        return true;  // deck_options reports -law without a value
-    }
-    const char *text = deck_text(b->deck, w);
-    const char **known = arena_alloc(b->arena, (size_t)n_link_law, sizeof *known);
-    for (int i = 0; text && known && i < n_link_law; i++) {
-        *law = link_law_at(i);
-        if (strcmp(law->name, text) == 0) {
-            return true;
-        }
-        known[i] = law->name;
-    }
-    if (text && known) {
-        deck_unknown(b->deck, w, text, "law of a link", known, n_link_law);
-    }
-    return false;
+    // deck_options reports -law without a value
+    return !w || n == 0 || storey_choice_find_link(b->deck, w, law);
 }
 
 static void build(struct builder *b, const struct statement *s) {

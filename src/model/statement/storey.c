@@ -5,11 +5,12 @@
 #include "model/storey_choices.h"
 #include "model/storey_draft.h"
 
-enum { STIFFNESS, N_ROW };
+enum { STIFFNESS, DAMAGE, N_ROW = DAMAGE + STOREY_DAMAGE_COUNT };
 
 static const struct row rows[N_ROW] = {
     [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
                    "initial stiffnesses, instead of those of the building"},
+    STOREY_CHOICES_DAMAGE(OF_LENGTH),
 };
 
 // Smallest plausible yield drift. Storeys of buildings yield at drifts of millimetres to
@@ -76,11 +77,12 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    struct storey_choices c = {.law = storey_choice_find(b->deck, &s->word[2])};
+    struct argument own[N_ROW] = {0};
+    struct storey_choices c = {.law = storey_choice_find(b->deck, &s->word[2]),
+                               .damage = own + DAMAGE};
     if (!c.law) {
         return;
     }
-    struct argument own[N_ROW] = {0};
     struct row_set set[] = {{rows, N_ROW, own}, {c.law->row, c.law->n_row, c.given}};
     if (deck_options(b->deck, s, set, 2) && selected) {
         assign(b, s, &floors, own, &c);
@@ -89,7 +91,7 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_storey = {
     .name = "storey",
-    .usage = "NAME:FLOORS LAW ... [-stiffness LIST]",
+    .usage = "NAME:FLOORS LAW ... [-stiffness LIST] [-damage-ultimate LIST] [-damage-beta LIST]",
     .summary = "restoring law of the storeys below the named floors; other storeys are elastic",
     .example = "storey A:1:3 bilinear -yield 4MN -hardening 0.02",
     .row = rows,

@@ -11,7 +11,7 @@
 //
 // A link that is closed or strained at t = 0 holds the energy that its force, at rest, would take
 // to bring it there; it is initial energy, and the first of the work done on the link.
-#include "solve/account/energy.h"
+#include "solve/account/account.h"
 
 #include <gsl/gsl_integration.h>
 
@@ -23,16 +23,9 @@ enum { CQUAD_INTERVALS = 100 };
 static const double CQUAD_TOLERANCE = 1e-12;
 
 static const struct fields_row list[] = {
-    FIELD_VALUE(struct energy_account, initial),
-    FIELD_VALUE(struct energy_account, input_2x),
-    FIELD_VALUE(struct energy_account, damping_2x),
-    FIELD_VALUE(struct energy_account, input),
-    FIELD_VALUE(struct energy_account, damping),
-    FIELD_VALUE(struct energy_account, contact),
+    FIELD_VALUES(struct energy_account, initial, stored_start),
     FIELD_ARRAY(struct energy_account, storey_2x, FIELD_FLOORS),
     FIELD_ARRAY(struct energy_account, storey_own, FIELD_FLOORS),
-    FIELD_VALUE(struct energy_account, storey),
-    FIELD_VALUE(struct energy_account, stored_start),
 };
 const struct fields energy_fields = FIELDS(list);
 

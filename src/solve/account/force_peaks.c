@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/account/force_peaks.h"
+#include "solve/account/account.h"
 
 #include <math.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/account/peaks.h"
 
 static const struct fields_row list[] = {
-    FIELD_VALUE(struct force_peaks, n),
-    FIELD_VALUE(struct force_peaks, time),
+    FIELD_VALUES(struct force_peaks, n, time),
     FIELD_ARRAY(struct force_peaks, action, FIELD_FORCE_STATES),
     FIELD_PART(struct force_peaks, yielding, yielding_fields),
 };

@@ -11,7 +11,7 @@
 #define IMPACT_LINK struct link_peak_lanes
 #define IMPACT struct impact_lanes
 #else
-#include "solve/account/impacts.h"
+#include "solve/account/account.h"
 
 #define IMPACT_SHARE struct impact_share
 #define IMPACT_LINK struct link_peak

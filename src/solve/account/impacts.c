@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The account of every impact: from closure to opening, located within their steps.
-#include "solve/account/impacts.h"
+#include "solve/account/account.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,8 +8,7 @@
 
 #include "core/arena.h"
 #include "solve/account/impact_step.h"
-#include "solve/account/peaks.h"
-#include "solve/event/crossing.h"
+#include "solve/event/hermite.h"
 
 bool impacts_alloc(struct impact_log *log, const struct model *m, struct results *r,
                    struct energy_account *energy, struct arena *a) {
@@ -100,7 +99,7 @@ static void impacts_end_between(struct impact_log *log, const struct state *now,
     struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
                         state_rate(next, m, k), next->time - now->time};
     double rate;
-    const double way = crossing_find(&path, &rate);
+    const double way = hermite_crossing(&path, &rate);
     impacts_end(log, k, now->time + way, rate);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Envelopes over every computed step.
-#include "solve/account/peaks.h"
+#include "solve/account/account.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,10 +31,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct results, link, FIELD_LINKS),
     FIELD_VALUE(struct results, collapse),
     FIELD_ARRAY(struct results, column, FIELD_COLUMNS),
-    FIELD_VALUE(struct results, energy),
-    FIELD_VALUE(struct results, initial_energy),
-    FIELD_VALUE(struct results, residual_peak),
-    FIELD_VALUE(struct results, totals),
+    FIELD_VALUES(struct results, energy, totals),
 };
 const struct fields results_fields = FIELDS(list);
 
@@ -101,21 +98,6 @@ void peaks_finish(struct results *r, const struct model *m) {
     }
 }
 
-LANES static double peaks_largest(int n, const double *x) {
-    lanes_wide most = {0.0};
-    for (int i = 0; i < n; i += LANES_WIDTH) {
-        most = WIDE_LARGER(LANES_AT(x, i), most);
-    }
-    for (int lane = 1; lane < LANES_WIDTH; lane++) {
-        most[0] = number_max(most[0], most[lane]);
-    }
-    return most[0];
-}
-
-void peaks_speed(struct results *r, int n) {
-    r->totals.speed = number_max(r->totals.speed, peaks_largest(n, r->peak[PEAK_VELOCITY]));
-}
-
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s) {
     for (int i = 0; i < m->n_dof; i++) {
         double below = m->chain.joint[i] != 0.0 ? s->v[i - 1] : 0.0;
@@ -134,7 +116,6 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
             peak_larger(fabs(value[q][i]), s->time, &r->peak[q][i], &r->peak_time[q][i]);
         }
     }
-    peaks_speed(r, m->n_dof);
     if (m->storeys_differ) {
         peaks_founded(r, m, s);
     }

@@ -20,7 +20,7 @@
 #include "model/foundation.h"
 #include "model/parts.h"
 #include "model/storey_force.h"
-#include "solve/account/peaks.h"
+#include "solve/account/account.h"
 
 enum { DOUBLINGS = 60, ITERATIONS_MAX = 100 };
 

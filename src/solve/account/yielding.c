@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/account/yielding.h"
+#include "solve/account/account.h"
+
+#include <math.h>
 
 #include "core/arena.h"
 #include "core/number.h"
@@ -114,11 +116,22 @@ void yielding_note(struct yielding *y, const struct state *s) {
     }
 }
 
+// The figures of a law, with the constants of its damage index that the deck gives.
+static struct storey_figures yielding_figures(const struct storey *s) {
+    struct storey_figures f = storey_law_figures(s->law, s->constant);
+    const double *given = s->damage;
+    if (given && !isnan(given[STOREY_DAMAGE_ULTIMATE])) {
+        f.ultimate[0] = f.ultimate[1] = given[STOREY_DAMAGE_ULTIMATE];
+    }
+    f.beta = given && !isnan(given[STOREY_DAMAGE_BETA]) ? given[STOREY_DAMAGE_BETA] : f.beta;
+    return f;
+}
+
 // What a law has gone through, at `to`, with its history at the end. Laws only dissipate: what is
 // below 0 is rounding.
 static void yielding_demand(const struct storey *s, const double *history, const double most[2],
                             double hysteretic, struct yield_demand *to) {
-    const struct storey_figures f = storey_law_figures(s->law, s->constant);
+    const struct storey_figures f = yielding_figures(s);
     const double consumed = s->law->consumed ? s->law->consumed(s->constant, history) : 0.0;
     to->value[YIELD_DUCTILITY] = storey_law_ductility(&f, most);
     to->value[YIELD_HYSTERETIC] = number_max(hysteretic, 0.0);
@@ -139,7 +152,8 @@ static void yielding_plain(const struct model *m, const struct energy_account *e
             }
             const double *u = m->displacement + i;
             const double start = u[0] - (i > g->first ? u[-1] : 0.0);
-            const struct storey without = {own->law, own->constant, own->yield, own->pdelta, 0};
+            struct storey without = *own;
+            without.history = 0;
             const double stored = storey_stored(own, s->storey_history, s->drift[i]) -
                                   storey_stored(&without, none, start);
             const double most[] = {r->peak[PEAK_DRIFT][i], r->peak[PEAK_DRIFT][i]};

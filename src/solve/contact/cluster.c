@@ -19,7 +19,7 @@
 // are coordinate descent on the convex function
 //     f' S f / 2 - f' x_free + sum over l of the integral of X_l,
 // X_l(f) being where the law of link l gives f; exact_excess gives its derivative.
-#include "solve/contact/cluster.h"
+#include "solve/contact/contact.h"
 
 #include <math.h>
 #include <string.h>
@@ -27,7 +27,6 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/root.h"
-#include "solve/contact/exact.h"
 
 // Links of a cluster.
 enum { CLUSTER_MAX = 400 };

@@ -26,8 +26,6 @@
 
 #include "core/number.h"
 #include "law/link_law.h"
-#include "solve/contact/cluster.h"
-#include "solve/contact/exact.h"
 #include "solve/contact/sweep_step.h"
 
 // Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought

@@ -6,10 +6,9 @@
 
 #include "core/number.h"
 #include "solve/contact/contact.h"
-#include "solve/contact/exact.h"
 #include "solve/contact/sweep_step.h"
-#include "solve/event/crossing.h"
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
+#include "solve/event/hermite.h"
 
 // Link k, live and closed at the start of the step, begins it as it ended the last. Its force is
 // guessed, but not one that pulls where it has pushed. Forces of rigid contacts at rest hardly
@@ -81,7 +80,7 @@ bool contact_close(struct work *w, const struct state *now, struct state *next, 
     struct equation e = exact_equation(w, now, next, k);
     struct path path = {fmin(d0, 0.0), state_rate(now, w->model, k), e.d_free, e.v_free, w->h};
     double rate;
-    next->link[k].t_close = now->time + crossing_find(&path, &rate);
+    next->link[k].t_close = now->time + hermite_crossing(&path, &rate);
     next->link[k].v_close = number_max(rate, 0.0);
     if (l->law->close) {
         l->law->close(l->constant, next->link[k].v_close, next->link_history + l->history);

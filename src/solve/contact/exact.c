@@ -6,7 +6,7 @@
 //
 // At d = 0 the force may jump from 0 to F(0+, v). If that is more than the force that holds the
 // link at d = 0, the graph of the law is crossed inside the jump, and that force is the solution.
-#include "solve/contact/exact.h"
+#include "solve/contact/contact.h"
 
 #include <float.h>
 #include <math.h>

@@ -8,7 +8,7 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
-#include "solve/account/peaks.h"
+#include "solve/account/account.h"
 
 // Does link k carry on the run? A wall is all zeros behind the floors, which are no more than a
 // vector.
@@ -82,7 +82,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, 
         .run_of = arena_alloc(a, n_link, sizeof *g->run_of),
         .beyond = arena_alloc(a, n_link, sizeof *g->beyond),
         .acting = arena_alloc(a, n_link, sizeof *g->acting),
-        .share = arena_alloc(a, n_link, sizeof *g->share),
+        .acts = arena_alloc(a, n_link, sizeof *g->acts),
         .run = arena_alloc(a, n_link, sizeof *g->run),
         .start = arena_alloc(a, n_building + 1, sizeof *g->start),
         .of_building = arena_alloc(a, 2 * n_link, sizeof *g->of_building),
@@ -180,7 +180,7 @@ void gaps_forget(struct gaps *g) {
     for (int i = 0; i < g->n_acting; i++) {
         int k = g->acting[i];
         g->limit[k] = number_min(g->nearest[k], 0.0);
-        g->share[g->run_of[k]].n = 0;
+        g->acts[g->run_of[k]] = false;
     }
     for (int i = 0; i < g->n_touched; i++) {
         g->is_touched[g->touched[i]] = false;

@@ -31,12 +31,10 @@ struct gaps {
     bool *beyond;              // (n_run) one of its links was beyond its limit when last updated
     int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
     int n_pressed, *pressed;   // runs in which a link that does not act had d > 0 then
-    int n_acting, *acting;     // links that act in this step,
-    struct gap_share {
-        int first, n;
-    } * share;                // (n_run) of run i: acting[first] and those behind it
-    int n_touched, *touched;  // their buildings
-    bool *is_touched;         // (n_building)
+    int n_acting, *acting;     // links that act in this step
+    bool *acts;                // (n_run) one of them is in the run
+    int n_touched, *touched;   // their buildings
+    bool *is_touched;          // (n_building)
 };
 
 // Room for the links of a model, and their runs; their largest penetrations are in `r`. False: no
@@ -67,19 +65,17 @@ static inline void gaps_note(struct gaps *g, int k, double d, double time) {
 // No link acts, and no building is touched any more.
 void gaps_forget(struct gaps *g);
 
-// Makes link k act and touch its buildings. The links of a run must be given one after the other,
-// for its share to be right.
+// Makes link k act and touch its buildings.
 static inline void gaps_touch(struct gaps *g, int k) {
     const int run = g->run_of[k];
-    struct gap_share *share = &g->share[run];
-    for (int i = 0; i < 2 && share->n == 0; i++) {
+    for (int i = 0; i < 2 && !g->acts[run]; i++) {
         int b = g->run[run].building[i];
         if (b != WALL && !g->is_touched[b]) {
             g->is_touched[b] = true;
             g->touched[g->n_touched++] = b;
         }
     }
-    share->first = share->n++ == 0 ? g->n_acting : share->first;
+    g->acts[run] = true;
     g->acting[g->n_acting++] = k;
     g->limit[k] = INFINITY;
 }

@@ -12,7 +12,7 @@
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
 // so that another sweep would change forces by such a share of what this one did. Where that does
 // not matter there is no other sweep.
-#include "solve/contact/sweep.h"
+#include "solve/contact/contact.h"
 
 #include <float.h>
 #include <math.h>

@@ -48,7 +48,7 @@ LANE_INLINE void sweep_root(lane_number *x) {
     }
 }
 #else
-#include "solve/contact/sweep.h"
+#include "solve/contact/contact.h"
 
 #define SWEEP_RUN struct work
 #define SWEEP_SCHEME(w) (w)

@@ -11,12 +11,11 @@
 #include "law/bilateral.h"
 #include "model/foundation.h"
 #include "model/stability.h"
-#include "solve/account/impacts.h"
+#include "solve/account/account.h"
 #include "solve/contact/gaps.h"
 #include "solve/event/hermite.h"
 #include "solve/forcing.h"
 #include "solve/pace.h"
-#include "solve/scale.h"
 
 enum { DP_STAGES = 7, DP_LAST = DP_STAGES - 1 };
 

@@ -10,7 +10,6 @@
 
 #include "core/number.h"
 #include "core/root.h"
-#include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
 
 // Gauss's rule with five points (Abramowitz & Stegun 1964, table 25.4), on 0 to 1.

@@ -290,13 +290,14 @@ FLOORS_CLONES static bool dp_find_candidates(struct dp *p, struct dp_candidates 
 static const int working[] = {0, 2, 3, 4, 5, 6};
 enum { WORKING = sizeof working / sizeof working[0] };
 
-LANES_INLINE void dp_add_works_of(int n, const struct dp *p, const double *time,
-                                  struct energy_account *energy) {
+// Twice the works of ground and dampers on all floors, in the times given to the stages.
+FLOORS_CLONES static void dp_add_works(const struct dp *p, const double *time,
+                                       struct energy_account *energy) {
     double *const *row = p->system.row;
     const double *carried = row[DP_CARRIED], *own = row[DP_DAMPER], *above = row[DP_DAMPER_ABOVE];
     for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += FLOORS_VECTOR) {
         floor_lanes way = {0.0}, square = {0.0}, product = {0.0};
-        for (int j = 0; j < n; j++) {
+        for (int j = 0; j < WORKING; j++) {
             const struct dp_rates *r = &p->stage[working[j]];
             floor_lanes v = FLOORS_AT(r->v, i), moved = time[working[j]] * v;
             way += r->ground.a[0] * moved;
@@ -306,16 +307,6 @@ LANES_INLINE void dp_add_works_of(int n, const struct dp *p, const double *time,
         floor_lanes lost = FLOORS_AT(own, i) * square + FLOORS_AT(above, i) * product;
         *(floor_lanes *)(energy->input_2x + i % LANES_WIDTH) -= 2.0 * FLOORS_AT(carried, i) * way;
         *(floor_lanes *)(energy->damping_2x + i % LANES_WIDTH) += 2.0 * lost;
-    }
-}
-
-// Twice the works of ground and dampers on all floors, in the times given to the stages.
-FLOORS_CLONES static void dp_add_works(const struct dp *p, const double *time,
-                                       struct energy_account *energy) {
-    if (time[working[WORKING - 1]] == 0.0) {
-        dp_add_works_of(WORKING - 1, p, time, energy);
-    } else {
-        dp_add_works_of(WORKING, p, time, energy);
     }
 }
 

@@ -12,7 +12,6 @@
 #include "core/number.h"
 #include "model/forces.h"
 #include "model/struck_column.h"
-#include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
 
 // A peak of an acceleration is the top of a parabola through three that are this far apart in the
@@ -236,26 +235,48 @@ static void dp_part_shears(struct dp *p, const struct building *g) {
     }
 }
 
+// The force of the spring of column i, which has a law, at the end of the step.
+static double dp_column_spring(const struct dp *p, int i) {
+    const int k = p->model->n_link - p->model->n_column + i;
+    return dp_rates_response(p, k, p->next.delta[k], 0.0).force;
+}
+
+// The displacement x of a struck point, in the forces of members. *linear becomes false if its
+// column has a law: then they are known at the end of the step only.
+static double dp_struck(const struct dp *p, int point, const double *x, bool *linear) {
+    const struct model *m = p->model;
+    int i = 0;
+    while (m->column[i].dof[0] != point) {
+        i++;
+    }
+    *linear &= !m->column[i].yields;
+    return m->column[i].yields ? struck_column_elastic(&m->column[i], x[point],
+                                                       p->next.delta[m->n_link - m->n_column + i],
+                                                       dp_column_spring(p, i))
+                               : x[point];
+}
+
 // The forces that follow from the drifts of a building. They are linear in the displacements, but
-// with hinges, whose history at the end of the step dp_part_shears has found.
+// with hinges, whose history at the end of the step dp_part_shears has found, and with columns that
+// yield.
 static void dp_members(struct dp *p, const struct building *g) {
     const struct state *now = &p->now, *next = &p->next;
     const double *const x[DP_FORCES] = {next->u, now->u, now->v, next->v, now->a, next->a};
-    const int n = g->n_hinge > 0 ? 1 : DP_FORCES;
+    bool linear = g->n_hinge == 0;
     double *drift = p->system.drift, *const *f = p->force;
-    for (int k = 0; k < n; k++) {
+    for (int k = 0; k < (linear ? DP_FORCES : 1); k++) {
         for (int i = g->first; i < g->first + g->n_dof; i++) {
             drift[i] = dp_drift(p, 0, i, x[k]);
         }
         for (int i = 0; i < g->n_struck; i++) {
-            drift[g->struck[i]] = x[k][g->struck[i]];
+            drift[g->struck[i]] = dp_struck(p, g->struck[i], x[k], &linear);
         }
-        forces_at(g, drift + g->first, next->storey_history, f[k]);
+        forces_at(g, drift + g->first, next->storey_history, drift, f[k]);
     }
     for (int i = 0; i < g->n_force; i++) {
         const int j = g->force + i;
         dp_note_member(p, 0, j, f[0][i], next->time);
-        if (n == 1 || f[2][i] * f[3][i] >= 0.0 || dp_step_is_instant(p)) {
+        if (!linear || f[2][i] * f[3][i] >= 0.0 || dp_step_is_instant(p)) {
             continue;
         }
         const struct motion m = {
@@ -276,9 +297,7 @@ static void dp_columns(struct dp *p) {
     const struct model *m = p->model;
     for (int i = 0; i < m->n_column; i++) {
         const struct struck_column *c = &m->column[i];
-        const int k = m->n_link - m->n_column + i;
-        const double spring =
-            c->yields ? dp_rates_response(p, k, p->next.delta[k], 0.0).force : 0.0;
+        const double spring = c->yields ? dp_column_spring(p, i) : 0.0;
         for (int q = 0; q < COLUMN_FORCE_COUNT; q++) {
             if (c->yields) {
                 const double force =

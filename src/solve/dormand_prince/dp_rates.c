@@ -51,9 +51,7 @@ static const struct fields_row rates_list[] = {
     FIELD_ARRAY(struct dp_rates, ground.v, FIELD_GROUNDS),
     FIELD_ARRAY(struct dp_rates, ground.u, FIELD_GROUNDS),
     FIELD_ARRAY(struct dp_rates, link, FIELD_LINKS),
-    FIELD_VALUE(struct dp_rates, input),
-    FIELD_VALUE(struct dp_rates, damping),
-    FIELD_VALUE(struct dp_rates, storey),
+    FIELD_VALUES(struct dp_rates, input, storey),
     FIELD_ARRAY(struct dp_rates, power, FIELD_FLOORS),
 };
 const struct fields dp_rates_fields = FIELDS(rates_list);

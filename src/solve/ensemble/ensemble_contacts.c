@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/contact/sweep.h"
+#include "solve/contact/contact.h"
 #include "solve/ensemble/ensemble_lockstep.h"
 
 struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {

@@ -216,6 +216,23 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r) {
     return small;
 }
 
+// The larger of two peaks, and of equal ones the earlier.
+static void ensemble_merge(double *peak, double *time, double other, double other_time) {
+    if (other > *peak || (other == *peak && other_time < *time)) {
+        *peak = other;
+        *time = other_time;
+    }
+}
+
+// Takes the peaks of one quantity of a lane into those of its run.
+static void ensemble_merge_peaks(const struct ensemble_lanes *e, int lane, enum peak q,
+                                 struct results *r) {
+    for (int i = 0; i < e->n_floor; i++) {
+        ensemble_merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
+                       e->peak_time[i].of[q][lane]);
+    }
+}
+
 void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, double time,
                           long n_step) {
     struct state *s = r->now;
@@ -228,9 +245,7 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
             x->own[i] = x->lanes[i * x->pitch][lane];
         }
     }
-    for (int i = 0; i < e->n_floor; i++) {
-        t->speed = number_max(t->speed, e->peak[i].of[PEAK_VELOCITY][lane]);
-    }
+    ensemble_merge_peaks(e, lane, PEAK_VELOCITY, r->results);  // floors_speed needs them
     for (int k = 0; k < e->n_contact; k++) {
         s->delta[k] = ensemble_depth(e, k, e->now, lane);
     }
@@ -290,20 +305,9 @@ void ensemble_lanes_sum(const struct ensemble_lanes *e, struct energy_sums *sums
     }
 }
 
-// The larger of two peaks, and of equal ones the earlier.
-static void ensemble_merge(double *peak, double *time, double other, double other_time) {
-    if (other > *peak || (other == *peak && other_time < *time)) {
-        *peak = other;
-        *time = other_time;
-    }
-}
-
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r) {
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        for (int i = 0; i < e->n_floor; i++) {
-            ensemble_merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
-                           e->peak_time[i].of[q][lane]);
-        }
+    for (enum peak q = 0; q < PEAK_COUNT; q++) {
+        ensemble_merge_peaks(e, lane, q, r);
     }
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_nearest *p = &e->nearest[k];

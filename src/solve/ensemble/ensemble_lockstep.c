@@ -9,7 +9,6 @@
 #include <math.h>
 
 #include "core/number.h"
-#include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
 
 // Sets the bit of run k.

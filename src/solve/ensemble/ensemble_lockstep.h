@@ -3,7 +3,7 @@
 // they share the lanes' ground motion. Lanes of runs that are not active hold numbers without
 // meaning. A run is in one of these ways in a step:
 //     in a lane, with its links      all live links are contacts that have been closed for some
-//                                    steps and stay so, in one group of sweep.h, or there are none
+//                                    steps and stay so, in one group of sweep.c, or there are none
 //     in a lane, without its links   a contact closes or opens: all floors take the step in lanes,
 //                                    and then the links of each such run as if it were alone. In
 //                                    struct run only the arrays of links, and what they need of

@@ -6,7 +6,9 @@
 
 #include "core/root.h"
 
-static const double PRECISION = 1e-9;  // of x; the next correction would be about its square
+// Of x: of zeros in Dormand & Prince's steps, where the next correction would be about its square,
+// and of those in Newmark's, which are not improved any more: a few units of the last place.
+static const double PRECISION = 1e-9, LAST_PLACES = 1e-15;
 
 static double hermite_at(double x, void *context, double *slope) {
     *slope = hermite_slope(context, x);
@@ -80,4 +82,46 @@ struct motion_pieces hermite_cut(const struct motion *m) {
         s.d[i] = hermite_value(&s.path, s.x[i]);
     }
     return s;
+}
+
+// A cubic, and its slope.
+static double hermite_cubic_at(double x, void *context, double *slope) {
+    const double *c = ((const struct polynomial *)context)->c;
+    *slope = c[1] + x * (2.0 * c[2] + x * 3.0 * c[3]);
+    return c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+}
+
+static double hermite_cubic_root(struct polynomial *p, double rise) {
+    const struct root r = {0.0, 1.0, rise};
+    const double start = p->c[0], x = start / (start - hermite_value(p, 1.0));
+    return root_newton(hermite_cubic_at, p, r, x > 0.0 && x < 1.0 ? x : root_middle(&r),
+                       LAST_PLACES);
+}
+
+static struct polynomial hermite_cubic_of(const struct path *p) {
+    return hermite_cubic(p->d0, p->h * p->v0, p->d1, p->h * p->v1);
+}
+
+double hermite_crossing(const struct path *p, double *velocity) {
+    struct polynomial c = hermite_cubic_of(p);
+    double x = 1.0;
+    if (p->d0 == 0.0 && p->d1 * c.c[1] < 0.0) {
+        struct polynomial other = {{c.c[1], c.c[2], c.c[3]}};  // without its root at x = 0
+        x = hermite_cubic_root(&other, p->d1 > 0.0 ? 1.0 : -1.0);
+    } else if (p->d0 == 0.0) {
+        x = 0.0;
+    } else if (p->d1 != 0.0) {
+        x = hermite_cubic_root(&c, p->d0 < 0.0 ? 1.0 : -1.0);
+    }
+    (void)hermite_cubic_at(x, &c, velocity);
+    *velocity /= p->h;
+    return x * p->h;
+}
+
+double hermite_summit(const struct path *p, double *highest) {
+    const struct polynomial cubic = hermite_cubic_of(p);
+    const double *c = cubic.c;
+    const double x = c[1] / (sqrt(c[2] * c[2] - 3.0 * c[3] * c[1]) - c[2]);
+    *highest = hermite_value(&cubic, x);
+    return x * p->h;
 }

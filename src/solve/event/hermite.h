@@ -73,4 +73,18 @@ struct motion_pieces {
 };
 struct motion_pieces hermite_cut(const struct motion *m);
 
+// The ends of a step of Newmark's method, of length h: penetrations and velocities [L] [L/T] [T].
+// Its path within the step is the cubic through both ends, whose velocity is right to third order.
+struct path {
+    double d0, v0, d1, v1, h;
+};
+
+// Time from the start of the step [T] at which the path passes through zero, and the velocity
+// there. Needs d0 <= 0 < d1 or d0 >= 0 > d1 (or a zero at either end); from d0 = 0 there and back
+// it is the second zero.
+double hermite_crossing(const struct path *p, double *velocity);
+
+// For v0 > 0 > v1: time from the start of the step [T] at which the path is highest, and how high.
+double hermite_summit(const struct path *p, double *highest);
+
 #endif

@@ -12,12 +12,10 @@
 // bounces in a finite time. A bounce with rebound w under the acceleration a lasts 2 w / a; one
 // too short to follow is none, and the contact is at rest: the bodies stay together until a force
 // would have to pull. The energy given up, m* w^2 / 2, is booked as dissipated.
-#include "solve/event/impulse.h"
+#include "solve/event/event.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "solve/event/rest.h"
 
 enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
 

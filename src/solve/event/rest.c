@@ -21,12 +21,12 @@
 // the step, or what a share of it leaves of v. And where 2 beta > gamma a velocity of zero or less
 // may lead inside, by h^2 |a| (beta / gamma - 1/2): there d = 0 counts too, and what asks for the
 // larger force prevails.
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "solve/floors/chain.h"
+#include "solve/floors/floor_terms.h"
 #include "solve/forcing.h"
 
 enum { SWEEPS_FEW = 10, SWEEPS_MAX = 20000 };
@@ -248,7 +248,10 @@ void rest_equilibrium(struct state *s, const struct model *m) {
         const int first = m->building[k].first;
         building_damping_force(&m->building[k], s->v + first, force + first);
     }
-    chain_residual(&m->chain, s->external, s->shear, force);
+    for (int i = 0; i < m->n_dof; i++) {
+        force[i] = RESIDUAL(s->external[i], force[i], s->shear[i],
+                            m->chain.joint[i + 1] * s->shear[i + 1]);
+    }
     state_add_link_forces(s, m, force);
     for (int i = 0; i < m->n_dof; i++) {
         s->a[i] = force[i] / m->mass[i];

@@ -19,8 +19,7 @@
 #include "solve/floors/floor_vectors.h"
 
 static const struct fields_row list[] = {
-    FIELD_VALUE(struct effective, b),
-    FIELD_VALUE(struct effective, g),
+    FIELD_VALUES(struct effective, b, g),
     FIELD_ARRAY(struct effective, tangent, FIELD_BUILDING_TANGENTS),
     FIELD_ARRAY(struct effective, ready, FIELD_BUILDING_FLOORS),
 };

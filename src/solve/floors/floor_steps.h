@@ -8,7 +8,7 @@
 
 #include "solve/floors/floor_step.h"
 #include "solve/floors/floors_full.h"
-#include "solve/newmark/flight.h"
+#include "solve/newmark/newmark.h"
 #include "solve/work.h"
 
 // The floors of a block. Where they are few, `few` of them in all, these are constants.
@@ -102,20 +102,19 @@ LANES_INLINE struct due floors_due(const struct work *w, const struct state *old
     return (struct due){floors_taken_of(w, old, now, a->ground_a, yields, few), a->due ? 0 : n, n};
 }
 
-// Takes the floors from `first` to `end` into works and peaks. True: a peak has risen.
-LANES_INLINE bool floors_account_part(const struct floors_taken *step, ptrdiff_t first,
+// Takes the floors from `first` to `end` into works and peaks.
+LANES_INLINE void floors_account_part(const struct floors_taken *step, ptrdiff_t first,
                                       ptrdiff_t end) {
     floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
     EACH_OF_LANES(j) {
         input[j] = FLOORS_AT(step->input_2x, j * FLOORS_VECTOR);
         damping[j] = FLOORS_AT(step->damping_2x, j * FLOORS_VECTOR);
     }
-    const bool rises = floors_take(step, first, end, (double *)input, (double *)damping);
+    floors_take(step, first, end, (double *)input, (double *)damping);
     EACH_OF_LANES(j) {
         FLOORS_SET(step->input_2x, j * FLOORS_VECTOR) = input[j];
         FLOORS_SET(step->damping_2x, j * FLOORS_VECTOR) = damping[j];
     }
-    return rises;
 }
 
 // Takes the account that is due as far as floor `end`, if there are so many.
@@ -325,7 +324,7 @@ FLOORS_CLONES static void floor_steps_correct(struct work *w, const struct state
     }
 }
 
-FLOORS_CLONES static bool floor_steps_account(const struct work *w, const struct state *s0,
+FLOORS_CLONES static void floor_steps_account(const struct work *w, const struct state *s0,
                                               const struct state *s1, double ground_a0) {
     const struct model *m = w->model;
     struct floors_taken step = floors_taken_of(w, s0, s1, ground_a0, !state_is_linear(m), 0);
@@ -337,7 +336,7 @@ FLOORS_CLONES static bool floor_steps_account(const struct work *w, const struct
     if (m->chain.full_damping) {
         floors_full_work(w, s0, s1);
     }
-    return floors_account_part(&step, 0, step.chain.n);
+    floors_account_part(&step, 0, step.chain.n);
 }
 
 const struct floors_steps FLOORS_STEPS = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arithmetic of a step of Newmark's method at one floor i, written once for all ways of taking
-// steps: chain.c goes floor by floor, floor_step.h by vectors of floors or of runs. They agree to
+// steps: newmark.c goes floor by floor, floor_step.h by vectors of floors or of runs. They agree to
 // the bit because these are the same operations in the same order. They are macros because the
 // types differ.
 //     trial      u_t = u + (h v + h^2 a / 2),   v_t = v + h a

@@ -8,9 +8,8 @@
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "solve/account/peaks.h"
 #include "solve/floors/floor_terms.h"
-#include "solve/newmark/flight.h"
+#include "solve/newmark/newmark.h"
 
 // A block has at least so many floors; buildings that are solved together stay together.
 enum { FLOORS_LEAST = 192 };
@@ -62,20 +61,19 @@ bool floors_alloc(struct work *w, struct arena *a) {
 }
 
 // Adds the forces of a run of links to the residual of building k, which is at one of its sides.
-static void push_run(const struct gaps *g, int run, int k, const struct link_state *link,
+// Links that do not act have force 0.
+static void push_run(const struct gap_run *r, int k, const struct link_state *link,
                      const struct floor_block *b, double *residual) {
-    const struct gap_run *r = &g->run[run];
-    const struct gap_share *share = &g->share[run];
     const bool left = r->building[0] == k;
     if (r->row) {
-        const double force = share->n > 0 ? link[r->first].force : 0.0;
+        const double force = link[r->first].force;
         link_push_at(r->row, left ? 0 : 1, left ? -force : force, residual - b->first);
         return;
     }
     double *end = residual + ((left ? r->left : r->right) - b->first);
-    for (int i = share->first; i < share->first + share->n; i++) {
-        double force = link[g->acting[i]].force;
-        end[g->acting[i] - r->first] += left ? -force : force;
+    for (int i = 0; i < r->n; i++) {
+        const double force = link[r->first + i].force;
+        end[i] += left ? -force : force;
     }
 }
 
@@ -91,7 +89,10 @@ void floors_push(struct work *w, const struct state *now, const struct state *ne
             floors_trial(w, now, k);
         }
         for (int i = g->start[k]; g->is_touched[k] && i < g->start[k + 1]; i++) {
-            push_run(g, g->of_building[i], k, next->link, b, w->floors.residual);
+            const int run = g->of_building[i];
+            if (g->acts[run]) {
+                push_run(&g->run[run], k, next->link, b, w->floors.residual);
+            }
         }
     }
 }
@@ -128,17 +129,16 @@ void floors_catch_up(struct work *w, const struct state *old, const struct state
     struct floors_account *account = &w->floors.account;
     if (account->due) {
         steps()->account(w, old, now, account->ground_a);
-        peaks_speed(account->results, w->model->n_dof);
         account->due = false;
     }
 }
 
 double floors_speed(const struct work *w, const struct state *now) {
     const struct floors_account *account = &w->floors.account;
-    double speed = w->totals->speed;
-    for (int i = 0, n = account->defers ? w->model->n_dof : 0; i < n; i++) {
-        double peak = account->results->peak[PEAK_VELOCITY][i];
-        speed = number_max(speed, number_max(peak, fabs(now->v[i])));
+    const double *peak = account->results->peak[PEAK_VELOCITY];
+    double speed = 0.0;
+    for (int i = 0; i < w->model->n_dof; i++) {
+        speed = number_max(speed, number_max(peak[i], account->defers ? fabs(now->v[i]) : 0.0));
     }
     return speed;
 }
@@ -147,8 +147,8 @@ void floors_account(struct work *w, const struct state *now, const struct state 
     struct floors_account *to = &w->floors.account;
     if (to->defers && state_is_linear(w->model)) {
         floors_defer(to, now);
-    } else if (steps()->account(w, now, next, now->ground_a[0])) {
-        peaks_speed(to->results, w->model->n_dof);
+    } else {
+        steps()->account(w, now, next, now->ground_a[0]);
     }
 }
 

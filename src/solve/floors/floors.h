@@ -5,8 +5,7 @@
 #ifndef JOSTLE_FLOORS_H
 #define JOSTLE_FLOORS_H
 
-#include "solve/account/energy.h"
-#include "solve/account/force_peaks.h"
+#include "solve/account/account.h"
 #include "solve/state.h"
 
 // Consecutive buildings, and their floors in whole lanes.
@@ -76,7 +75,7 @@ static inline void floors_defer(struct floors_account *a, const struct state *no
 // Takes the account that is due, of the step from the state in `old` to the committed `now`.
 void floors_catch_up(struct work *w, const struct state *old, const struct state *now);
 
-// [L/T] Largest velocity of any floor so far, the committed `now` and what is put off included.
+// [L/T] Largest velocity of any floor so far, that of the committed `now` included.
 double floors_speed(const struct work *w, const struct state *now);
 
 // Takes steps in free flight from number n, whose state is *now, as far as `end`, but stops before
@@ -85,12 +84,12 @@ double floors_speed(const struct work *w, const struct state *now);
 long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end);
 
 // The loops over floors of these functions, on vectors of one width. `account` takes a step which
-// began with ground acceleration ground_a0 into works and peaks; true: a peak has risen.
+// began with ground acceleration ground_a0 into works and peaks.
 struct floors_steps {
     bool (*move)(struct work *w, const struct state *now, struct state *next, const double *shear);
     void (*correct)(struct work *w, const struct state *now, struct state *next);
     long (*fly)(const struct flight *f, struct state **now, struct state **next, long n, long end);
-    bool (*account)(const struct work *w, const struct state *now, const struct state *next,
+    void (*account)(const struct work *w, const struct state *now, const struct state *next,
                     double ground_a0);
 };
 extern const struct floors_steps floors_narrow, floors_wide;

@@ -11,14 +11,13 @@
 // and forces may begin with an infinite slope. Then h (a1 - a0) / 4 replaces h^3 a'' / 12: the
 // error of the trapezoidal rule for t^(1/4), up to a fifth.
 //
-// The largest of the errors, over the sizes of scale.h, stays below the tolerance. It grows like
+// The largest of the errors, over the sizes of scale.c, stays below the tolerance. It grows like
 // h^3, so steps go with its cube root. They end at corners, in equal parts from one to the next;
 // small changes are not worth a new factorisation.
 #include <math.h>
 #include <string.h>
 
-#include "solve/account/peaks.h"
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
 #include "solve/forcing.h"
 #include "solve/run.h"
 
@@ -34,11 +33,7 @@ static const double SAME = 1e-9;
 static const struct fields_row length_rows[] = {
     FIELD_PART(struct run, length.forcing, forcing_fields),
     FIELD_PART(struct run, length.scales, scale_fields),
-    FIELD_VALUE(struct run, length.pace),
-    FIELD_VALUE(struct run, length.trial),
-    FIELD_VALUE(struct run, length.last),
-    FIELD_VALUE(struct run, length.split),
-    FIELD_VALUE(struct run, length.turned),
+    FIELD_VALUES(struct run, length.pace, length.turned),
     FIELD_ARRAY(struct run, length.before, FIELD_FLOORS),
     FIELD_ARRAY(struct run, length.within, FIELD_FLOORS),
 };

@@ -6,7 +6,7 @@
 
 #include "core/root.h"
 #include "model/foundation.h"
-#include "solve/event/crossing.h"
+#include "solve/event/hermite.h"
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
 
@@ -29,7 +29,7 @@ static int collapse_first(const struct run *r, double h, double *time) {
                                   sign * foundation_across(m, i, r->next->v), h};
         double rate;
         // In lockstep a run may be beyond its limit already, and will be run again.
-        const double at = path.d0 < 0.0 ? crossing_find(&path, &rate) : h;
+        const double at = path.d0 < 0.0 ? hermite_crossing(&path, &rate) : h;
         if (at < *time) {
             first = i;
             *time = at;

@@ -3,7 +3,7 @@
 // v the forces at the end of the step that q_0 leads to. With D = diag(beta h^2 k + gamma h c) and
 // the flexibility S = B A^-1 B' of contact.c the links' forces are
 //     f = y - D S f,   hence   f = (I + D S)^-1 y   and   q = q_0 - A^-1 B' f.
-#include "solve/newmark/flight.h"
+#include "solve/newmark/newmark.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>
@@ -12,9 +12,7 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "law/bilateral.h"
-#include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
-#include "solve/contact/sweep.h"
 #include "solve/forcing.h"
 
 // Finds the runs of contacts that can be checked after each block of floors, as both ends are
@@ -214,7 +212,6 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     }
     gaps_update(&w->gaps, s);
     gaps_peaks(&w->gaps, s);
-    peaks_speed(f->account->results, m->n_dof);
     w->totals->steps += n - first;
     w->totals->iterations += n - first;
     return n;

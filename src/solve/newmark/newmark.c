@@ -25,7 +25,7 @@
 #include "core/lanes.h"
 #include "model/parts.h"
 #include "solve/contact/contact.h"
-#include "solve/floors/chain.h"
+#include "solve/floors/floor_terms.h"
 #include "solve/forcing.h"
 
 static void newmark_begin(struct work *w, const struct state *now, struct state *next, double end) {
@@ -218,6 +218,20 @@ static int newmark_not_finite(const struct model *m, const struct state *s, stru
     return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g", s->time);
 }
 
+// Drifts and elastic shears at the trial.
+LANES static void newmark_strain(const struct chain *c, double h, const struct state *now,
+                                 double *restrict drift, double *restrict shear) {
+    const double *restrict u = now->u, *restrict v = now->v, *restrict a = now->a;
+    const double *restrict k = c->stiffness, *restrict joint = c->joint;
+    const double half = h * h / 2.0;
+    for (int i = 0, n = lanes_rounded(c->n); i < n; i++) {
+        const double under = TRIAL_U(u[i - 1], v[i - 1], a[i - 1], h, half);
+        double d = TRIAL_U(u[i], v[i], a[i], h, half) - joint[i] * under;
+        drift[i] = d;
+        shear[i] = k[i] * d;
+    }
+}
+
 // Drifts and shears at the trial. Storeys of straight lines most likely stay on theirs: the end of
 // the step tells. The tangents of smooth laws change in every step; those at the trial are close
 // enough to those at the end of most steps.
@@ -229,7 +243,7 @@ static int newmark_try(struct work *w, const struct state *now, const struct sta
     trial.drift = w->storeys.drift;
     trial.shear = w->storeys.shear;
     trial.rate = w->storeys.rate;
-    chain_try(&m->chain, w->h, now->u, now->v, now->a, trial.drift, trial.shear);
+    newmark_strain(&m->chain, w->h, now, trial.drift, trial.shear);
     for (int k = 0; k < m->n_body; k++) {
         const struct building *g = &m->building[k];
         if (g->n_part > 0) {

@@ -9,9 +9,8 @@
 
 #include "core/arena.h"
 #include "core/root.h"
-#include "solve/account/peaks.h"
-#include "solve/event/crossing.h"
-#include "solve/event/rest.h"
+#include "solve/event/event.h"
+#include "solve/event/hermite.h"
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
 
@@ -49,8 +48,7 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct run, work.h),
     FIELD_VALUE(struct run, work.factors),
     FIELD_PARTS(struct run, work.home, FIELD_BUILDINGS, effective_fields),
-    FIELD_VALUE(struct run, work.floors.account.due),
-    FIELD_VALUE(struct run, work.floors.account.ground_a),
+    FIELD_VALUES(struct run, work.floors.account.due, work.floors.account.ground_a),
 };
 const struct fields run_step_fields = FIELDS(list);
 
@@ -145,7 +143,7 @@ static double event_jump_time(const struct model *m, const struct state *now,
     path.d0 = fmax(path.d0, 0.0);
     path.d1 = fmin(path.d1, 0.0);
     double rate;
-    return crossing_find(&path, &rate);
+    return hermite_crossing(&path, &rate);
 }
 
 // Time from the start of the step at which the bodies of rigid contact k meet; infinite if they do
@@ -158,15 +156,15 @@ static double event_meeting_time(const struct model *m, const struct state *now,
     path.d0 -= inside;
     path.d1 -= inside;
     if (path.d1 > state_rounding(&m->link[k], next->u)) {
-        return crossing_find(&path, &rate);
+        return hermite_crossing(&path, &rate);
     }
     if (!(path.d0 < 0.0 && path.v0 > 0.0 && path.v1 < 0.0)) {
         return INFINITY;
     }
     struct path rising = path;  // to its summit
-    rising.h = crossing_summit(&path, &rising.d1);
+    rising.h = hermite_summit(&path, &rising.d1);
     rising.v1 = 0.0;
-    return rising.d1 > 0.0 ? crossing_find(&rising, &rate) : INFINITY;
+    return rising.d1 > 0.0 ? hermite_crossing(&rising, &rate) : INFINITY;
 }
 
 // Do the bodies of rigid contact k, which meet at the instant of `s`, neither approach nor press?
@@ -289,7 +287,7 @@ static int event_meet(struct run *r, const struct event *event) {
     enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
     const struct least_bounce least = {
         .time = m->adaptive ? 0.0 : SHORTEST_BOUNCE * m->dt,
-        .velocity = m->adaptive ? m->control.tolerance * r->results->totals.speed : 0.0,
+        .velocity = m->adaptive ? m->control.tolerance * floors_speed(&r->work, r->now) : 0.0,
     };
     impulse_meet(r->now, m, event->link, rebound, &least, r->meeting);
     energy_meet(&r->energy, m, r->now, r->meeting);
