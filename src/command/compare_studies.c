@@ -138,7 +138,7 @@ static int print_fits(struct comparison_of_studies *c, struct suite *const s[2],
     const bool swap = s[1]->n_group > s[0]->n_group;  // the groups of the study that has more
     int status = STATUS_OK;
     for (int g = 0; g < s[swap]->n_group && status == STATUS_OK; g++) {
-        struct fragility f[2];
+        struct fragility f[2] = {{0}};
         int group[2];
         group[swap] = g;
         group[!swap] = find_group(s[!swap], s[swap]->group[g]);

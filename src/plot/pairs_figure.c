@@ -115,7 +115,7 @@ int pairs_figure_write(const struct pairs_figure *f, const struct figure_files *
     study_demand_init(&demand, f->edp);
     figure_open(&head, to, &c, e);
     pairs_data(f, &demand, &spans, &c);
-    canvas_head(&c, f->title, f->subtitle);
+    canvas_head(&c, f->title, "%s", f->subtitle);
     c.area.left += 6.5;
     pairs_scatter(f, &demand, &spans, &c);
     if (f->at) {

@@ -127,6 +127,13 @@ static void rank(const struct run_pairs *p, const struct common *c, struct entry
     }
 }
 
+static int add_name(struct run_pairs *p, const char *name, struct error *e) {
+    const char *more =
+        arena_format(p->arena, "%s%s%s", p->matched, p->matched[0] ? ", " : "", name);
+    p->matched = more ? more : p->matched;
+    return more ? STATUS_OK : error_no_memory(e);
+}
+
 // Ranks the runs by each parameter that both have. *complete[k]: file k sweeps no others.
 static int rank_all(struct run_pairs *p, struct entry *entry, long n, bool complete[2],
                     struct error *e) {
@@ -143,9 +150,8 @@ static int rank_all(struct run_pairs *p, struct entry *entry, long n, bool compl
                 continue;
             }
             seen[0][i] = seen[1][c.dimension[1]] = true;
-            p->matched =
-                arena_format(p->arena, "%s%s%s", p->matched, p->matched[0] ? ", " : "", s->name);
-            status = p->matched ? number_values(p, &c, e) : error_no_memory(e);
+            status = add_name(p, s->name, e);
+            status = status == STATUS_OK ? number_values(p, &c, e) : status;
             if (status == STATUS_OK) {
                 rank(p, &c, entry, n);
             }
@@ -261,36 +267,44 @@ static int summarise(const struct run_pairs *p, struct run_ratios *r, struct err
     return STATUS_OK;
 }
 
+// Reads the demand of the pairs from one file. *size: of its unit in SI.
+static int read_side(const struct run_pairs *p, int side, const char *text, struct run_ratios *out,
+                     double *size, struct error *e) {
+    const struct study_view *v = p->view[side];
+    struct edp *edp = &out->edp[side];
+    double *all = malloc(((size_t)v->n_run + 1) * sizeof *all);
+    double *value = arena_alloc(p->arena, (size_t)p->n, sizeof *value);
+    const struct demands demands = {p->file[side], 1, edp, DEMANDS_NAN, all};
+    if (!all || !value) {
+        free(all);
+        return error_no_memory(e);
+    }
+    int status = demands_find(p->file[side], text, p->arena, edp, e);
+    if (status == STATUS_INPUT) {
+        const struct error cause = *e;
+        error_set(e, status, "%s: %s", v->path, cause.message);
+    }
+    status = status == STATUS_OK ? demands_read(&demands, e) : status;
+    if (status == STATUS_OK) {
+        edp_units(edp->units, v->units.gravity, size);
+    }
+    for (long i = 0; i < p->n && status == STATUS_OK; i++) {
+        value[i] = all[p->pair[i].row[side]];
+    }
+    out->value[side] = value;
+    free(all);
+    return status;
+}
+
 int run_pairs_read(const struct run_pairs *p, const char *text, struct run_ratios *out,
                    struct error *e) {
-    double size[2];
+    double size[2] = {1.0, 1.0};
     *out = (struct run_ratios){.smallest = NAN, .largest = NAN};
-    for (int side = 0; side < 2; side++) {
-        const struct study_view *v = p->view[side];
-        double *all = malloc(((size_t)v->n_run + 1) * sizeof *all);
-        const struct demands demands = {p->file[side], 1, &out->edp[side], DEMANDS_NAN, all};
-        out->value[side] = arena_alloc(p->arena, (size_t)p->n, sizeof *out->value[side]);
-        int status = all && out->value[side] ? STATUS_OK : error_no_memory(e);
-        if (status == STATUS_OK) {
-            status = demands_find(p->file[side], text, p->arena, &out->edp[side], e);
-        }
-        if (status == STATUS_INPUT) {
-            const struct error cause = *e;
-            error_set(e, status, "%s: %s", v->path, cause.message);
-        }
-        text = status == STATUS_OK ? out->edp[side].text : text;
-        status = status == STATUS_OK ? demands_read(&demands, e) : status;
-        if (status == STATUS_OK) {
-            edp_units(out->edp[side].units, v->units.gravity, &size[side]);
-        }
-        for (long i = 0; i < p->n && status == STATUS_OK; i++) {
-            out->value[side][i] = all[p->pair[i].row[side]] * size[side] / size[0];
-        }
-        free(all);
-        if (status != STATUS_OK) {
-            return status;
-        }
+    int status = read_side(p, 0, text, out, &size[0], e);
+    out->text = out->edp[0].text;
+    status = status == STATUS_OK ? read_side(p, 1, out->text, out, &size[1], e) : status;
+    for (long i = 0; i < p->n && status == STATUS_OK; i++) {
+        out->value[1][i] = unit_convert(out->value[1][i], size[1], size[0]);
     }
-    out->text = text;
-    return summarise(p, out, e);
+    return status == STATUS_OK ? summarise(p, out, e) : status;
 }
