@@ -162,6 +162,12 @@ static const struct sweep *find_intensity(const struct study_view *v, int *dimen
     return NULL;
 }
 
+// The name of a file without its folders.
+static const char *file_of(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 static int write_pairs(void *context, const struct figure_files *to, struct error *e) {
     return pairs_figure_write(context, to, e);
 }
@@ -184,7 +190,7 @@ static int draw_pairs(struct request *q, const struct run_pairs *p, struct error
         .subtitle = arena_format(p->arena, "%ld pairs of runs; ratio: median %.4g, dispersion %.3g",
                                  p->n, r.median, r.dispersion),
         .version = JOSTLE_VERSION,
-        .study = {q->result, q->other},
+        .study = {file_of(q->result), file_of(q->other)},
         .units = &v->units,
         .edp = &r.edp[0],
         .n = p->n,
