@@ -21,7 +21,9 @@ struct study_progress {
     long n_damaged;       // places of that journal where runs may be lost
     double seconds_left;  // estimated by the lengths of the runs; 0: not known
     int n_thread;
-    char failure[768];  // of this start, the failed run of the lowest number, and why; "": none
+    bool left_histories;  // the file that was replaced had histories, which the new one lacks
+    char histories[256];  // the runs that were chosen for histories, from 1, as text
+    char failure[768];    // of this start, the failed run of the lowest number, and why; "": none
 };
 
 // What to do with the journal of an earlier start.
@@ -37,6 +39,7 @@ struct study_request {
     const char *const *take;  // (n_take) study files whose finished runs are taken
     int n_take;
     bool retry;               // runs that failed are not taken
+    const char *histories;    // runs whose histories are wanted (study/selection.h); NULL: none
     long steps_max;           // a run with more steps has failed; 0: no limit
     double seconds_max;       // a run that takes longer [s of its thread] has failed; 0: no limit
     int numerics;             // NUMERICS_VERSION: results of another one are not mixed in
@@ -56,6 +59,9 @@ struct study_request {
 // to the last bit. Runs that fail are results. *p tells how far it came, whatever happens. Errors:
 // STATUS_INPUT (the result or the journal has other runs; runs differ in their buildings or
 // contacts; a file changed), STATUS_SYSTEM, or what `poll` returned.
+//
+// If the request has `histories`, the chosen runs are then run again, and the file is written once
+// more, with their histories. If that ends early, the file stays as it was.
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e);
 
 JOSTLE_C_END

@@ -107,8 +107,10 @@ struct study_content {
     int (*read)(void *context, long first, long n, struct study_outcome *outcome, double *value,
                 struct error *e);
 
-    // Writes run `run` of the file as the result of one analysis into a place. NULL: histories are
-    // not wanted.
+    const unsigned char *chosen;  // (n_run) not 0: runs that have histories; NULL: all have
+
+    // Writes run `run` of the file as the result of one analysis into a place, or nothing. NULL:
+    // histories are not wanted.
     int (*write_run)(void *context, long run, const struct result_place *place, struct error *e);
     void *context;
 };

@@ -12,7 +12,8 @@ struct study_rerun_request {
     const struct model *first;  // the model of the deck of the study
     const char *const *define;  // (n_define) NAME=VALUE it was read with
     int n_define;
-    const long *run;  // (n_run) numbers of runs in the study, from 1
+    int n_thread;            // at least 1
+    const char *const *run;  // (n_run) texts that choose runs (study/selection.h)
     int n_run;
     long n_draw;  // so many runs of the file are drawn besides
     int seed;     // of the draw
@@ -26,9 +27,10 @@ struct study_rerun {
     char numbers[256];  // of the runs that were computed, from 1, as text
 };
 
-// Errors: STATUS_FAILED (values or the failure of a run differ; names the run and the value),
-// STATUS_INPUT (the deck, a file, -D or the version of the numerics is not that of the study; a run
-// is not one of the study), STATUS_SYSTEM, and those of the poll.
+// The deck may have other runs besides, as runs are found by their keys (study/keys.h). Errors:
+// STATUS_FAILED (values or the failure of a run differ; names the run and the value), STATUS_INPUT
+// (the deck does not have a run any more; a run is not one of the study), STATUS_SYSTEM, and those
+// of the poll.
 int study_rerun(struct study_file *f, const struct study_rerun_request *q, struct study_rerun *out,
                 struct error *e);
 

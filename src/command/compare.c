@@ -10,6 +10,7 @@
 #include "command/picture.h"
 #include "command/printer.h"
 #include "core/safe.h"
+#include "jostle/study_file.h"
 #include "plot/pictures.h"
 #include "result/layout.h"
 
@@ -17,16 +18,19 @@ static int compare_command(int argc, char **argv);
 
 const struct command command_compare = {
     .name = "compare",
-    .usage = "RUN.h5 OTHER | RUN.h5... --measured FILE --quantity Q\n"
+    .usage = "RUN.h5 OTHER | RUN.h5... --measured FILE --quantity Q |\n"
+             "                      STUDY.h5 STUDY.h5 [--edp EDP [--limit VALUE]]\n"
              "                      [--tolerance T] [-o FILE [--script DIR]] [--force] "
              "[--tsv|--csv|--json]",
-    .summary = "tells where a run differs from another one, or from a measurement",
+    .summary = "tells where a run differs from another one, or from a measurement, and a study "
+               "from another",
     .run = compare_command,
 };
 
 struct options {
     const char *quantity, *measured;
-    double tolerance;  // NAN: not given
+    const char *edp, *limit;  // of studies
+    double tolerance;         // NAN: not given
     struct picture_options picture;
     enum printer_form form;
 };
@@ -128,6 +132,19 @@ static int compare_run(struct comparing *c, const struct options *o, const struc
     return printed == EXIT_DONE ? compare_judge(c, o) : printed;
 }
 
+static int compare_use_studies(const struct options *o, const struct words *operand) {
+    const struct compare_studies q = {
+        {operand->word[0], operand->word[1]}, o->edp, o->limit, o->form};
+    struct error e;
+    if (o->measured || o->quantity || !isnan(o->tolerance) || picture_is_wanted(&o->picture)) {
+        return command_usage(&command_compare,
+                             "studies take --edp and --limit; 'jostle plot %s --compare %s' draws "
+                             "them",
+                             q.path[0], q.path[1]);
+    }
+    return compare_studies(&q, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
+
 static int compare_use(void *request, struct arena *a, const struct words *operand) {
     const struct options *o = request;
     struct comparing c = {.quantity = o->quantity, .measured = o->measured, .arena = a};
@@ -136,6 +153,13 @@ static int compare_use(void *request, struct arena *a, const struct words *opera
     }
     if (!o->measured && operand->n != 2) {
         return command_usage(&command_compare, "give a run and what it is compared with");
+    }
+    if (operand->n == 2 && study_file_is_study(operand->word[0]) &&
+        study_file_is_study(operand->word[1])) {
+        return compare_use_studies(o, operand);
+    }
+    if (o->edp || o->limit) {
+        return command_usage(&command_compare, "--edp and --limit are for two studies");
     }
     int status = picture_check(&command_compare, &o->picture);
     if (status == EXIT_DONE && o->quantity) {
@@ -153,6 +177,10 @@ static int compare_command(int argc, char **argv) {
         {"measured", 0, "FILE", OPTION_TEXT, 0, AT(measured),
          .doc = "a measured history of the quantity: time and value in columns, units in brackets "
                 "above them, else those of the run. The runs are ranked by their errors"},
+        {"edp", 0, "EDP", OPTION_TEXT, 0, AT(edp),
+         .doc = "the demand of two studies (default: all); 'jostle fragility --help' lists them"},
+        {"limit", 0, "VALUE", OPTION_TEXT, 0, AT(limit),
+         .doc = "compares the fragilities of two studies for this limit of the demand"},
         {"tolerance", 0, "T", OPTION_NUMBER, 0, AT(tolerance), .least = 0.0, .most = 1e6,
          .doc = "the exit status is 1 if a difference is larger than T times the peak"},
         {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
@@ -170,6 +198,9 @@ static int compare_command(int argc, char **argv) {
                  "ground.\n\n"},
         {.row = rows},
         {.row = printer_rows, .at = AT(form)},
+        {.text = "\nOf two studies, runs of the same parameters are compared: the ratio of their "
+                 "demands, its median\nand its dispersion, the standard deviation of its "
+                 "logarithm.\n"},
         {.text = "\ndifference: the largest one over the peak of the other history, and when it "
                  "is\nfirst: the first difference above the tolerance, or above 0.001\n"
                  "error: root of sum (x - r)^2 over sum r^2 (Jankowski 2005, eq. 10-11)\n"

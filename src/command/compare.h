@@ -3,7 +3,7 @@
 #ifndef JOSTLE_COMPARE_H
 #define JOSTLE_COMPARE_H
 
-#include "command/option.h"
+#include "command/printer.h"
 #include "core/arena.h"
 #include "jostle/result.h"
 #include "study/comparison.h"
@@ -33,5 +33,14 @@ void compare_replace(char *text, char from, char to);
 // the measured one. Errors: STATUS_INPUT, STATUS_SYSTEM.
 int compare_two(struct comparing *c, const char *path, const char *other, struct error *e);
 int compare_all(struct comparing *c, const struct words *run, struct error *e);
+
+// Two studies: the ratios of demands of runs with the same parameters, and of the fragilities for a
+// limit.
+struct compare_studies {
+    const char *path[2];
+    const char *edp, *limit;  // NULL: all demands; no fragilities
+    enum printer_form form;
+};
+int compare_studies(const struct compare_studies *q, struct error *e);
 
 #endif

@@ -12,6 +12,8 @@
 #include "core/safe.h"
 #include "core/text.h"
 #include "plot/figure.h"
+#include "plot/pictures.h"
+#include "study/run_pairs.h"
 
 static int plot_command(int argc, char **argv);
 
@@ -154,6 +156,91 @@ static int plot_suite(struct request *q) {
     return status;
 }
 
+// A sweep of the first study that is an intensity; NULL: there is none.
+static const struct sweep *find_intensity(const struct study_view *v, int *dimension) {
+    static const char *const names[] = {"im", "sa", "pga", "intensity", "scale"};
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
+        for (int i = 0; i < v->n_sweep; i++) {
+            if (strcmp(v->sweep[i]->name, names[k]) == 0 && v->sweep[i]->number &&
+                v->sweep[i]->n > 1) {
+                *dimension = i;
+                return v->sweep[i];
+            }
+        }
+    }
+    return NULL;
+}
+
+// The name of a file without its folders.
+static const char *file_of(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+static int write_pairs(void *context, const struct figure_files *to, struct error *e) {
+    return pairs_figure_write(context, to, e);
+}
+
+static int draw_pairs(struct request *q, const struct run_pairs *p, struct error *e) {
+    const struct study_view *v = p->view[0];
+    struct run_ratios r;
+    int dimension = 0, status = run_pairs_read(p, q->study.request.edp, &r, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    const struct sweep *sweep = find_intensity(v, &dimension);
+    double *at = arena_alloc(p->arena, (size_t)p->n, sizeof *at);
+    for (long i = 0; at && sweep && i < p->n; i++) {
+        const long run = study_view_run(v, p->pair[i].row[0]);
+        at[i] = sweep->number[study_view_choice(v, run, dimension)];
+    }
+    struct pairs_figure figure = {
+        .title = v->title[0] ? v->title : v->path,
+        .subtitle = arena_format(p->arena, "%ld pairs of runs; ratio: median %.4g, dispersion %.3g",
+                                 p->n, r.median, r.dispersion),
+        .version = JOSTLE_VERSION,
+        .study = {file_of(q->result), file_of(q->other)},
+        .units = &v->units,
+        .edp = &r.edp[0],
+        .n = p->n,
+        .value = {r.value[0], r.value[1]},
+        .at = sweep ? at : NULL,
+        .at_name = sweep ? sweep->name : NULL,
+        .at_dimension =
+            sweep ? edp_units(sweep->units, v->units.gravity, &(double){0}) : dimension_none};
+    if (!at || !figure.subtitle) {
+        return error_no_memory(e);
+    }
+    if (!picture_is_wanted(&q->picture)) {
+        q->picture.output = name_output(q->result, "compare", q->default_output);
+    }
+    const struct picture_request picture = {
+        .options = q->picture, .name = "compare", .write = write_pairs, .context = &figure};
+    status = picture_make(&picture, e);
+    if (status == STATUS_OK && q->picture.output) {
+        safe_line(stdout, "%s", q->picture.output);
+    }
+    return status;
+}
+
+// A study against another one.
+static int plot_pairs(struct request *q, struct error *e) {
+    const char *const path[] = {q->result, q->other};
+    struct study_file *f[2] = {NULL, NULL};
+    struct run_pairs pairs = {.arena = NULL};
+    int status = STATUS_OK;
+    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
+        crash_reading(NULL, path[i]);
+        status = study_file_open(path[i], &f[i], e);
+    }
+    status = status == STATUS_OK ? run_pairs_open(&pairs, f[0], f[1], e) : status;
+    status = status == STATUS_OK ? draw_pairs(q, &pairs, e) : status;
+    run_pairs_close(&pairs);
+    study_file_close(f[0]);
+    study_file_close(f[1]);
+    return status;
+}
+
 static int plot_deck(struct request *q) {
     struct model *m;
     struct error e;
@@ -207,9 +294,13 @@ static int choose(struct request *q, bool study) {
     if (q->load.define.n > 0) {
         return command_usage(&command_plot, "-D is for decks, as in 'plot deck DECK -D ...'");
     }
-    if (study && q->other) {
-        return command_usage(&command_plot, "--compare is for single runs; %s is a study",
-                             q->result);
+    if (q->other && study != study_file_is_study(q->other)) {
+        return command_usage(&command_plot,
+                             "--compare takes two runs or two studies; %s is a study",
+                             study ? q->result : q->other);
+    }
+    if (study && q->other && q->kind) {
+        return command_usage(&command_plot, "%s does not show two studies; leave it out", q->kind);
     }
     if (!study && q->study.first) {
         return refuse_for_run(q, "--", q->study.first->name);
@@ -264,10 +355,11 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (status != EXIT_DONE) {
         return status;
     }
-    if (study) {
+    if (study && !q->other) {
         return plot_suite(q);
     }
-    return plot_runs(q, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    status = study ? plot_pairs(q, &e) : plot_runs(q, &e);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static const struct option_row rows[] = {
@@ -275,7 +367,8 @@ static const struct option_row rows[] = {
      .doc =
          "the plot; its extension is its format (default: FILE-KIND.png in the current directory)"},
     {"compare", 0, "OTHER.h5", OPTION_TEXT, 0, AT(other),
-     .doc = "draws a second run of the same buildings over the first"},
+     .doc = "draws a second run of the same buildings over the first, or a demand of two "
+            "studies, run against run"},
     {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
      .doc =
          "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, it draws no plot"},

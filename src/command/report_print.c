@@ -178,7 +178,11 @@ static bool force_row(struct printer *t, const struct report *r, int i) {
     const double rest[] = {floor + 1, b->peak_time[PEAK_ACCELERATION][floor],
                            b->peak[PEAK_SHEAR][0], b->peak_time[PEAK_SHEAR][0]};
     char in_g[32];
-    snprintf(in_g, sizeof in_g, "%.4g%c", peak * unit_in_g(&r->units), hit ? '*' : ' ');
+    if (isnan(peak)) {
+        snprintf(in_g, sizeof in_g, "- ");
+    } else {
+        snprintf(in_g, sizeof in_g, "%.4g%c", peak * unit_in_g(&r->units), hit ? '*' : ' ');
+    }
     printer_text(t, b->name);
     printer_number(t, peak);
     printer_text(t, in_g);

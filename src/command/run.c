@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #include "command/command.h"
 #include "command/deck_command.h"
@@ -17,6 +18,7 @@
 #include "jostle/result.h"
 #include "jostle/study.h"
 #include "model/guidance.h"
+#include "study/selection.h"
 
 static int run_command(int argc, char **argv);
 
@@ -30,6 +32,7 @@ struct run_options {
     enum study_journal journal;
     struct words take;  // files
     bool retry;
+    const char *histories;     // which runs of a study have them; NULL: as the deck says
     int steps_max;             // 0: no limit
     double seconds_max;        // 0: no limit
     int n_thread;              // 0: all cores
@@ -40,7 +43,7 @@ struct run_options {
 const struct command command_run = {
     .name = "run",
     .usage = "DECK [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [-q] [--shard K/N] [--force]\n"
-             "                  [--take FILE.h5]... [--retry] [--restart]",
+             "                  [--take FILE.h5]... [--retry] [--restart] [--histories RUNS]",
     .summary = "runs a deck, writes its result file and prints a summary",
     .run = run_command,
 };
@@ -218,6 +221,7 @@ static int run_study(const struct model *first, const struct run_options *o,
         .take = o->take.word,
         .n_take = o->take.n,
         .retry = o->retry,
+        .histories = o->histories,
         .steps_max = o->steps_max,
         .seconds_max = o->seconds_max,
         .numerics = NUMERICS_VERSION,
@@ -244,8 +248,20 @@ static int run_study(const struct model *first, const struct run_options *o,
     if (!o->load.quiet && p.n_kept == p.n_run) {
         safe_line(stderr, "jostle: all %ld runs were there; none was computed", p.n_run);
     }
+    if (p.left_histories) {
+        safe_line(stderr,
+                  "jostle: warning: the histories of single runs in %s are gone with the old "
+                  "file; --histories makes them again",
+                  result->path);
+    }
     if (!o->load.quiet && show_study_summary(result->path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
+    }
+    if (!o->load.quiet && o->histories && !p.histories[0]) {
+        puts("histories   of no run, as none is chosen");
+    } else if (!o->load.quiet && o->histories) {
+        safe_line(stdout, "histories   of run%s %s", strpbrk(p.histories, ",-") ? "s" : "",
+                  p.histories);
     }
     return study_display_status(p.n_failed, p.n_run, result->path, p.failure);
 }
@@ -295,6 +311,9 @@ static int run_command(int argc, char **argv) {
         {"retry", .kind = OPTION_TRUE, .at = AT(retry),
          .doc = "computes failed runs again that the result file, --take or an interrupted start "
                 "have"},
+        {"histories", 0, "RUNS", OPTION_TEXT, 0, AT(histories),
+         .doc = "computes these runs of a study once more and adds their histories to the result "
+                "file: a list of " SELECTION_FORM},
         {"steps", 0, "N", OPTION_WHOLE, 0, AT(steps_max), 1, INT_MAX,
          .doc = "limit of steps: a run of a study with N of them fails"},
         {"seconds", 0, "S", OPTION_NUMBER, 0, AT(seconds_max), 1e-3, 1e9,

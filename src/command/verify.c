@@ -10,12 +10,13 @@
 #include "core/arena.h"
 #include "core/safe.h"
 #include "jostle/study_rerun.h"
+#include "study/selection.h"
 
 static int verify_command(int argc, char **argv);
 
 const struct command command_verify = {
     .name = "verify",
-    .usage = "FILE.h5 [--rerun K [--seed S]] [--run N]... [--deck DECK]",
+    .usage = "FILE.h5 [--rerun K [--seed S]] [--run RUNS]... [--deck DECK]",
     .summary = "checks the data of a result file, and computes runs of a study again",
     .run = verify_command,
 };
@@ -25,7 +26,7 @@ struct verify_options {
     const char *deck;  // NULL: that which the file names
     struct study_rerun_request rerun;
     int n_draw;
-    struct words run;  // numbers
+    struct words run;
 };
 #define AT(member) offsetof(struct verify_options, member)
 
@@ -51,6 +52,7 @@ static int rerun(struct verify_options *o) {
         o->rerun.first = d.model;
         o->rerun.define = d.load.define.word;
         o->rerun.n_define = d.load.define.n;
+        o->rerun.n_thread = deck_command_threads();
         interrupt_catch();
         status = study_rerun(f, &o->rerun, &out, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
     }
@@ -73,30 +75,18 @@ static const struct option_row rows[] = {
             "bit"},
     {"seed", 0, "S", OPTION_WHOLE, 0, AT(rerun.seed), 1, INT_MAX,
      .doc = "seed of the random draw, a whole number from 1; default: 1"},
-    {"run", 0, "N", OPTION_WORDS, 0, AT(run), 1, STUDY_RUNS_MAX, .what = "the number of a run",
-     .doc = "computes run N of the study again; may be repeated"},
+    {"run", 0, "RUNS", OPTION_WORDS, 0, AT(run),
+     .doc =
+         "computes these runs of the study again, a list of " SELECTION_FORM "; may be repeated"},
     STUDY_DECK_ROW(AT(deck)),
     {0}};
 
-static const struct option_row *const run_row = &rows[2];
-
 static int use(void *options, struct arena *a, const struct words *operand) {
+    (void)a;
     struct verify_options *o = options;
-    long *run = arena_alloc(a, (size_t)o->run.n, sizeof *run);
-    if (!run) {
-        return command_no_memory();
-    }
-    for (int i = 0; i < o->run.n; i++) {
-        int number;
-        const int status = option_whole(&command_verify, run_row, o->run.word[i], &number);
-        if (status != EXIT_DONE) {
-            return status;
-        }
-        run[i] = number;
-    }
     o->path = operand->word[0];
     o->rerun.n_draw = o->n_draw;
-    o->rerun.run = run;
+    o->rerun.run = o->run.word;
     o->rerun.n_run = o->run.n;
     struct result_sums sums;
     struct error e;

@@ -171,7 +171,7 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
 static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .x = span_none, .y = span_none};
-    study_demand_init(&v.demand, s);
+    study_demand_init(&v.demand, &s->edp);
     write_points(&v, c);
     if (c->status != STATUS_OK) {
         return;

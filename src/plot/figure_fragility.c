@@ -116,7 +116,7 @@ static void write_curves(const struct view *v, struct canvas *c) {
 static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
-    study_demand_init(&v.demand, s);
+    study_demand_init(&v.demand, &s->edp);
     write_counts(&v, c);
     write_curves(&v, c);
     char limit[96];

@@ -189,7 +189,7 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
 static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none};
-    study_demand_init(&v.demand, s);
+    study_demand_init(&v.demand, &s->edp);
     write_samples(&v, c->data);
     write_flats(&v, c->data);
     if (s->n_hit > 0) {

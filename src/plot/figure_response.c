@@ -167,7 +167,7 @@ static void draw_panel(const struct view *v, struct canvas *c) {
 static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none, .band = s->n_group == 1 && s->n_sample > 1};
-    study_demand_init(&v.demand, s);
+    study_demand_init(&v.demand, &s->edp);
     v.work = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *v.work);
     if (!v.work) {
         c->status = error_no_memory(c->e);

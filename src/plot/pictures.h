@@ -161,4 +161,24 @@ struct comparison_figure {
 int comparison_figure_write(const struct comparison_figure *f, const struct figure_files *to,
                             struct error *e);
 
+// The picture of two studies: a demand of each pair of runs, one against the other, and its ratio
+// over the intensity.
+
+struct pairs_figure {
+    const char *title, *subtitle, *version;
+    const char *study[2];             // names of the studies
+    const struct unit_system *units;  // of the first one
+    const struct edp *edp;            // as the first one has it
+    long n;
+    const double *value[2];  // (n) of the pairs, in the unit of the first study
+    const double *at;        // (n) intensity; NULL: none is drawn
+    const char *at_name;
+    struct dimension at_dimension;
+};
+
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending). Write
+// errors are the caller's.
+int pairs_figure_write(const struct pairs_figure *f, const struct figure_files *to,
+                       struct error *e);
+
 #endif

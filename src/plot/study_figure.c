@@ -9,15 +9,15 @@
 #include "core/safe.h"
 #include "plot/script.h"
 
-void study_demand_init(struct study_demand *d, const struct suite *s) {
-    const bool ratio = s->edp.quantity->divisor != NULL;
-    const bool count = !ratio && dimension_equal(s->edp.dimension, dimension_none);
+void study_demand_init(struct study_demand *d, const struct edp *edp) {
+    const bool ratio = edp->quantity->divisor != NULL;
+    const bool count = !ratio && dimension_equal(edp->dimension, dimension_none);
     *d = (struct study_demand){.factor = ratio ? 100.0 : 1.0,
                                .unit = ratio   ? "%"
                                        : count ? ""
                                                : NULL};
-    const char *place = strchr(s->edp.text, ':');
-    snprintf(d->name, sizeof d->name, "%s%s%s", s->edp.quantity->name, place ? ", " : "",
+    const char *place = strchr(edp->text, ':');
+    snprintf(d->name, sizeof d->name, "%s%s%s", edp->quantity->name, place ? ", " : "",
              place ? place + 1 : "");
     for (char *at = d->name; *at && *at != ','; at++) {
         *at = *at == '-' ? ' ' : *at;

@@ -12,7 +12,7 @@ struct study_demand {
     const char *unit;  // of an axis, NULL: that of the dimension
     char name[96];     // "drift ratio, A"
 };
-void study_demand_init(struct study_demand *d, const struct suite *s);
+void study_demand_init(struct study_demand *d, const struct edp *edp);
 struct axis study_demand_axis(const struct study_demand *d, const struct suite *s,
                               struct span span);
 

@@ -56,6 +56,7 @@ struct h5 {
     // For reading: dimensions in front of lists of values, in each of which these are read.
     int n_front;
     hsize_t front[H5_DIMENSIONS_MAX];
+    bool ended_early;    // the run there has failed: values are NaN, and whole numbers read as 0
     uint64_t taken;      // by h5_take [bytes]
     struct h5_use *use;  // (n_use) of scales; heap
     size_t n_use, use_capacity;

@@ -270,15 +270,16 @@ static void scatter_whole(struct h5 *h, const struct column_table *t, int c, voi
     const struct column *column = &t->column[c];
     const long most = column->kind == COLUMN_FLAG ? 1 : INT_MAX;
     for (size_t i = 0; i < n; i++) {
-        if (value[i] < 0 || value[i] > most) {
+        const bool sound = value[i] >= 0 && value[i] <= most;
+        if (!sound && !h->ended_early) {
             h5_fail(h, "dataset '%s' has the value %ld", column->name, value[i]);
             return;
         }
         void *to = place(t, c, base, i);
         if (column->kind == COLUMN_FLAG) {
-            *(bool *)to = value[i] != 0;
+            *(bool *)to = sound && value[i] != 0;
         } else {
-            *(int *)to = (int)value[i] - column->base;
+            *(int *)to = sound ? (int)value[i] - column->base : 0;
         }
     }
 }

@@ -235,6 +235,25 @@ static struct report_link *get_links(struct result_file *r, const struct link_gr
     return link;
 }
 
+// Of a run that failed the file has no peaks of contacts: those of its impacts take their place.
+static void count_impacts(struct report *r) {
+    for (int i = 0; i < r->n_contact; i++) {
+        r->contact[i].peak = (struct link_peak){.penetration = NAN, .penetration_time = NAN};
+    }
+    for (long i = 0; i < r->n_impact; i++) {
+        const struct impact *from = &r->impact[i];
+        struct link_peak *to = &r->contact[from->contact].peak;
+        to->impacts++;
+        to->impulse += from->impulse;
+        to->dissipated += from->dissipated;
+        to->penetration = fmax(to->penetration, from->max_penetration);
+        if (from->peak_force > to->force) {
+            to->force = from->peak_force;
+            to->force_time = NAN;
+        }
+    }
+}
+
 // Can a storey of the building in the group `path` yield? If not, the file has no residual drifts
 // of it. Of a run of a study, an attribute says so.
 static bool yields(struct result_file *f, const struct spot *envelope, const char *path) {
@@ -290,6 +309,9 @@ static void get_impacts(struct result_file *f) {
             h5_fail(&f->h, "impact %zu is of contact %d; there are %d", i + 1,
                     r->impact[i].contact + 1, r->n_contact);
         }
+    }
+    if (f->h.ended_early && !f->h.failed) {
+        count_impacts(r);
     }
     h5_close(&f->h, group);
 }

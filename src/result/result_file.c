@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/arena.h"
+#include "jostle/study_file.h"
 #include "result/reader.h"
 #include "result/seal.h"
 
@@ -56,6 +57,16 @@ static int find_run(struct result_file *r, const char *file, long run, struct er
                           file, run, (unsigned long long)n_run);
     }
     r->h.n_front = r->h.failed ? 0 : n;
+    struct h5_box box = {.n = 1};
+    for (int i = 0; i < r->h.n_front; i++) {
+        box.start[i] = r->h.front[i];
+        box.count[i] = 1;
+    }
+    int how = STUDY_DONE;
+    if (found == STATUS_OK && r->h.n_front > 0) {
+        h5_get_box(&r->h, status, &box, H5T_NATIVE_INT, &how);
+    }
+    r->h.ended_early = how != STUDY_DONE;
     h5_drop(space);
     h5_close(&r->h, status);
     return found;
@@ -67,8 +78,8 @@ static int open_run(struct result_file *r, const char *file, long run, struct er
     snprintf(name, sizeof name, "runs/%06ld", run);
     if (!h5_has(&r->h, r->h.file, "runs")) {
         return error_set(e, STATUS_INPUT,
-                         "%s has no histories of single runs; 'output -histories' in the deck of a "
-                         "study writes them",
+                         "%s has no histories of single runs; 'jostle run DECK --histories RUNS' "
+                         "adds them",
                          file);
     }
     const int status = find_run(r, file, run, e);
@@ -76,7 +87,10 @@ static int open_run(struct result_file *r, const char *file, long run, struct er
         return status;
     }
     if (!r->h.failed && !h5_has(&r->h, r->h.file, name)) {
-        return error_set(e, STATUS_INPUT, "%s has no histories of run %ld", file, run);
+        return error_set(e, STATUS_INPUT,
+                         "%s has no histories of run %ld; 'jostle run DECK --histories RUNS' adds "
+                         "them",
+                         file, run);
     }
     r->root = h5_get_group(&r->h, r->h.file, name);
     r->report->run = run;

@@ -67,7 +67,16 @@ static int put_runs(struct study_writer *w, struct block *b, struct error *e) {
     return STATUS_OK;
 }
 
-// Histories of the runs that were done, in /runs.
+// Takes a group without members away.
+static void drop_empty(struct h5 *h, hid_t parent, const char *name, hid_t group) {
+    H5G_info_t info;
+    if (!h->failed && !h5_failed(h, H5Gget_info(group, &info)) && info.nlinks == 0) {
+        h5_failed(h, H5Ldelete(parent, name, H5P_DEFAULT));
+    }
+}
+
+// Histories in /runs: of all runs that were done, or of those that are chosen and were done or
+// failed.
 static int put_histories(struct study_writer *w, struct block *b, const char *path,
                          struct error *e) {
     const struct study_content *c = w->content;
@@ -75,14 +84,20 @@ static int put_histories(struct study_writer *w, struct block *b, const char *pa
     int status = STATUS_OK;
     for (long i = 0; i < c->n_run && status == STATUS_OK && !w->h.failed; i++) {
         char name[24];
+        if (c->chosen && !c->chosen[i]) {
+            continue;
+        }
         status = c->read(c->context, i, 1, b->outcome, b->value, e);
-        if (status != STATUS_OK || b->outcome->status != STUDY_DONE) {
+        const bool has_rows =
+            b->outcome->status == STUDY_DONE || (c->chosen && b->outcome->status == STUDY_FAILED);
+        if (status != STATUS_OK || !has_rows) {
             continue;
         }
         snprintf(name, sizeof name, "%06.0f", c->part ? c->part->run[i] : (double)i + 1.0);
         const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path, w->tree.sweep,
                                            w->tree.n_sweep};
         status = w->h.failed ? STATUS_OK : c->write_run(c->context, i, &place, e);
+        drop_empty(&w->h, runs, name, place.group);
         h5_close(&w->h, place.group);
     }
     h5_close(&w->h, runs);

@@ -182,9 +182,10 @@ static long enter(struct journal *j, long first, int64_t offset, int status, boo
 
 bool journal_take(struct journal *j, const struct study_key *key, int64_t place, int status,
                   bool collapsed) {
+    static const struct journal_chain none;
     const long first = keys_find(j->keys, key);
     if (first >= 0) {
-        enter(j, first, -place, status, collapsed, NULL);
+        enter(j, first, -place, status, collapsed, &none);
     }
     return first >= 0;
 }

@@ -17,7 +17,7 @@
 #include <stdint.h>
 #include <sys/types.h>
 
-#include "jostle/study_file.h"
+#include "jostle/study.h"
 #include "study/keys.h"
 
 // The blocks of a run so far. The run had this number at the start that ran it.
@@ -83,6 +83,12 @@ int journal_go_on(struct journal *j, struct error *e);
 
 // Empties the journal and writes the head.
 int journal_reset(struct journal *j, const char *head, struct error *e);
+
+// Goes on with the runs of the open journal, or begins it anew, with this head. `noun` is what a
+// message calls the study. Errors: STATUS_INPUT (it holds runs that the study does not have, or
+// cannot be read), STATUS_SYSTEM.
+int journal_resume(struct journal *j, const char *head, enum study_journal what, const char *noun,
+                   struct error *e);
 
 // Notes that all runs of this key that are not there are at a place of the caller's, > 0, which is
 // then -offset. Returns false if the study has no such run.

@@ -140,8 +140,10 @@ int origin_part(const struct plan *p, const struct manifest *m, struct study_par
     return STATUS_OK;
 }
 
-int origin_compare(struct manifest *m, const char *study, const struct study_origin *o,
-                   struct error *e) {
+// Compares what the runs of a file come from with the study of the text `study`. Errors:
+// STATUS_INPUT with the name of the first difference, STATUS_SYSTEM.
+static int compare_origin(struct manifest *m, const char *study, const struct study_origin *o,
+                          struct error *e) {
     int length;
     if (strcmp(o->study, study) != 0) {
         const char *cause = origin_difference(o->study, study, &length);
@@ -169,7 +171,7 @@ int origin_check(struct manifest *m, const struct plan *p, const struct study_vi
     }
     int status = origin_study(m->arena, &study, p->table->n_value, &current, e);
     if (status == STATUS_OK && current) {
-        status = origin_compare(m, current, &v->origin, e);
+        status = compare_origin(m, current, &v->origin, e);
     }
     if (status != STATUS_INPUT) {
         return status;

@@ -37,12 +37,6 @@ int origin_describe(const struct study_request *q, const struct manifest *m,
 int origin_part(const struct plan *p, const struct manifest *m, struct study_part *out,
                 struct error *e);
 
-// Compares `o`, what the runs of a file come from, with the study of the text `study`, which reads
-// the files of the manifest. Errors: STATUS_INPUT with the name of the first difference,
-// STATUS_SYSTEM (no memory).
-int origin_compare(struct manifest *m, const char *study, const struct study_origin *o,
-                   struct error *e);
-
 // The deck of the plan must be that of the study of a file, and so must the files that its runs
 // have read. Errors: STATUS_INPUT (something has changed, or the file does not tell),
 // STATUS_SYSTEM.

@@ -275,6 +275,7 @@ struct study_view plan_view(const struct plan *p) {
                            .title = p->first->deck->title,
                            .units = r->units,
                            .n_run = p->n_run,
+                           .n_study = p->n_run,
                            .table = *p->table,
                            .n_building = r->n_building,
                            .building = r->building,

@@ -291,8 +291,9 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
     p.left = missing;
-    // In lockstep a run would have the time of the others, too.
-    p.most = q->seconds_max > 0.0 || q->steps_max > 0 ? 1 : trial_most(plan);
+    // In lockstep a run would have the time of the others, too, and no histories.
+    const bool alone = q->seconds_max > 0.0 || q->steps_max > 0 || journal->chain;
+    p.most = alone ? 1 : trial_most(plan);
     const size_t values = (size_t)p.most * plan->table->n_value;
     const struct workers_request request = {.n_thread = n_thread,
                                             .scratch =

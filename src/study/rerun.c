@@ -8,12 +8,13 @@
 
 #include "core/number.h"
 #include "jostle/ensemble.h"
+#include "jostle/numerics.h"
 #include "motion/record_cache.h"
-#include "study/manifest.h"
+#include "study/keys.h"
 #include "study/number_list.h"
-#include "study/origin.h"
 #include "study/plan.h"
 #include "study/roles.h"
+#include "study/selection.h"
 #include "study/trial.h"
 
 struct rerun {
@@ -22,6 +23,8 @@ struct rerun {
     struct study_file *file;
     struct plan plan;
     struct manifest manifest;
+    struct keys keys;
+    struct study_key *key;  // (n_run of the file)
     struct trial_watch watch;
     unsigned char *chosen;   // (n_run of the file)
     double *stored, *value;  // (n_value) of the file; (ENSEMBLE_MAX, n_value)
@@ -54,22 +57,50 @@ static int draw(struct rerun *r, struct error *e) {
 // Chooses the runs that the request names.
 static int choose(struct rerun *r, struct error *e) {
     const struct study_rerun_request *q = r->request;
-    for (int k = 0; k < q->n_run; k++) {
-        if (q->run[k] < 1 || q->run[k] > r->view->n_study) {
-            return error_set(e, STATUS_INPUT, "%s has no run %ld; its study has the runs 1 to %ld",
-                             r->view->path, q->run[k], r->view->n_study);
-        }
-        long i = 0;
-        while (i < r->view->n_run && study_view_run(r->view, i) != q->run[k] - 1) {
-            i++;
-        }
-        if (i == r->view->n_run) {
-            return error_set(e, STATUS_INPUT, "%s is part of a study and has no run %ld",
-                             r->view->path, q->run[k]);
-        }
-        r->chosen[i] = 1;
+    int status = STATUS_OK;
+    for (int k = 0; k < q->n_run && status == STATUS_OK; k++) {
+        status = selection_read(r->file, q->run[k], r->chosen, e);
     }
-    return q->n_draw > 0 ? draw(r, e) : STATUS_OK;
+    return status == STATUS_OK && q->n_draw > 0 ? draw(r, e) : status;
+}
+
+// The keys of the runs of the deck, and those of the file.
+static int make_keys(struct rerun *r, struct error *e) {
+    const struct study_rerun_request *q = r->request;
+    const struct study_request study = {.first = q->first,
+                                        .define = q->define,
+                                        .n_define = q->n_define,
+                                        .n_thread = q->n_thread,
+                                        .numerics = NUMERICS_VERSION};
+    int status = keys_make(&r->keys, &study, &r->plan, &r->manifest, e);
+    status = status == STATUS_OK ? study_file_keys(r->file, &r->key, e) : status;
+    return status == STATUS_OK && !r->key
+               ? error_set(e, STATUS_INPUT,
+                           "%s does not have the keys of its runs: an earlier version wrote it",
+                           r->view->path)
+               : status;
+}
+
+// The run of row `i` of the file among those of the deck, perhaps at another number; -1: there is
+// none. A run whose statements cannot be read has no key, in the file nor in the deck.
+static long find(const struct rerun *r, long i) {
+    const long same = study_view_run(r->view, i);
+    return keys_is_known(&r->key[i]) ? keys_find(&r->keys, &r->key[i])
+           : same < r->keys.n && !keys_is_known(&r->keys.key[same]) ? same
+                                                                    : -1;
+}
+
+// Row `i` of the file is the next run.
+static int take(struct rerun *r, long i, struct trial *next, struct error *e) {
+    const long run = find(r, i);
+    if (run < 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s: run %ld cannot be computed again: its statements, a file that they "
+                         "name or the version of the numerics has changed since",
+                         r->view->path, study_view_run(r->view, i) + 1);
+    }
+    *next = (struct trial){.run = run, .entry = i, .value = next->value};
+    return STATUS_OK;
 }
 
 static int map_items(struct rerun *r, struct error *e) {
@@ -142,7 +173,7 @@ static int run_batch(struct rerun *r, int n, struct error *e) {
     int status = STATUS_OK;
     trial_run(&r->plan, r->trial, n, &r->watch);
     for (int i = 0; i < n && status == STATUS_OK; i++) {
-        number_list_add(&r->numbers, r->trial[i].run + 1);
+        number_list_add(&r->numbers, study_view_run(r->view, r->trial[i].entry) + 1);
         status = compare(r, &r->trial[i], e);
     }
     return status;
@@ -161,10 +192,9 @@ static int run_chosen(struct rerun *r, struct error *e) {
         const bool missing = status == STATUS_OK && outcome.status == STUDY_MISSING;
         r->out->n_missing += missing;
         if (status == STATUS_OK && !missing) {
-            r->trial[n] = (struct trial){.run = study_view_run(r->view, i),
-                                         .entry = i,
-                                         .value = r->value + (size_t)n * r->plan.table->n_value};
-            n++;
+            r->trial[n].value = r->value + (size_t)n * r->plan.table->n_value;
+            status = take(r, i, &r->trial[n], e);
+            n += status == STATUS_OK;
         }
         if (status == STATUS_OK && n == most) {
             status = run_batch(r, n, e);
@@ -202,12 +232,14 @@ int study_rerun(struct study_file *f, const struct study_rerun_request *q, struc
     }
     status = manifest_init(&r.manifest, q->first->deck->path, e);
     status = status == STATUS_OK ? allocate(&r, e) : status;
-    status = status == STATUS_OK ? origin_check(&r.manifest, &r.plan, r.view, e) : status;
+    status = status == STATUS_OK ? make_keys(&r, e) : status;
     status = status == STATUS_OK ? map_items(&r, e) : status;
     status = status == STATUS_OK ? choose(&r, e) : status;
     status = status == STATUS_OK ? run_chosen(&r, e) : status;
     number_list_end(&r.numbers);
     free(r.chosen);
+    free(r.key);
+    keys_close(&r.keys);
     free(r.stored);
     free(r.value);
     free(r.item);

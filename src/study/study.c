@@ -2,6 +2,7 @@
 // A study from its deck to its file: plan, keys, finished runs, pool, result.
 #include "jostle/study.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,15 +13,20 @@
 #include "study/journal.h"
 #include "study/keys.h"
 #include "study/manifest.h"
+#include "study/number_list.h"
 #include "study/origin.h"
 #include "study/plan.h"
 #include "study/pool.h"
+#include "study/recording.h"
+#include "study/selection.h"
 #include "study/survey.h"
 #include "study/take.h"
 #include "study/trial.h"
 
 struct study {
     const struct study_request *request;
+    const char *again;             // which finished runs are run again with histories; NULL: none
+    struct study_progress *told;   // of the caller
     struct result_options result;  // of the request; a file that grows is replaced
     struct plan plan;
     struct manifest manifest;
@@ -28,78 +34,38 @@ struct study {
     struct journal journal;
     struct take_file *file;  // (n_file) finished runs: run i is row -offset[i] - 1 of all of them
     int n_file;
-    int64_t n_row;                   // rows of the files
-    long n_taken;                    // runs that are taken from them
-    struct study_content content;    // of the result file
-    struct study_origin origin;      // of the runs
-    struct study_part part;          // if that is what is run
-    struct study_progress progress;  // when all runs are done
-    struct record_cache *records;    // for models that are built besides the runs
-    double start;                    // wall time [s]
-};
-
-// A run whose histories are read.
-struct recording {
-    struct study *study;
-    long run;                          // of the journal
-    const struct result_place *place;  // in the result file
+    int64_t n_row;                 // rows of the files
+    long n_taken;                  // runs that are taken from them
+    unsigned char *chosen;         // (n_mine) runs that are run again for their histories
+    struct study_content content;  // of the result file
+    struct study_origin origin;    // of the runs
+    struct study_part part;        // if that is what is run
+    struct record_cache *records;  // for models that are built besides the runs
+    double start;                  // wall time [s]
 };
 
 static const char *noun(const struct study *s) {
     return s->request->shard.n > 0 ? "part of the study" : "study";
 }
 
-// Goes on with the runs of the open journal, or begins it anew.
-static int resume(struct study *s, struct error *e) {
-    struct journal *j = &s->journal;
-    const char *head = origin_journal(s->manifest.arena, s->plan.table);
-    if (!head) {
-        return error_no_memory(e);
-    }
-    if (s->request->journal == STUDY_RESTART || journal_is_new(j, head)) {
-        return journal_reset(j, head, e);
-    }
-    if (!j->head) {
-        return error_set(e, STATUS_INPUT,
-                         "%s is damaged and may hold finished runs; --restart discards them",
-                         j->path);
-    }
-    if (!j->head[0]) {
-        return error_set(e, STATUS_INPUT,
-                         "%s was written by another version of jostle, or on another kind of "
-                         "machine; --restart begins anew",
-                         j->path);
-    }
-    if (strcmp(j->head, head) != 0) {
-        return error_set(e, STATUS_INPUT,
-                         "%s holds runs of a study with other buildings, contacts or links; "
-                         "--restart discards them",
-                         j->path);
-    }
-    const int status = journal_load(j, e);
-    if (status == STATUS_OK && j->n_foreign > 0) {
-        return error_set(e, STATUS_INPUT,
-                         "%s holds %ld finished runs that this %s does not have, as the deck or a "
-                         "file has changed; --restart discards them",
-                         j->path, j->n_foreign, noun(s));
-    }
-    return status == STATUS_OK ? journal_go_on(j, e) : status;
+// Does the deck want the histories of all runs?
+static bool wants_all(const struct study *s) {
+    return s->plan.first->output.of_runs;
 }
 
 static int open_journal(struct study *s, struct error *e) {
     const char *path = arena_format(s->manifest.arena, "%s.runs", s->result.path);
-    if (!path) {
+    const char *head = origin_journal(s->manifest.arena, s->plan.table);
+    if (!path || !head) {
         return error_no_memory(e);
     }
     int status = journal_open(&s->journal, path, &s->keys, s->plan.table->n_value, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    if (s->plan.first->output.of_runs) {
+    if (status == STATUS_OK && (wants_all(s) || s->again)) {
         status = journal_want_histories(&s->journal, history_shape(s->plan.first), e);
     }
     s->journal.retry = s->request->retry;
-    return status == STATUS_OK ? resume(s, e) : status;
+    return status == STATUS_OK ? journal_resume(&s->journal, head, s->request->journal, noun(s), e)
+                               : status;
 }
 
 // Reads run `run` from row number `row`, from 1, of all files together.
@@ -129,50 +95,26 @@ static int read_runs(void *context, long first, long n, struct study_outcome *ou
     return status;
 }
 
-// From the journal into the file.
-static int record(void *context, const struct model *m, struct study_outcome *outcome,
-                  struct error *e) {
-    const struct recording *r = context;
-    struct result_writer *writer;
-    struct results *results = NULL;
-    int status = result_create_in(r->place, m, r->study->request->result.version, &writer, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    (void)outcome;
-    const struct observer observer = result_observer(writer);
-    status = history_replay(&r->study->journal, r->run, m, &observer, &results, e);
-    if (status != STATUS_OK) {
-        result_abort(writer);
-        return status;
-    }
-    status = result_finish(writer, results, e);
-    results_free(results);
-    return status;
-}
-
-// The model says what the rows in the journal are of.
 static int write_run(void *context, long run, const struct result_place *place, struct error *e) {
     struct study *s = context;
-    const struct trial_watch watch = {.records = s->records};
-    struct recording recording = {s, run, place};
-    struct study_outcome outcome;
-    const struct study_request *q = s->request;
-    int status = q->poll ? q->poll(q->context, &s->progress, e) : STATUS_OK;
-    if (status != STATUS_OK) {
-        return status;
-    }
-    return trial_build(&s->plan, study_shard_run(&s->plan.shard, run), &watch, record, &recording,
-                       &outcome, e);
+    const struct recording recording = {s->request, &s->plan, &s->journal, s->records, s->told};
+    return recording_write(&recording, run, place, e);
 }
 
 static int run_and_write(struct study *s, struct study_progress *p, struct error *e) {
     struct study_content *content = &s->content;
+    int status = study_file_check(content, &s->result, e);
+    if (status == STATUS_OK && s->journal.n_done < s->plan.n_mine) {
+        status = survey_shapes(&s->plan, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
     p->n_kept = s->journal.n_done;
     p->n_done = s->journal.n_done;
     p->n_failed = s->journal.n_failed;
     p->n_damaged = s->journal.n_damaged;
-    int status = pool_run(s->request, &s->plan, &s->journal, &s->keys, &s->manifest, p, e);
+    status = pool_run(s->request, &s->plan, &s->journal, &s->keys, &s->manifest, p, e);
     struct error sync;
     int synced = journal_sync(&s->journal, &sync);
     if (status == STATUS_OK && synced != STATUS_OK) {
@@ -192,33 +134,24 @@ static int run_and_write(struct study *s, struct study_progress *p, struct error
         s->part.n_failed = p->n_failed;
         content->part = &s->part;
     }
-    s->progress = *p;
     return status == STATUS_OK ? study_file_write(content, &s->result, e) : status;
 }
 
-static int run_study(struct study *s, struct study_progress *p, struct error *e) {
-    int status = study_file_check(&s->content, &s->result, e);
-    if (status == STATUS_OK && s->journal.n_done < s->plan.n_mine) {
-        status = survey_shapes(&s->plan, e);
-    }
-    return status == STATUS_OK ? run_and_write(s, p, e) : status;
-}
-
-// Is the file just this study? Then there is nothing to be done.
+// Is the file just this study? Then there is nothing to be done, unless runs may read other files
+// than before.
 static bool is_same(const struct study *s, const struct study_view *v,
                     const struct study_key *key) {
     const struct study_shard *a = &v->part.shard, *b = &s->request->shard;
     const size_t n = (size_t)s->keys.n;
     for (long i = 0; i < s->keys.n; i++) {
-        if (!keys_is_known(&s->keys.key[i])) {
+        if (!s->again && !keys_is_known(&s->keys.key[i])) {
             return false;
         }
     }
     return (size_t)v->n_run == n && a->number == b->number && a->n == b->n &&
            memcmp(key, s->keys.key, n * sizeof *key) == 0 && v->origin.study &&
            strcmp(v->origin.study, s->origin.study) == 0 &&
-           strcmp(v->title, s->plan.first->deck->title) == 0 &&
-           v->has_histories == s->plan.first->output.of_runs;
+           strcmp(v->title, s->plan.first->deck->title) == 0 && (v->has_histories || !wants_all(s));
 }
 
 // What a file of finished runs has.
@@ -226,6 +159,32 @@ struct stock {
     bool same;               // it is the file of just this study
     long n_other, n_failed;  // runs that this study does not have; that failed
 };
+
+// Chooses the runs of the file of just this study that get histories, and with each run the first
+// one of the same key. If there are any, the file is not the same any more.
+static int choose(struct study *s, const struct take_file *t, struct stock *old, struct error *e) {
+    struct number_list numbers = {.text = s->told->histories, .size = sizeof s->told->histories};
+    if (!old->same) {
+        return error_set(e, STATUS_INPUT, "%s does not have all runs of this %s", t->view->path,
+                         noun(s));
+    }
+    s->chosen = calloc((size_t)s->keys.n + 1, 1);
+    if (!s->chosen) {
+        return error_no_memory(e);
+    }
+    const int status = selection_read(t->file, s->again, s->chosen, e);
+    for (long i = 0; i < s->keys.n && status == STATUS_OK; i++) {
+        if (s->chosen[i]) {
+            const long first = keys_find(&s->keys, &s->keys.key[i]);
+            s->chosen[first < 0 ? i : first] = 1;
+            number_list_add(&numbers, study_shard_run(&s->plan.shard, i) + 1);
+        }
+    }
+    number_list_end(&numbers);
+    s->content.chosen = s->chosen;
+    old->same = numbers.n == 0;
+    return status;
+}
 
 // Takes the runs of the last file that this study has too.
 static int take_runs(struct study *s, struct stock *out, struct error *e) {
@@ -239,7 +198,10 @@ static int take_runs(struct study *s, struct stock *out, struct error *e) {
                            t->view->path);
     }
     status = status == STATUS_OK ? study_file_endings(t->file, &ending, e) : status;
-    *out = (struct stock){.same = status == STATUS_OK && is_same(s, t->view, key)};
+    *out = (struct stock){.same = key && status == STATUS_OK && is_same(s, t->view, key)};
+    if (status == STATUS_OK && s->again) {
+        status = choose(s, t, out, e);
+    }
     for (long i = 0; i < t->view->n_run && status == STATUS_OK; i++) {
         const int how = ending[i] & STUDY_STATUS;
         out->n_failed += how == STUDY_FAILED;
@@ -247,10 +209,14 @@ static int take_runs(struct study *s, struct stock *out, struct error *e) {
             out->same = false;
             continue;
         }
+        const long first = keys_find(&s->keys, &key[i]);
+        if (s->chosen && first >= 0 && s->chosen[first]) {
+            continue;
+        }
         const bool found = t->item ? journal_take(&s->journal, &key[i], s->n_row + i + 1, how,
                                                   (ending[i] & STUDY_COLLAPSED) != 0)
-                                   : keys_find(&s->keys, &key[i]) >= 0;
-        out->n_other += !found;
+                                   : first >= 0;
+        out->n_other += !found && keys_is_known(&key[i]);
     }
     s->n_row += t->view->n_run;
     free(key);
@@ -262,7 +228,7 @@ static int take_runs(struct study *s, struct stock *out, struct error *e) {
 static int open_file(struct study *s, const char *path, struct error *e) {
     struct take_file *t = &s->file[s->n_file++];
     const int status = take_open(t, path, e);
-    return status == STATUS_OK && !s->plan.first->output.of_runs
+    return status == STATUS_OK && !wants_all(s)
                ? take_map(t, s->plan.table, s->plan.first->deck->sweeps, e)
                : status;
 }
@@ -282,8 +248,9 @@ static int take_old(struct study *s, struct stock *out, struct error *e) {
                          "file has changed; --force overwrites it, -o NAME.h5 --take %s keeps it",
                          path, out->n_other, noun(s), path);
     }
-    if (status == STATUS_OK && !s->plan.first->output.of_runs) {
+    if (status == STATUS_OK && !wants_all(s)) {
         s->result.existing = RESULT_REPLACE;
+        s->told->left_histories = s->file->view->has_histories && !s->chosen && !out->same;
     }
     return status;
 }
@@ -297,7 +264,7 @@ static int take_all(struct study *s, bool has_old, struct stock *old, struct err
     int status = has_old ? take_old(s, old, e) : STATUS_OK;
     for (int k = 0; k < q->n_take && status == STATUS_OK && !old->same; k++) {
         struct stock stock;
-        if (s->plan.first->output.of_runs) {
+        if (wants_all(s)) {
             return error_set(e, STATUS_INPUT,
                              "%s: runs with output -histories cannot be taken from a file",
                              q->take[k]);
@@ -317,9 +284,9 @@ static int take_and_run(struct study *s, bool has_old, struct study_progress *p,
         p->n_kept = p->n_done = p->n_run;
         p->n_failed = old.n_failed;
     } else if (status == STATUS_OK) {
-        status = run_study(s, p, e);
+        status = run_and_write(s, p, e);
     }
-    if (status != STATUS_OK && s->journal.n_done > s->n_taken) {
+    if (status != STATUS_OK && !s->again && s->journal.n_done > s->n_taken) {
         p->n_left = journal_is_there(&s->journal) ? s->journal.n_done - s->n_taken : 0;
         journal_close(&s->journal);
     } else {  // a journal without runs is not left behind
@@ -330,25 +297,38 @@ static int take_and_run(struct study *s, bool has_old, struct study_progress *p,
 
 static int prepare_and_run(struct study *s, struct study_progress *p, struct error *e) {
     const struct study_request *q = s->request;
-    const bool has_old = q->journal == STUDY_RESUME && q->result.existing == RESULT_KEEP &&
-                         study_file_is_study(q->result.path);
+    const bool has_old =
+        s->again || (q->journal == STUDY_RESUME && q->result.existing == RESULT_KEEP &&
+                     study_file_is_study(q->result.path));
     int status = has_old ? STATUS_OK : study_file_check(&s->content, &s->result, e);
     s->records = record_cache_create(RECORD_CACHE_BYTES);
-    if (status == STATUS_OK && !s->records) {
-        status = error_no_memory(e);
-    }
+    status = status == STATUS_OK && !s->records ? error_no_memory(e) : status;
     if (status == STATUS_OK) {
         status = origin_study(s->manifest.arena, q, s->plan.table->n_value, &s->origin.study, e);
     }
-    if (status == STATUS_OK) {
-        status = keys_make(&s->keys, q, &s->plan, &s->manifest, e);
-    }
+    status = status == STATUS_OK ? keys_make(&s->keys, q, &s->plan, &s->manifest, e) : status;
     status = status == STATUS_OK ? open_journal(s, e) : status;
     return status == STATUS_OK ? take_and_run(s, has_old, p, e) : status;
 }
 
-int study_run(const struct study_request *q, struct study_progress *p, struct error *e) {
+// The choice of runs is read before they are run.
+static int check_choice(const struct study *s, struct error *e) {
+    const char *text = s->request->histories;
+    const struct study_view view = plan_view(&s->plan);
+    if (text && wants_all(s)) {
+        return error_set(e, STATUS_INPUT,
+                         "with output -histories in the deck all runs have histories; "
+                         "--histories is for decks without");
+    }
+    return text ? selection_check(&view, text, e) : STATUS_OK;
+}
+
+// All runs that are missing, or, after that, those that are run again for their histories.
+static int run_pass(const struct study_request *q, const char *again, struct study_progress *p,
+                    struct error *e) {
     struct study s = {.request = q,
+                      .again = again,
+                      .told = p,
                       .result = q->result,
                       .journal = {.file = -1},
                       .origin = {.programs = ""},
@@ -364,18 +344,36 @@ int study_run(const struct study_request *q, struct study_progress *p, struct er
                                        .origin = &s.origin,
                                        .n_run = s.plan.n_mine,
                                        .read = read_runs,
-                                       .write_run = q->first->output.of_runs ? write_run : NULL,
+                                       .write_run = wants_all(&s) || again ? write_run : NULL,
                                        .context = &s};
-    status = manifest_init(&s.manifest, q->first->deck->path, e);
+    status = check_choice(&s, e);
+    status = status == STATUS_OK ? manifest_init(&s.manifest, q->first->deck->path, e) : status;
     status = status == STATUS_OK ? prepare_and_run(&s, p, e) : status;
     journal_close(&s.journal);
     for (int k = 0; k < s.n_file; k++) {
         take_close(&s.file[k]);
     }
     free(s.file);
+    free(s.chosen);
     keys_close(&s.keys);
     manifest_close(&s.manifest);
     record_cache_free(s.records);
     plan_close(&s.plan);
+    return status;
+}
+
+int study_run(const struct study_request *q, struct study_progress *p, struct error *e) {
+    int status = run_pass(q, NULL, p, e);
+    if (status == STATUS_OK && q->histories) {
+        struct study_progress pass;
+        struct study_request again = *q;
+        again.journal = STUDY_RESUME;
+        again.result.existing = RESULT_KEEP;
+        again.n_take = 0;
+        again.retry = false;
+        status = run_pass(&again, q->histories, &pass, e);
+        snprintf(p->histories, sizeof p->histories, "%s", pass.histories);
+        p->n_done = status == STATUS_OK ? p->n_done : 0;  // nothing is left of this pass
+    }
     return status;
 }

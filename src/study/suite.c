@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "study/demands.h"
 #include "study/percentile.h"
 #include "study/roles.h"
 
@@ -221,35 +222,11 @@ static int take_run(void *context, const struct study_run *r, struct error *e) {
     return STATUS_OK;
 }
 
-// Storey heights are 0 where the deck gives none; the first run that was done says so.
-static int default_edp(const struct study_view *v, struct study_file *f, struct arena *a,
-                       struct edp *out, struct error *e) {
-    struct study_outcome *outcome = arena_alloc(a, 1, sizeof *outcome);
-    double *value = arena_alloc(a, v->table.n_value + 1, sizeof *value);
-    if (!outcome || !value) {
-        return error_no_memory(e);
-    }
-    int at, status = STATUS_OK;
-    outcome->status = STUDY_FAILED;
-    for (long i = 0; i < v->n_run && outcome->status != STUDY_DONE && status == STATUS_OK; i++) {
-        status = study_file_read(f, i, 1, outcome, value, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    status = edp_parse(v, "drift-ratio", a, out, e);
-    if (status == STATUS_INPUT || (status == STATUS_OK && !isfinite(edp_value(out, value, &at)))) {
-        status = edp_parse(v, "drift", a, out, e);
-    }
-    return status;
-}
-
 static int make(struct maker *m, struct study_file *f, const struct suite_request *q,
                 struct error *e) {
     struct suite *s = m->s;
     const struct study_view *v = s->view;
-    int status = q->edp ? edp_parse(v, q->edp, s->arena, &s->edp, e)
-                        : default_edp(v, f, s->arena, &s->edp, e);
+    int status = demands_find(f, q->edp, s->arena, &s->edp, e);
     if (status == STATUS_OK) {
         status = roles_find(v, q, &m->roles, e);
     }

@@ -150,8 +150,7 @@ static int conclude(struct trial *t, struct ensemble_member *member,
 }
 
 int trial_most(const struct plan *p) {
-    const bool together = ensemble_pays(p->first) && ensemble_suits(p->first);
-    return together && !p->first->output.of_runs ? ENSEMBLE_MAX : 1;
+    return ensemble_pays(p->first) && ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
 }
 
 void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {

@@ -77,8 +77,8 @@ struct trial {
     struct error error;
 };
 
-// How many runs of a plan are worth running at once: 1 where they cannot go in lockstep, or have
-// histories, and never more than ENSEMBLE_MAX.
+// How many runs of a plan are worth running at once, where they have no histories: 1 where they
+// cannot go in lockstep, and never more than ENSEMBLE_MAX.
 int trial_most(const struct plan *p);
 
 // Builds the models of `n` <= ENSEMBLE_MAX runs and runs them: the outcome and the values of each,

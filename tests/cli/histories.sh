@@ -47,6 +47,82 @@ rm part.h5
 
 rm ./*.h5*
 
+# Chosen runs: their histories are added to the finished study.
+sed -i '/^output/d' study.deck
+run "$jostle" run study.deck -q -j 2 --histories 7,worst:1:floors
+expect "a choice is read before the runs are made" '[ $status -eq 2 ] && said "unknown EDP '"'floors'"'" && [ ! -e study.h5 ]'
+"$jostle" run study.deck -q
+"$jostle" show study.h5 --tsv >values
+run "$jostle" run study.deck -j 2 --histories worst:2:drift,7,11-12
+expect "chosen runs of a finished study get histories" '[ $status -eq 0 ] && grep -qE "; [345] runs computed, (19|2[01]) taken$" "$out" && grep -qE "^histories   of runs .*7, 11, 12" "$out" && [ ! -e study.h5.runs ]'
+run "$jostle" show study.h5 --tsv
+expect "the values of the study stay" 'cmp "$out" values && "$jostle" verify study.h5 >/dev/null'
+if python3 -c 'import h5py' 2>/dev/null; then
+    run python3 - <<'END'
+import h5py, numpy
+with h5py.File("study.h5") as f:
+    drift = [f["buildings/%s/envelope/drift" % b][...].max(-1).ravel() for b in "AB"]
+    worst = numpy.maximum(*drift).argsort()[-2:] + 1
+    assert set(map(int, f["runs"])) == set(worst) | {7, 11, 12}, (set(f["runs"]), worst)
+END
+    expect "they are the worst two and the three that are named" '[ $status -eq 0 ]'
+else
+    skip "they are the worst two and the three that are named" "no h5py"
+fi
+for number in 7 12; do
+    define=$(awk -v n=$number 'NR == 1 { a = $2; b = $3 }
+        $1 == n { print "-D " a "=" $2, "-D " b "=" $3; exit }' values)
+    # shellcheck disable=SC2086
+    "$jostle" run study.deck -q --force $define -o one.h5
+    run="runs/$(printf %06d $number)"
+    for name in buildings/A/displacement buildings/B/acceleration contacts/force impacts/t_end time; do
+        h5diff study.h5 one.h5 "$run/$name" "$name" >>differences 2>&1 || echo "$name differs" >>differences
+    done
+done
+expect "their histories are those of -D, bit for bit" '[ ! -s differences ] || ! cat differences'
+run "$jostle" run study.deck -q --histories collapsed
+expect "where no run is chosen, the file stays" '[ $status -eq 0 ] && [ "$(h5ls study.h5/runs | wc -l)" -ge 3 ]'
+run "$jostle" run study.deck --histories 25
+expect "a run must be there" '[ $status -eq 2 ] && said "study.deck has no run 25; its study has the runs 1 to 24"'
+cp records/1.txt records/4.txt
+run "$jostle" run study.deck -q
+expect "a study that grows says that it drops the histories" '[ $status -eq 0 ] && said "the histories of single runs in study.h5 are gone" && ! h5ls study.h5/runs >/dev/null'
+rm records/4.txt
+echo 'output -histories' >>study.deck
+run "$jostle" run study.deck -q --histories 7 --force
+expect "with output -histories there is nothing to choose" '[ $status -eq 2 ] && said "--histories is for decks without"'
+
+# A run that reaches the limit of steps has histories up to then.
+cat >limit.deck <<'END'
+sweep end values 1 20
+building A -floors 2 -mass 1 -stiffness 400
+contact A wall -gap 0.01 -law linear -k 1000
+ground sine -amplitude 1 -frequency 1
+step fixed 1ms
+duration $end
+output -interval 0.1
+END
+run "$jostle" run limit.deck -q --steps 10000 --histories failed
+expect "a run that fails is chosen" '[ $status -eq 1 ] && [ "$(h5ls limit.h5/runs)" = "000002                   Group" ]'
+"$jostle" run limit.deck -D end=20 -q -o one.h5 --force
+if python3 -c 'import h5py' 2>/dev/null; then
+    run python3 - <<'END'
+import h5py, numpy
+with h5py.File("limit.h5") as limit, h5py.File("one.h5") as whole:
+    got = limit["runs/000002/buildings/A/displacement"][...]
+    want = whole["buildings/A/displacement"][...][:len(got)]
+assert 80 <= len(got) < 200
+# The last step ends at the end of the shorter run, to rounding.
+assert (got[:-1] == want[:-1]).all() and numpy.allclose(got, want, rtol=1e-9, atol=0)
+END
+    expect "its rows are those of the run without a limit" '[ $status -eq 0 ]'
+else
+    skip "its rows are those of the run without a limit" "no h5py"
+fi
+run "$jostle" show limit.h5#2
+expect "its contacts are summed over its impacts" '[ $status -eq 0 ] && grep -q "^2 contacts, [12] hit, " "$out" && ! grep -q nan "$out"'
+rm ./*.h5*
+
 # A run takes some room besides its rows: 301 of two histories of five floors, of the time, the
 # ground, seven energies and two contacts. HDF5 allots 2048 bytes at once, of which a file may have
 # just begun some, and another file not.

@@ -83,7 +83,7 @@ if command -v h5diff >/dev/null; then
     run "$jostle" show 'whole.h5#13'
     expect "a run that is not there is named" '[ $status -eq 2 ] && said "whole.h5 has no run 13; its study has the runs 1 to 12"'
     run "$jostle" show 'two.h5#1'
-    expect "and so is a study without histories" '[ $status -eq 2 ] && said "output -histories"'
+    expect "and so is a study without histories" '[ $status -eq 2 ] && said "--histories RUNS"'
     rm -r figure table
     expect "all runs have theirs" '[ "$(h5ls whole.h5/runs | wc -l)" -eq 12 ]'
     for i in 1 2; do

@@ -45,8 +45,12 @@ run "$jostle" verify study.h5 --run 7
 expect "a comment in an included deck does not count" '[ $status -eq 0 ]'
 echo 'step fixed 0.5ms' >step.deck
 run "$jostle" verify study.h5 --run 7
-expect "another step does" '[ $status -eq 2 ] && said "study.h5 cannot be computed again: step.deck has changed since"'
+expect "another step does" '[ $status -eq 2 ] && said "study.h5: run 7 cannot be computed again: its statements, a file that they name or the version"'
 echo 'step fixed 1ms' >step.deck
+awk '{ print 2 * $1 }' records/1.txt >records/0.txt
+run "$jostle" verify study.h5 --run 7
+expect "a deck that has more runs has run 7 at another number" '[ $status -eq 0 ] && grep -q "^1 run computed again.*: 7 of 12$" "$out"'
+rm records/0.txt
 mkdir away
 mv study.deck step.deck records away
 run "$jostle" verify study.h5 --run 7 --deck away/study.deck
