@@ -135,7 +135,6 @@ LANES static void state_strain(const struct chain *c, const double *restrict u,
 }
 
 void state_forces(struct state *s, const struct model *m, const double *from, double *after) {
-    state_assert(s, m);
     state_strain(&m->chain, s->u, s->drift, s->shear);
     for (int k = 0; !m->elastic && k < m->n_body; k++) {
         if (!m->building[k].elastic) {
@@ -157,6 +156,7 @@ void state_totals(struct state *s, const struct model *m) {
 }
 
 void state_complete(struct state *s, const struct model *m) {
+    state_assert(s, m);
     if (!m->adaptive) {
         forcing_floors(s, m, NULL, s->time);
     }
