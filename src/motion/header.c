@@ -181,6 +181,10 @@ static bool cut_value(const struct header_row *row, int channel, struct piece *v
     if (row->until) {
         lines_field(&rest, row->until, value);
     }
+    const size_t n = row->unit ? strlen(row->unit) : 0;
+    if (n > 0 && value->n > n && memcmp(value->text + value->n - n, row->unit, n) == 0) {
+        value->n -= n;
+    }
     return found;
 }
 

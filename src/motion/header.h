@@ -33,8 +33,9 @@ struct header_row {
     enum header_kind kind;
     const char *key;
     const char
-        *until;     // the value ends before one of these characters; NULL: at the end of the line
-    bool channels;  // a slash and a value for each channel
+        *until;  // the value ends before one of these characters; NULL: at the end of the line
+    const char *unit;  // which the file may write behind the number; NULL: none
+    bool channels;     // a slash and a value for each channel
     bool optional;
 };
 

@@ -21,7 +21,7 @@
 enum { HEADER_LINES_MAX = 32 };
 
 static const struct header_row entries[] = {
-    {.kind = HEADER_RATE, .key = "Sampling Freq(Hz)", .until = "H"},
+    {.kind = HEADER_RATE, .key = "Sampling Freq(Hz)", .unit = "Hz"},
     {.kind = HEADER_DURATION, .key = "Duration Time(s)"},
     {.kind = HEADER_PEAK, .key = "Max. Acc. (gal)", .optional = true},
     {.key = NULL},

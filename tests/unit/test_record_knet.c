@@ -64,6 +64,8 @@ static void headers_that_do_not_say_enough_are_refused(void **state) {
          "a.txt:1: Sampling Freq(Hz) is empty"},
         {"Sampling Freq(Hz) 1OOHz\n" DURATION SCALE "Memo.\n1 2\n",
          "a.txt:1: Sampling Freq(Hz) '1OO' is not a number"},
+        {"Sampling Freq(Hz) 100Hzx\n" DURATION SCALE "Memo.\n1 2\n",
+         "a.txt:1: Sampling Freq(Hz) '100Hzx' is not a number"},
         {"Sampling Freq(Hz) 0Hz\n" DURATION SCALE "Memo.\n1 2\n",
          "a.txt:1: Sampling Freq(Hz) is 0; it must be > 0"},
         {RATE "Duration Time(s)  0.015\n" SCALE "Memo.\n1 2\n",
