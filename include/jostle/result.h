@@ -227,18 +227,27 @@ const struct report *result_report(const struct result_file *f);
 // hide a thousand times its size. Errors: STATUS_INPUT (they do; names both sizes).
 int result_check_memory(const struct result_file *f, int n_column, struct error *e);
 
-// Histories; `out` has room for n_row values. Indices from 0. Errors: STATUS_INPUT (the file does
-// not hold it), STATUS_SYSTEM.
-int result_time(const struct result_file *f, double *out, struct error *e);
-int result_floor_history(const struct result_file *f, enum field field, int building, int floor,
-                         double *out, struct error *e);
-int result_contact_history(const struct result_file *f, enum field field, int contact, double *out,
-                           struct error *e);
-// FIELD_FORCE, or FIELD_PENETRATION for the shortening of a bilateral link.
-int result_link_history(const struct result_file *f, enum field field, int link, double *out,
-                        struct error *e);
-int result_ground(const struct result_file *f, int building, double *out, struct error *e);
-int result_energy(const struct result_file *f, enum energy energy, double *out, struct error *e);
+// A history in a result file.
+enum history_kind {
+    HISTORY_TIME,
+    HISTORY_FLOOR,
+    HISTORY_CONTACT,
+    HISTORY_LINK,  // FIELD_FORCE, or FIELD_PENETRATION for its shortening
+    HISTORY_GROUND,
+    HISTORY_ENERGY
+};
+
+struct history {
+    enum history_kind kind;
+    int field;  // enum field, or enum energy
+    int index;  // building, contact or link, from 0
+    int floor;  // from 0
+};
+
+// Reads a history; `out` has room for n_row values. Errors: STATUS_INPUT (the file does not hold
+// it), STATUS_SYSTEM.
+int result_history(const struct result_file *f, const struct history *h, double *out,
+                   struct error *e);
 
 JOSTLE_C_END
 

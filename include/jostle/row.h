@@ -55,6 +55,10 @@ struct row {
     const char *doc;             // half a sentence: what it is
 };
 
+// A row in a macro of rows.
+#define ROW_OF(key, kind, flags, of, range, fallback, doc)                                         \
+    { key, kind, flags, of, range, fallback, doc }
+
 // The dimension of the row where the exponent is `power`.
 struct dimension row_dimension(const struct row *row, double power);
 

@@ -31,6 +31,9 @@ struct dimension {
 #define OF_FREQUENCY {0, 0, -1}
 #define OF_AREA {0, 2, 0}
 #define OF_STRESS {1, -2, 0}
+#define OF_MOMENT {1, 1, 0}
+#define OF_BENDING {1, 2, 0}      // E I
+#define OF_AREA_MOMENT {0, 4, 0}  // I
 // clang-format on
 
 extern const struct dimension dimension_none;

@@ -88,12 +88,11 @@ static int compare_read(struct comparing *c, const struct result_file *f,
     if (!time || !value) {
         return error_no_memory(e);
     }
-    const enum field field = (enum field)(1 << c->field);
-    const int status = result_time(f, time, e);
+    const struct history h = {p->floor >= 0 ? HISTORY_FLOOR : HISTORY_CONTACT, 1 << c->field,
+                              p->owner, p->floor};
+    const int status = result_history(f, &(struct history){.kind = HISTORY_TIME}, time, e);
     *out = (struct time_series){n, time, value};
-    return status != STATUS_OK ? status
-           : p->floor >= 0     ? result_floor_history(f, field, p->owner, p->floor, value, e)
-                               : result_contact_history(f, field, p->owner, value, e);
+    return status == STATUS_OK ? result_history(f, &h, value, e) : status;
 }
 
 static const char *compare_name(struct comparing *c, const struct report *r,

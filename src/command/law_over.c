@@ -231,7 +231,7 @@ static int law_over_draw(void *context, const struct figure_files *to, struct er
                                    .logarithmic = key == 'k',
                                    .n_curve = o->n_law,
                                    .curve = curve};
-    return force_figure_write(&f, to, e);
+    return impact_figure_write_forces(&f, to, e);
 }
 
 int law_over_run(const struct law_over_request *q) {

@@ -6,7 +6,6 @@
 
 #include "core/arena.h"
 #include "law/bilateral.h"
-#include "law/protocol.h"
 #include "motion/time_series.h"
 
 enum { STIFFNESS, AMPLITUDE, PERIOD, FIND, N_ROW };
@@ -24,14 +23,15 @@ static const struct row rows[N_ROW] = {
 
 const struct law_storey_kind law_storey_kinds[LAW_STOREY_KINDS] = {
     {"storey", "drift", "shear", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false, false},
-    {"hinge", "rotation", "moment", OF_NONE, {1, 1, 0}, {1, 1, 0}, "rad", "N*m", true, false},
+    {"hinge", "rotation", "moment", OF_NONE, OF_MOMENT, OF_MOMENT, "rad", "N*m", true, false},
     {"link", "lengthening", "tension", OF_LENGTH, OF_FORCE, OF_STIFFNESS, "m", "N", false, true},
 };
 
 enum { PARTS = 60, STEPS = 100, SAMPLE_STEPS = 20 };
 
-static bool has_key(const void *law, const char *key) {
-    return loop_law_row(law, key) >= 0 || strcmp(key, rows[STIFFNESS].key) == 0;
+static bool has_key(const void *of, const char *key) {
+    const struct loop_law *law = of;
+    return storey_loop_row(law->row, law->n_row, key) >= 0 || strcmp(key, rows[STIFFNESS].key) == 0;
 }
 
 // Which rows a fit finds: the stiffness and required numbers that are not given, and those of
@@ -49,7 +49,7 @@ static bool choose_found(struct deck *d, const struct statement *s, bool *found,
         found[r] = required && !deck_option(s, law->row[r].key, &n);
     }
     for (int i = 0; find && i < n_find; i++) {
-        const int r = loop_law_row(law, find[i].text);
+        const int r = storey_loop_row(law->row, law->n_row, find[i].text);
         const enum row_kind kind = r >= 0 ? law->row[r].kind : ROW_TEXT;
         if (kind != ROW_NUMBER && kind != ROW_LIST) {
             return deck_error(d, &find[i], "%s has no number -%s that could be found", law->name,
@@ -75,14 +75,14 @@ static bool find_law(struct law_storeys *l, const struct word *name, struct loop
     if (l->kind->links) {
         const bool found = storey_choice_find_link(l->deck, name, &link);
         if (found) {
-            loop_law_of_link(&link, out);
+            storey_loop_of_link(&link, out);
         }
         return found;
     }
     const struct storey_law *law = l->kind->turns ? storey_choice_find_rateless(l->deck, name)
                                                   : storey_choice_find(l->deck, name);
     if (law) {
-        loop_law_of_storey(law, out);
+        storey_loop_of_storey(law, out);
     }
     return law != NULL;
 }
@@ -106,7 +106,7 @@ static bool read_law(struct law_storeys *l, const struct law_words *words, struc
                      const struct statement *first, struct argument *own) {
     struct deck *d = l->deck;
     struct law_storey *at = &l->storey[l->n];
-    bool found[LOOP_ROWS_MAX];
+    bool found[LOOP_ROWS_MAX] = {false};
     struct row row[N_ROW], turned[LOOP_ROWS_MAX];
     if (!find_law(l, &s->word[0], &at->law) ||
         (first && s->n_word == 1 && !law_words_lend(d, first, has_key, &at->law, s)) ||
@@ -140,7 +140,8 @@ static bool read_law(struct law_storeys *l, const struct law_words *words, struc
         return false;
     }
     return words->fit ||
-           loop_law_prepare(law, at->choice.value, at->stiffness, at->constant, &e) == STATUS_OK ||
+           storey_loop_prepare(law, at->choice.value, at->stiffness, at->constant, &e) ==
+               STATUS_OK ||
            deck_error(d, at->choice.word, "%s", e.message);
 }
 
@@ -148,8 +149,8 @@ static bool read_law(struct law_storeys *l, const struct law_words *words, struc
 static int find_targets(struct law_storeys *l, const char *name, double amplitude,
                         struct error *e) {
     const struct protocol *p = NULL;
-    for (int i = 0; i < n_protocol; i++) {
-        p = strcmp(protocols[i].name, name) == 0 ? &protocols[i] : p;
+    for (int i = 0; i < n_storey_loop_protocol; i++) {
+        p = strcmp(storey_loop_protocols[i].name, name) == 0 ? &storey_loop_protocols[i] : p;
     }
     l->protocol = name;
     if (p) {
@@ -162,7 +163,7 @@ static int find_targets(struct law_storeys *l, const char *name, double amplitud
         if (!target) {
             return error_no_memory(e);
         }
-        l->n_target = (size_t)protocol_targets(p, amplitude, target);
+        l->n_target = (size_t)storey_loop_targets(p, amplitude, target);
         return STATUS_OK;
     }
     const struct time_series_column column = {
@@ -209,7 +210,7 @@ static int fit(struct law_storeys *l, struct law_storey *s, struct error *e) {
     if (status == STATUS_OK) {
         memcpy(s->choice.value, s->fit.value, sizeof s->choice.value);
         s->stiffness = s->fit.stiffness;
-        return loop_law_prepare(&s->law, s->choice.value, s->stiffness, s->constant, e);
+        return storey_loop_prepare(&s->law, s->choice.value, s->stiffness, s->constant, e);
     }
     return status;
 }
@@ -247,7 +248,7 @@ static void read_laws(struct law_storeys *l, const struct law_words *words, doub
 
 static int run_all(struct law_storeys *l, const struct law_storey_words *words, double amplitude,
                    struct error *e) {
-    const char *name = words->protocol ? words->protocol : protocols[0].name;
+    const char *name = words->protocol ? words->protocol : storey_loop_protocols[0].name;
     int status =
         words->laws.fit ? read_loop(l, words->laws.fit, e) : find_targets(l, name, amplitude, e);
     l->n_part = words->laws.fit ? 1 : PARTS;

@@ -127,6 +127,19 @@ static void print_choice(const struct spectrum_request *q, const struct spectrum
     printf("\n");
 }
 
+// EN 1998-1:2004, 3.2.3.1.2 (4) b, limits this ratio.
+static void print_peaks(const struct spectrum_request *q, const struct spectrum_set *set) {
+    const double goal = target_at(&set->target, 0.0);
+    double sum = 0.0;
+    for (int r = 0; r < q->n_record; r++) {
+        sum += set->intensity[r].pga;
+    }
+    if (!isnan(goal)) {
+        printf("%s over the target at 0 s: %.4g\n", q->n_record > 1 ? "mean PGA" : "PGA",
+               sum / q->n_record / goal);
+    }
+}
+
 int spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set) {
     static const struct printer_column columns[] = {
         COLUMN_G("factor", 9, 4), COLUMN_G("misfit", 9, 4), COLUMN_TEXT("record", 0)};
@@ -153,6 +166,7 @@ int spectrum_print_match(const struct spectrum_request *q, const struct spectrum
            m->least.period, m->largest.value, m->largest.period);
     printf("nowhere below %g %% with all factors times %.4f\n", 100.0 * CODE_SHARE,
            ceil(1e4 * CODE_SHARE / m->least.value) / 1e4);
+    print_peaks(q, set);
     return printer_close(&t);
 }
 

@@ -22,41 +22,8 @@ static const struct row rows[N_ROW] = {
     [LOG] = {"log", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "equal ratios"},
 };
 
-// Reads the options of the first `n_row` rows, and the name of the dimension into *q.
-static bool read_options(struct deck *d, const struct statement *s, int n_row,
-                         struct argument *argument, const struct sweep *own,
-                         struct bundle_request *q) {
-    struct row_set set = {rows, n_row, argument};
-    q->count = &s->word[1];
-    q->noun = "value";
-    return deck_options(d, s, &set, 1) && bundle_name(d, &argument[AS], &s->word[1], NULL, own, q);
-}
-
-static bool read_list(struct deck *d, const struct statement *s, struct sweep *own,
-                      struct bundle_request *q) {
-    struct argument argument[N_ROW];
-    if (!read_options(d, s, AS + 1, argument, own, q) ||
-        !sweep_list(d, s, q->name.text ? VALUES_MAY_REPEAT : VALUES_DIFFER, own)) {
-        return false;
-    }
-    sweep_take_short_name(d, own);
-    return true;
-}
-
-static bool read_range(struct deck *d, const struct statement *s, struct sweep *own,
-                       struct bundle_request *q) {
-    struct argument argument[N_ROW];
-    return read_options(d, s, N_ROW, argument, own, q) &&
-           sweep_range(d, s, argument[LOG].given ? SPACING_LOG : SPACING_LINEAR, own);
-}
-
-static bool read_files(struct deck *d, const struct statement *s, struct sweep *own,
-                       struct bundle_request *q) {
-    struct argument argument[N_ROW];
-    if (!read_options(d, s, AS + 1, argument, own, q)) {
-        return false;
-    }
-    q->noun = "file";
+// The files that match a pattern.
+static bool read_files(struct deck *d, const struct statement *s, struct sweep *own) {
     if (s->n_plain != 4) {
         return deck_error(d, &s->word[2], "one pattern of file names is expected");
     }
@@ -64,23 +31,34 @@ static bool read_files(struct deck *d, const struct statement *s, struct sweep *
     return pattern && sweep_files(d, &s->word[3], pattern, own);
 }
 
+// Reads the values, and the name of their dimension into *q.
 static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *own,
                            struct bundle_request *q) {
     enum { VALUES, RANGE, FILES, RANDOM, N_KIND };
     static const char *const kinds[N_KIND] = {
         [VALUES] = "values", [RANGE] = "range", [FILES] = "files", [RANDOM] = "random"};
-    switch (deck_keyword(d, &s->word[2], "kind of sweep", kinds, N_KIND)) {
-        case VALUES:
-            return read_list(d, s, own, q);
-        case RANGE:
-            return read_range(d, s, own, q);
-        case FILES:
-            return read_files(d, s, own, q);
-        case RANDOM:
-            return sweep_random(d, s, own, q);
-        default:
-            return false;
+    const int kind = deck_keyword(d, &s->word[2], "kind of sweep", kinds, N_KIND);
+    struct argument argument[N_ROW];
+    struct row_set set = {rows, kind == RANGE ? N_ROW : AS + 1, argument};
+    q->count = &s->word[1];
+    q->noun = kind == FILES ? "file" : "value";
+    if (kind < 0 || kind == RANDOM) {
+        return kind == RANDOM && sweep_random(d, s, own, q);
     }
+    if (!deck_options(d, s, &set, 1) || !bundle_name(d, &argument[AS], &s->word[1], NULL, own, q)) {
+        return false;
+    }
+    if (kind == RANGE) {
+        return sweep_range(d, s, argument[LOG].given ? SPACING_LOG : SPACING_LINEAR, own);
+    }
+    if (kind == FILES) {
+        return read_files(d, s, own);
+    }
+    const bool good = sweep_list(d, s, q->name.text ? VALUES_MAY_REPEAT : VALUES_DIFFER, own);
+    if (good) {
+        sweep_take_short_name(d, own);
+    }
+    return good;
 }
 
 const struct sweep *sweep_named(const struct sweep *s) {

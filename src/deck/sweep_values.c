@@ -94,27 +94,35 @@ static int compare_values(const void *a, const void *b) {
     return order ? order : x->at - y->at;
 }
 
-// False after having reported a value that is given twice. Values must differ because they identify
-// the results.
-static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
-    struct key *key = deck_array(d, (size_t)s->n, sizeof *key);
-    for (int i = 0; key && i < s->n; i++) {
-        key[i] = (struct key){s->number ? s->number[i] : 0.0, s->label ? s->label[i] : NULL, i};
+// The number of a value or, without values, of a label that occurs before; -1: all differ, or there
+// is no memory.
+static int find_repeated(struct deck *d, const double *number, const char *const *label, int n) {
+    struct key *key = deck_array(d, (size_t)n, sizeof *key);
+    for (int i = 0; key && i < n; i++) {
+        key[i] = (struct key){number ? number[i] : 0.0, number ? NULL : label[i], i};
     }
-    if (!key) {
-        return false;
+    if (key) {
+        qsort(key, (size_t)n, sizeof *key, compare_values);
     }
-    qsort(key, (size_t)s->n, sizeof *key, compare_values);
-    for (int i = 1; i < s->n; i++) {
+    for (int i = 1; key && i < n; i++) {
         struct key before = key[i - 1];
         before.at = key[i].at;
         if (compare_values(&before, &key[i]) == 0) {
-            struct text_short t;
-            return deck_error(d, &word[key[i].at], "value %s is given twice",
-                              text_short(&t, word[key[i].at].text));
+            return key[i].at;
         }
     }
-    return true;
+    return -1;
+}
+
+// False after having reported a value that is given twice. Values must differ because they identify
+// the results.
+static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
+    struct text_short t;
+    const int again = find_repeated(d, s->number, s->label, s->n);
+    if (again >= 0) {
+        deck_error(d, &word[again], "value %s is given twice", text_short(&t, word[again].text));
+    }
+    return again < 0 && !d->diagnostics.out_of_memory;
 }
 
 bool sweep_list(struct deck *d, const struct statement *s, enum repeats repeats,
@@ -191,22 +199,6 @@ static int compare_paths(const void *a, const void *b) {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-// True if the labels differ, or if there is no memory to compare them.
-static bool are_distinct(struct deck *d, const char *const *label, int n) {
-    const char **sorted = deck_array(d, (size_t)n, sizeof *sorted);
-    if (!sorted) {
-        return true;
-    }
-    memcpy(sorted, label, (size_t)n * sizeof *sorted);
-    qsort(sorted, (size_t)n, sizeof *sorted, compare_paths);
-    for (int i = 1; i < n; i++) {
-        if (strcmp(sorted[i - 1], sorted[i]) == 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static void set_labels(struct deck *d, struct sweep *s) {
     const char **label = deck_array(d, (size_t)s->n, sizeof *label);
     if (!label) {
@@ -224,7 +216,7 @@ static void set_labels(struct deck *d, struct sweep *s) {
                 return;
             }
         }
-        if (are_distinct(d, label, s->n)) {
+        if (find_repeated(d, NULL, label, s->n) < 0) {
             break;
         }
     }

@@ -17,6 +17,7 @@
 #include "law/bilateral.h"
 #include "law/lists.h"
 #include "law/maxwell.h"
+#include "law/yield.h"
 
 enum { LAW = LINK_CONSTANTS, SLACK, SLACK_SHORT, OWN };  // s and s'
 enum { DEFORMATION, LOOSE, HISTORY };                    // q; 1: the link is loose
@@ -261,5 +262,5 @@ int link_law_prepare(const struct link_law *from, const double *value, double *c
     constant[LAW] = law;
     constant[SLACK] = link_law_is(from, LINK_ROW_COMPRESSION_ONLY, value) ? INFINITY : slack;
     constant[SLACK_SHORT] = link_law_is(from, LINK_ROW_TENSION_ONLY, value) ? INFINITY : slack;
-    return from->storey->prepare(own, stiffness, constant + OWN, e);
+    return storey_law_prepare(from->storey, own, stiffness, constant + OWN, e);
 }

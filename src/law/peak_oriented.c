@@ -15,11 +15,7 @@
 enum { TURN_DRIFT, TURN_SHEAR, RIGHT, LEFT, SOFTENING_RIGHT, SOFTENING_LEFT };
 static_assert(SOFTENING_LEFT + 1 == PEAK_ORIENTED_HISTORY, "every value of the history has a name");
 
-int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
-                          struct error *e) {
-    if (value[PEAK_ORIENTED_STIFFNESS] == 0.0) {
-        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
-    }
+void peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant) {
     memcpy(constant, value, PEAK_ORIENTED_CONSTANTS * sizeof *constant);
     if (isnan(value[PEAK_ORIENTED_YIELD_LEFT])) {
         constant[PEAK_ORIENTED_YIELD_LEFT] = value[PEAK_ORIENTED_YIELD];
@@ -28,7 +24,6 @@ int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *c
         value[PEAK_ORIENTED_YIELD] / value[PEAK_ORIENTED_STIFFNESS];
     constant[PEAK_ORIENTED_YIELD_DRIFT_LEFT] =
         constant[PEAK_ORIENTED_YIELD_LEFT] / value[PEAK_ORIENTED_STIFFNESS];
-    return STATUS_OK;
 }
 
 // The side to which a storey moves, with drifts and shears counted positive that way.

@@ -29,9 +29,8 @@ enum peak_oriented_constant {
 };
 enum { PEAK_ORIENTED_HISTORY = 6 };
 
-// A YIELD_LEFT that is NAN becomes YIELD. Errors: STATUS_INPUT: the stiffness is missing.
-int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
-                          struct error *e);
+// A YIELD_LEFT that is NAN becomes YIELD.
+void peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant);
 
 // respond, stored and describe of the descriptors.
 struct storey_response peak_oriented_respond(const double *constant, const double *history,

@@ -8,12 +8,9 @@
 // Targets beyond are of no use; with damage at every zero shear they grow exponentially.
 static const double FAR = 1e6;
 
-int points_prepare(double stiffness, const double *drift, const double *shear, int n, double last,
-                   double *c, struct error *e) {
+void points_prepare(double stiffness, const double *drift, const double *shear, int n, double last,
+                    double *c) {
     assert(n > 0 && n <= POINTS_MAX);
-    if (stiffness == 0.0) {
-        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
-    }
     memset(c, 0, POINTS_CONSTANTS * sizeof *c);
     c[LOADING_STIFFNESS] = stiffness;
     c[LOADING_YIELD] = c[LOADING_YIELD_LEFT] = drift[0];
@@ -26,7 +23,6 @@ int points_prepare(double stiffness, const double *drift, const double *shear, i
             i + 1 < n ? (shear[i + 1] - shear[i]) / (drift[i + 1] - drift[i]) : last;
     }
     c[POINTS_PINCH_DRIFT] = c[POINTS_PINCH_SHEAR] = 1.0;
-    return STATUS_OK;
 }
 
 void points_resize(double *c, double left) {

@@ -45,10 +45,9 @@ enum points_history {
 };
 
 // Sets the backbone from `n` points of drift and shear, with the slope `last` beyond, and the rules
-// to peak-oriented ones. The first point ends the line of the initial stiffness. Errors:
-// STATUS_INPUT: a stiffness of 0.
-int points_prepare(double stiffness, const double *drift, const double *shear, int n, double last,
-                   double *constant, struct error *e);
+// to peak-oriented ones. The first point ends the line of the initial stiffness.
+void points_prepare(double stiffness, const double *drift, const double *shear, int n, double last,
+                    double *constant);
 
 // Gives the backbone of negative drifts the size `left`, with the points of each drift and shear
 // multiplied by it; NAN: it is the same.

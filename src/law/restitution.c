@@ -107,3 +107,24 @@ double restitution_no_tension(double e) {
 double restitution_ratio(double e, double zeta, double (*relation)(double e)) {
     return isnan(e) ? zeta : relation(e);
 }
+
+const struct row restitution_dashpot_rows[DASHPOT_ROWS] = {
+    [DASHPOT_K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN,
+                   "impact stiffness"},
+    [DASHPOT_E] = RESTITUTION_ROW,
+    [DASHPOT_ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN,
+                      "damping ratio"},
+};
+
+void restitution_dashpot(const double *value, double m_eff, double (*relation)(double e),
+                         double *constant) {
+    double zeta = restitution_ratio(value[DASHPOT_E], value[DASHPOT_ZETA], relation);
+    constant[DASHPOT_STIFFNESS] = value[DASHPOT_K];
+    constant[DASHPOT_COEFFICIENT] = 2.0 * zeta * sqrt(value[DASHPOT_K] * m_eff);
+}
+
+int restitution_prepare(const double *value, double m_eff, double *constant, struct error *e) {
+    (void)e;
+    restitution_dashpot(value, m_eff, restitution_kelvin_voigt, constant);
+    return STATUS_OK;
+}

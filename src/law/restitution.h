@@ -71,4 +71,18 @@ double restitution_ratio(double e, double zeta, double (*relation)(double e));
 // was found, or no memory.
 double calibrate_by_impact(const struct contact_law *law, double e, double guess);
 
+// Rows and constants of the laws with a linear spring k and a dashpot c = 2 zeta sqrt(k m). The
+// laws differ in the part of the impact in which the dashpot acts, and in the relation zeta(e).
+enum dashpot_row { DASHPOT_K, DASHPOT_E, DASHPOT_ZETA, DASHPOT_ROWS };
+extern const struct row restitution_dashpot_rows[DASHPOT_ROWS];
+
+enum dashpot_constant { DASHPOT_STIFFNESS, DASHPOT_COEFFICIENT, DASHPOT_CONSTANTS };
+
+// Computes k and c from the values of these rows. zeta is the given value or relation(e).
+void restitution_dashpot(const double *value, double m_eff, double (*relation)(double e),
+                         double *constant);
+
+// The same with the relation of Anagnostopoulos: `prepare` of laws with these rows.
+int restitution_prepare(const double *value, double m_eff, double *constant, struct error *e);
+
 #endif

@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "law/least_squares.h"
-#include "law/storey_loop.h"
 
 enum { TRIALS = 6000, SMOOTH_TRIALS = 600, TRIAL_SAMPLES = 30000000, SEARCHES = 8 };
 enum { LINEAR, LOGARITHM, LOGISTIC };
@@ -61,7 +60,7 @@ static void shears(struct fit *f, double *shear) {
     struct error e;
     const struct storey_path path = {
         .law = q->law, .constant = constant, .target = q->drift, .n_target = q->n};
-    if (loop_law_prepare(q->law, f->value, f->stiffness, constant, &e) == STATUS_OK) {
+    if (storey_loop_prepare(q->law, f->value, f->stiffness, constant, &e) == STATUS_OK) {
         storey_loop_shears(&path, shear);
     } else {
         memset(shear, 0, q->n * sizeof *shear);

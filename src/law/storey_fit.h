@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "law/loop_law.h"
+#include "law/storey_loop.h"
 
 enum { STOREY_FIT_STIFFNESS = -1 };  // in place of a row
 

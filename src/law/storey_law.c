@@ -53,3 +53,11 @@ double storey_law_damage(const struct storey_figures *f, const double most[2], d
     }
     return damage;
 }
+
+int storey_law_prepare(const struct storey_law *law, const double *value, double stiffness,
+                       double *constant, struct error *e) {
+    if (stiffness == 0.0 && law->describe) {
+        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
+    }
+    return law->prepare(value, stiffness, constant, e);
+}

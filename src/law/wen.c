@@ -40,13 +40,6 @@ static inline struct wear wear_at(const double *c, const struct worn *at) {
     return w;
 }
 
-static inline double worn_slope(const double *c, const struct wear *w, double z) {
-    const double slope_0 = (w->a - w->nu * (1.0 - wen_slope(c, z))) * w->per_eta;
-    const double t = (z - w->middle) * w->per_zeta2;
-    // Beyond, the slip is less than the rounding of 1.
-    return w->zeta1 > 0.0 && t * t < 40.0 ? slope_0 * (1.0 - w->zeta1 * exp(-t * t)) : slope_0;
-}
-
 // dz/ds and its derivatives by z and by e. At z = 0 that by z is of the side ahead.
 struct worn_rates {
     double rate, by_z, by_e;
@@ -71,6 +64,12 @@ static inline struct worn_rates worn_rates(const double *c, const struct worn *a
         r.rate *= slip;
     }
     return r;
+}
+
+// dz/ds at another z.
+static double worn_rate(const double *c, struct worn at, double z) {
+    at.z = z;
+    return worn_rates(c, &at).rate;
 }
 
 // Sets the rate and the bend where the storey is.
@@ -110,10 +109,9 @@ static inline struct worn worn_step(const double *c, const struct worn *from, do
 // The same from z < 0 through z = 0, where the slope has a kink. The way there is an integral of
 // dz / slope by Simpson's rule, as in storey/bouc_wen.c.
 static struct worn worn_through_zero(const double *c, const struct worn *from, double h) {
-    const struct wear w = wear_at(c, from);
-    const double way =
-        -from->z / 6.0 *
-        (1.0 / from->rate + 4.0 / worn_slope(c, &w, from->z / 2.0) + 1.0 / worn_slope(c, &w, 0.0));
+    const double way = -from->z / 6.0 *
+                       (1.0 / from->rate + 4.0 / worn_rate(c, *from, from->z / 2.0) +
+                        1.0 / worn_rate(c, *from, 0.0));
     struct worn zero = worn_beyond(c, from, 0.0, c[WEN_YIELDING] * from->z * way / 2.0);
     worn_look(c, &zero);
     return worn_step(c, &zero, fmax(h - way, 0.0));
@@ -180,12 +178,11 @@ double wen_worn_stored(const double *c, const double *h, double drift) {
     double after[WEN_HISTORY];
     wen_worn_respond(c, h, drift, after);
     const struct worn at = {.z = after[WEN_Z], .e = after[WEN_ENERGY], .lost = after[WEN_LOST]};
-    const struct wear w = wear_at(c, &at);
     const double size = fabs(at.z);
     double sum = 0.0;
     for (int i = 1; i <= PARTS; i++) {
         const double z = size * i / PARTS;
-        sum += (i == PARTS ? 1.0 : i % 2 ? 4.0 : 2.0) * z / worn_slope(c, &w, -z);
+        sum += (i == PARTS ? 1.0 : i % 2 ? 4.0 : 2.0) * z / worn_rate(c, at, -z);
     }
     return c[WEN_BACK] * drift * drift / 2.0 +
            c[WEN_STRENGTH] / c[WEN_PER_DRIFT] * sum * size / (3.0 * PARTS);

@@ -40,4 +40,8 @@ static inline void yield_describe(double drift, double shear, struct storey_figu
     out->strength[0] = out->strength[1] = shear;
 }
 
+// Computes the constants of a storey law, and refuses one that yields on a stiffness of 0.
+int storey_law_prepare(const struct storey_law *law, const double *value, double stiffness,
+                       double *constant, struct error *e);
+
 #endif

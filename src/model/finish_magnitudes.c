@@ -30,59 +30,27 @@ struct magnitude {
 };
 static const double STOREY_PERIOD_MIN = 0.01;  // [s]
 static struct magnitude first_period(int n_floor) {
-    return (struct magnitude){
-        .what = "first period of building",
-        .doubt = "are its mass and stiffness in the units of the deck?",
-        .unit = "s",
-        .min = STOREY_PERIOD_MIN * n_floor,
-        .max = 15.0,
-    };
+    return (struct magnitude){"first period of building",
+                              "are its mass and stiffness in the units of the deck?", "s",
+                              STOREY_PERIOD_MIN * n_floor, 15.0};
 }
-static const struct magnitude mean_storey = {
-    .what = "mean storey height of building",
-    .doubt = "are its heights in the units of the deck?",
-    .unit = "m",
-    .min = 0.01,
-    .max = 200.0,
-};
+static const struct magnitude mean_storey = {"mean storey height of building",
+                                             "are its heights in the units of the deck?", "m", 0.01,
+                                             200.0};
 static const struct magnitude total_height = {
-    .what = "height of building",
-    .doubt = "are its heights those of single storeys, in the units of the deck?",
-    .unit = "m",
-    .max = 1000.0,
-};
+    "height of building", "are its heights those of single storeys, in the units of the deck?", "m",
+    0.0, 1000.0};
 static const struct magnitude initial_displacement = {
-    .what = "initial displacement of building",
-    .doubt = "is it in the units of the deck?",
-    .unit = "m",
-    .max = 5.0,
-};
+    "initial displacement of building", "is it in the units of the deck?", "m", 0.0, 5.0};
 static const struct magnitude initial_velocity = {
-    .what = "initial velocity of building",
-    .doubt = "is it in the units of the deck?",
-    .unit = "m/s",
-    .max = 20.0,
-};
-static const struct magnitude clear_gap = {
-    .what = "gap of contact",
-    .doubt = "is it in the units of the deck?",
-    .unit = "m",
-    .max = 5.0,
-};
-static const struct magnitude ground_peak = {
-    .what = "peak of the ground motion",
-    .doubt = "are its unit and its scale right?",
-    .unit = "g",
-    .min = 0.0005,
-    .max = 3.0,
-};
+    "initial velocity of building", "is it in the units of the deck?", "m/s", 0.0, 20.0};
+static const struct magnitude clear_gap = {"gap of contact", "is it in the units of the deck?", "m",
+                                           0.0, 5.0};
+static const struct magnitude ground_peak = {"peak of the ground motion",
+                                             "are its unit and its scale right?", "g", 0.0005, 3.0};
 static const struct magnitude bare_peak = {
-    .what = "peak of the ground motion",
-    .doubt = "is the number of -pga or -sa in g? give its unit, as in 0.35g",
-    .unit = "g",
-    .min = 0.05,
-    .max = 3.0,
-};
+    "peak of the ground motion", "is the number of -pga or -sa in g? give its unit, as in 0.35g",
+    "g", 0.05, 3.0};
 
 // Values beyond the limits of one kind: the first one, and their number.
 struct finding {

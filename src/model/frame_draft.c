@@ -36,50 +36,6 @@ bool frame_draft_choose(struct builder *b, const struct argument *a, const char 
     return true;
 }
 
-bool frame_draft_members(struct builder *b, const struct statement *s, struct argument *a,
-                         struct frame_members *q) {
-    const bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &q->selection);
-    const bool good = deck_options(b->deck, s, &(struct row_set){q->rows, q->n_row, a}, 1);
-    if (q->selection.building < 0) {
-        return false;
-    }
-    q->building = builder_draft(b, q->selection.building);
-    if (!frame_draft_has_frame(b, s, q->building)) {
-        return false;
-    }
-    if (!selected || !good) {
-        q->building->frame->torn = true;
-        return false;
-    }
-    struct frame_draft *f = q->building->frame;
-    const bool beam = strcmp(q->what, "beam") == 0;
-    q->n_across = f->n_line - (beam ? 1 : 0);
-    f->torn |= !frame_draft_choose(b, &a[q->lines], beam ? "bay" : "line", q->n_across, q->chosen);
-    q->inertia = builder_spread(b, &a[q->inertias], q->selection.n_floor,
-                                beam ? "selected floors" : "selected storeys");
-    f->torn |= !q->inertia;
-    return !f->torn;
-}
-
-void frame_draft_place(struct builder *b, const struct statement *s,
-                       const struct frame_members *q) {
-    for (int i = 0; i < q->selection.n_floor; i++) {
-        const int level = q->selection.floor[i];
-        for (int k = 0; k < q->n_across; k++) {
-            struct section_draft *m = &q->member[(level - 1) * q->n_across + k];
-            if (q->chosen[k] && m->word.text) {
-                deck_error(b->deck, &s->word[1], "%s_%d_%d of building %s is given already, in %s",
-                           q->what, level, k + 1, q->building->name,
-                           source_mention(b->deck, &m->word.place, &s->word[0].place));
-                return;
-            }
-            if (q->chosen[k]) {
-                *m = (struct section_draft){s->word[0], q->inertia[i], q->area ? q->area[i] : 0.0};
-            }
-        }
-    }
-}
-
 static void set_base(struct plane_frame *f, int line, const struct base_draft *own,
                      const struct base_draft *all) {
     const struct base_draft *base = own && own->word.text ? own : all;

@@ -48,27 +48,6 @@ struct wall_draft {
     const double *ei, *ga;  // [F L^2] [F] (n_floor); ga NULL: it does not shear
 };
 
-// Members that a statement gives: on the selected floors, and the chosen lines or bays.
-struct frame_members {
-    const struct row *rows;      // of the options, n_row
-    int n_row, inertias, lines;  // numbers of those that give inertias and that choose
-    const char *what;            // "column", "beam"
-    struct building_draft *building;
-    struct selection selection;
-    int n_across;  // lines or bays of the frame
-    bool chosen[FRAME_BAYS_MAX + 1];
-    struct section_draft *member;  // (n_floor, n_across)
-    const double *inertia, *area;  // (selection.n_floor); area NULL: 0
-};
-
-// Reads the words and options of such a statement, but for `member` and `area`. False after a
-// report.
-bool frame_draft_members(struct builder *b, const struct statement *s, struct argument *a,
-                         struct frame_members *q);
-
-// Puts the members in their places, and reports the first that is there already.
-void frame_draft_place(struct builder *b, const struct statement *s, const struct frame_members *q);
-
 bool frame_draft_has_frame(struct builder *b, const struct statement *s,
                            const struct building_draft *d);
 

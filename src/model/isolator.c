@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "law/lists.h"
-#include "model/storey_choices.h"
+#include "model/storey_choice.h"
 
 // Initial stiffness of a bearing of lead and rubber over that after yield, if it is not given: a
 // usual value (Naeim & Kelly 1999, Design of Seismic Isolated Structures, chapter 4).
@@ -39,7 +39,7 @@ static void isolator_set(struct builder *b, struct building_draft *d,
         value[r] = law->row[r].fallback;
     }
     for (int i = 0; i < n; i++) {
-        const int row = storey_choice_row(law, of[i].key);
+        const int row = storey_loop_row(law->row, law->n_row, of[i].key);
         assert(row >= 0);
         value[row] = of[i].value;
     }

@@ -4,6 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "deck/reader.h"
+#include "law/yield.h"
+
 const struct storey_law *storey_choice_find(struct deck *d, const struct word *name) {
     const char *text = deck_text(d, name);
     const struct storey_law *law = text ? storey_law_find(text) : NULL;
@@ -24,15 +27,6 @@ const struct storey_law *storey_choice_find_rateless(struct deck *d, const struc
         return NULL;
     }
     return law;
-}
-
-int storey_choice_row(const struct storey_law *law, const char *key) {
-    for (int r = 0; r < law->n_row; r++) {
-        if (strcmp(law->row[r].key, key) == 0) {
-            return r;
-        }
-    }
-    return -1;
 }
 
 bool storey_choice_find_link(struct deck *d, const struct word *name, struct link_law *out) {
@@ -78,5 +72,97 @@ bool storey_choice_read(struct deck *d, const struct statement *s, const struct 
         const bool flag = row[r].kind == ROW_FLAG && a->given;
         out->value[r] = a->n > 0 && a->number ? a->number[0] : flag ? 1.0 : NAN;
     }
+    return true;
+}
+
+bool storey_choices_rows(struct builder *b, const struct row *row, int n_row,
+                         const struct argument *given, int n, const char *owner, double **value) {
+    double *flagged = arena_alloc(b->arena, 1, sizeof *flagged);
+    const struct argument raised = {.given = true, .n = 1, .number = flagged};
+    bool good = flagged != NULL;
+    if (good) {
+        *flagged = 1.0;
+    }
+    for (int r = 0; good && r < n_row; r++) {
+        const bool flag = row[r].kind == ROW_FLAG && given[r].given;
+        if (flag || given[r].n > 0) {
+            value[r] = builder_spread(b, flag ? &raised : &given[r], n, owner);
+            good &= value[r] != NULL;
+        }
+    }
+    return good;
+}
+
+bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, const char *owner) {
+    const struct storey_law *law = c->law;
+    static const struct row damage[] = {STOREY_CHOICES_DAMAGE(OF_NONE)};
+    const struct argument *first = c->damage[STOREY_DAMAGE_ULTIMATE].given
+                                       ? &c->damage[STOREY_DAMAGE_ULTIMATE]
+                                       : &c->damage[STOREY_DAMAGE_BETA];
+    if (first->given && law->n_history == 0) {
+        return deck_error(b->deck, &first->key, "law %s does not yield: it has no damage index",
+                          law->name);
+    }
+    const bool good =
+        storey_choices_rows(b, law->row, law->n_row, c->given, n, owner, c->value) &&
+        storey_choices_rows(b, damage, STOREY_DAMAGE_COUNT, c->damage, n, owner, c->damage_value);
+    const int yield = storey_loop_row(law->row, law->n_row, "yield");
+    if (yield >= 0 && c->value[yield]) {
+        c->yield = c->value[yield];
+        c->yield_row = yield;
+    }
+    return good;
+}
+
+bool storey_choices_law(struct builder *b, const struct word *w, const struct storey_law *law,
+                        const double *value, double stiffness, struct storey *out) {
+    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
+    if (!constant) {
+        return false;
+    }
+    struct error e;
+    if (storey_law_prepare(law, value, stiffness, constant, &e) != STATUS_OK) {
+        return deck_error(b->deck, w, "%s", e.message);
+    }
+    out->law = law;
+    out->constant = constant;
+    return true;
+}
+
+bool storey_choices_prepare(struct builder *b, const struct word *w, const struct storey_choices *c,
+                            int k, double stiffness, struct storey *out) {
+    double own[STOREY_ROWS_MAX];
+    const struct storey_law *law = c->law;
+    for (int r = 0; r < law->n_row; r++) {
+        own[r] = c->value[r] ? c->value[r][k] : NAN;
+    }
+    out->yield = c->yield ? c->yield[k] : (double)INFINITY;
+    double *damage = arena_alloc(b->arena, STOREY_DAMAGE_COUNT, sizeof *damage);
+    for (int q = 0; damage && q < STOREY_DAMAGE_COUNT; q++) {
+        damage[q] = c->damage_value[q] ? c->damage_value[q][k] : (double)NAN;
+    }
+    out->damage = damage;
+    return storey_choices_law(b, w, law, own, stiffness, out);
+}
+
+bool storey_choices_take(struct builder *b, struct building_draft *d, int i,
+                         const struct statement *s) {
+    struct word *mark = &d->storey_word[i];
+    if (mark->text) {
+        return deck_error(b->deck, &s->word[1], "storey %d of building %s has a law already, in %s",
+                          i + 1, d->name, source_mention(b->deck, &mark->place, &s->word[0].place));
+    }
+    *mark = s->word[0];
+    return true;
+}
+
+bool storey_choices_isolate(struct builder *b, struct building_draft *d, int i,
+                            const struct word *w) {
+    if (d->isolated > 0 && d->isolated != i + 1) {
+        return deck_error(b->deck, w,
+                          "storey %d of building %s is its isolator already; it can have one",
+                          d->isolated, d->name);
+    }
+    d->isolated = i + 1;
     return true;
 }

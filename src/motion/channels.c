@@ -29,20 +29,18 @@ bool channels_choose(const struct record_reader *r, const struct channels *c, in
     return record_fail(r, 0, "the file has no channel %d; available: %s", requested, list);
 }
 
-bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, struct piece *name),
-                   const char *none, struct lines *before) {
+bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, void *channel),
+                   const char *none, struct lines *l, void *channel) {
     struct channels all = {0};
     struct lines at[CHANNELS_MAX];
-    struct lines l, last;
-    struct piece name;
     int chosen = 0;
-    lines_init(&l, r->text);
-    for (last = l; next(&l, &name); last = l) {
+    lines_init(l, r->text);
+    for (struct lines last = *l; next(l, channel); last = *l) {
         if (all.n == CHANNELS_MAX) {
-            return record_fail(r, l.number, "more than %d channels", CHANNELS_MAX);
+            return record_fail(r, l->number, "more than %d channels", CHANNELS_MAX);
         }
         at[all.n] = last;
-        all.name[all.n++] = name;
+        all.name[all.n++] = *(const struct piece *)channel;
     }
     if (all.n == 0) {
         return record_fail(r, 0, "%s", none);
@@ -50,8 +48,8 @@ bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, 
     if (!channels_choose(r, &all, &chosen)) {
         return false;
     }
-    *before = at[chosen];
-    return true;
+    *l = at[chosen];
+    return next(l, channel);
 }
 
 static bool next_row(struct lines *l) {

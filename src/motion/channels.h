@@ -21,10 +21,11 @@ struct channels {
 bool channels_choose(const struct record_reader *r, const struct channels *c, int *chosen);
 
 // Finds the requested channel in a file of channels one after the other. `next` goes to the next
-// channel and sets its name; false: there is none. A `next` from *before goes to the requested
-// channel. Errors: those of channels_choose; `none` if the file has no channel.
-bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, struct piece *name),
-                   const char *none, struct lines *before);
+// channel and fills the struct of the format, which begins with the name; false: there is none.
+// Afterwards `l` and `channel` are those of the requested channel. Errors: those of
+// channels_choose; `none` if the file has no channel.
+bool channels_seek(const struct record_reader *r, bool (*next)(struct lines *l, void *channel),
+                   const char *none, struct lines *l, void *channel);
 
 // Rows of n_column numbers up to the end of the file.
 struct channel_rows {

@@ -29,8 +29,8 @@ static const double DURATION_ROUNDING = 1;  // [s]
 
 // A channel: its lines in the file and what its text says.
 struct channel {
-    struct lines reals, values;  // at the lines before them; number 0: there is none
     struct piece name;           // `90 deg`; empty: the file has no name
+    struct lines reals, values;  // at the lines before them; number 0: there is none
     struct header_entry peak;    // empty value: the file states no peak
     struct piece peak_unit;
     struct header_entry unknown;  // the text for an unknown value
@@ -76,7 +76,8 @@ static void note_text(struct channel *c, const struct lines *l) {
 }
 
 // Goes to the next line before accelerations; false: there is no further channel.
-static bool next_channel(struct lines *l, struct channel *c) {
+static bool next_channel(struct lines *l, void *channel) {
+    struct channel *c = channel;
     *c = (struct channel){0};
     while (lines_next(l)) {
         if (lines_contain(l->line, " ACC") && lines_contain(l->line, " PTS") &&
@@ -87,13 +88,6 @@ static bool next_channel(struct lines *l, struct channel *c) {
         note_text(c, l);
     }
     return false;
-}
-
-static bool next_name(struct lines *l, struct piece *name) {
-    struct channel c;
-    const bool found = next_channel(l, &c);
-    *name = c.name;
-    return found;
 }
 
 // If the header gives no time step, the user must give it.
@@ -169,10 +163,9 @@ static bool cosmos_read(const struct record_reader *r) {
     struct fixed_format format;
     struct lines l;
     double unknown;
-    if (!channels_seek(r, next_name, none, &l)) {
+    if (!channels_seek(r, next_channel, none, &l, &c)) {
         return false;
     }
-    next_channel(&l, &c);
     if (lines_number(c.unknown.value, &unknown) != NUMBER_OK) {
         unknown = -999;
     }

@@ -32,8 +32,8 @@ static const char volume_2_usc[] = "POINTS OF ACC DATA EQUALLY SPACED AT";
 
 // A channel: its names and its place in the file.
 struct channel {
-    struct lines title;        // at the line before the values
     struct piece name;         // `CHAN  1:  90 DEG`, `N08W`; empty: no name
+    struct lines title;        // at the line before the values
     struct header_entry peak;  // empty value: the file states no peak
 };
 
@@ -59,7 +59,8 @@ static bool csmip_matches(const struct record_text *t) {
 }
 
 // Goes to the next line before accelerations; false: there is no further channel.
-static bool next_channel(struct lines *l, struct channel *c) {
+static bool next_channel(struct lines *l, void *channel) {
+    struct channel *c = channel;
     *c = (struct channel){0};
     while (lines_next(l)) {
         if (is_title(l->line)) {
@@ -82,13 +83,6 @@ static bool next_channel(struct lines *l, struct channel *c) {
         }
     }
     return false;
-}
-
-static bool next_name(struct lines *l, struct piece *name) {
-    struct channel c;
-    const bool found = next_channel(l, &c);
-    *name = c.name;
-    return found;
 }
 
 // Reads the number of values and the time step from the line before the values.
@@ -135,10 +129,9 @@ static bool csmip_read(const struct record_reader *r) {
     struct channel c;
     struct fixed_format format = {.decimals = 0};
     struct lines l;
-    if (!channels_seek(r, next_name, none, &l)) {
+    if (!channels_seek(r, next_channel, none, &l, &c)) {
         return false;
     }
-    next_channel(&l, &c);
     if (!read_sizes(r, &c.title) || !read_format(r, &c.title, &format) ||
         !header_take(r, HEADER_PEAK, &c.peak)) {
         return false;

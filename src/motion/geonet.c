@@ -35,8 +35,9 @@ static const double DURATION_ROUNDING = 0.01;  // [s]
 
 // A component: its first line, and the numbers of its values.
 struct component {
-    const struct record_reader *reading;
+    struct piece name;
     struct lines title;
+    const struct record_reader *reading;
     double count[N_KIND];
 };
 
@@ -51,14 +52,13 @@ static bool geonet_matches(const struct record_text *t) {
 }
 
 // Goes to the first line of the next component.
-static bool next_component(struct lines *l, struct piece *name) {
+static bool next_component(struct lines *l, void *component) {
+    struct component *c = component;
     while (lines_next(l)) {
         if (is_title(l->line)) {
-            struct lines at = *l;
-            for (int i = 1; i < LINE_NAME && lines_next(&at); i++) {
-            }
-            struct piece rest = lines_behind(at.line, "COMPONENT");
-            lines_field(&rest, "", name);
+            struct piece rest = lines_behind(lines_at(*l, LINE_NAME).line, "COMPONENT");
+            lines_field(&rest, "", &c->name);
+            c->title = *l;
             return true;
         }
     }
@@ -163,14 +163,9 @@ static bool check_end(const struct component *c, struct lines l) {
 static bool geonet_read(const struct record_reader *r) {
     struct component c = {.reading = r};
     struct lines l;
-    struct piece name;
-    if (!channels_seek(r, next_component, none, &l)) {
-        return false;
-    }
-    next_component(&l, &name);
-    c.title = l;
-    return header_skip(r, &l, HEADER_LINES) && read_counts(&c) && read_step(&c) &&
-           read_acceleration(&c) && fixed_read(r, &l, &columns) && check_end(&c, l);
+    return channels_seek(r, next_component, none, &l, &c) && header_skip(r, &l, HEADER_LINES) &&
+           read_counts(&c) && read_step(&c) && read_acceleration(&c) &&
+           fixed_read(r, &l, &columns) && check_end(&c, l);
 }
 
 const struct record_format record_geonet = {

@@ -75,6 +75,9 @@ bool header_text(const struct header *h, const char *key, struct header_entry *o
 }
 
 bool header_number(const struct record_reader *r, const struct header_entry *from, double *number) {
+    if (from->value.n == 0) {
+        return record_fail(r, from->line, "%s is empty", from->key);
+    }
     return lines_number(from->value, number) == NUMBER_OK ||
            record_fail(r, from->line, "%s '%s' is not a number", from->key,
                        lines_excerpt(from->value).text);
@@ -128,7 +131,7 @@ static bool take_count(const struct record_reader *r, const struct header_entry 
 
 static bool take_duration(const struct record_reader *r, const struct header_entry *from) {
     struct record_content *out = r->out;
-    double duration;
+    double duration = 0;
     if (!header_positive(r, from, &duration)) {
         return false;
     }
@@ -183,7 +186,7 @@ static bool cut_value(const struct header_row *row, int channel, struct piece *v
 
 bool header_rows(const struct header *h, const struct header_row *row, int channel) {
     for (; row->key; row++) {
-        struct header_entry entry;
+        struct header_entry entry = {.key = row->key};
         if (row->optional && !header_find(h, row->key, &entry)) {
             continue;
         }

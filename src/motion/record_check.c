@@ -180,32 +180,25 @@ static void check_stated_peak(const struct check *c) {
     }
 }
 
-static void check_filling(const struct check *c) {
+// Warns about statements of the file that differ from its values.
+static void check_statements(const struct check *c) {
     const struct record_content *content = c->content;
+    const double dt = c->out->dt;
     if (content->n_filling > 0) {
         warn(c, content->count_line,
              "the header says %zu rows; the file holds %zu more, which repeat the last of them and "
              "are read too",
              content->n - content->n_filling, content->n_filling);
     }
-}
-
-static void check_npts(const struct check *c) {
-    const struct record_content *content = c->content;
     if (content->other_line > 0) {
         warn(c, content->other_line,
              "NPTS is given twice, as %.9g here and as %.9g in line %d; the file holds %zu values",
              content->other_npts, content->npts, content->count_line, content->n);
     }
-}
-
-static void check_noted_step(const struct check *c) {
-    const struct record_content *content = c->content;
-    if (content->noted_line > 0 &&
-        fabs(content->noted_dt - c->out->dt) > NOTED_STEP_ERROR * c->out->dt) {
+    if (content->noted_line > 0 && fabs(content->noted_dt - dt) > NOTED_STEP_ERROR * dt) {
         warn(c, content->noted_line,
              "the comment gives a time step of %.6g s; that of the %s is %.6g s and is used",
-             content->noted_dt, content->dt > 0 ? "times" : "option -dt", c->out->dt);
+             content->noted_dt, content->dt > 0 ? "times" : "option -dt", dt);
     }
 }
 
@@ -257,9 +250,7 @@ bool record_check(const struct record_reader *r, struct record *out) {
     if (!check_dt(&c) || !check_unit(&c) || (!r->request->plain && !check_peak(&c))) {
         return false;
     }
-    check_filling(&c);
-    check_npts(&c);
-    check_noted_step(&c);
+    check_statements(&c);
     check_stated_peak(&c);
     if (r->request->demean) {
         demean(content, out);

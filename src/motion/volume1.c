@@ -69,6 +69,11 @@ static const struct variant renadic = {
     .format = {.n = 5, .width = 7, .timed = true},
 };
 
+struct channel {
+    struct piece name;
+    const struct variant *variant;
+};
+
 static bool has_layout(const struct variant *v, const struct record_text *t) {
     struct lines l;
     lines_init(&l, t);
@@ -77,10 +82,11 @@ static bool has_layout(const struct variant *v, const struct record_text *t) {
 }
 
 // Goes to the first line of the next channel; false: there is no further channel.
-static bool next_channel(const struct variant *v, struct lines *l, struct piece *name) {
+static bool next_channel(struct lines *l, void *channel) {
+    struct channel *c = channel;
     while (lines_next(l)) {
-        if (lines_contain(l->line, v->title)) {
-            *name = lines_at(*l, LINE_NAME).line;
+        if (lines_contain(l->line, c->variant->title)) {
+            c->name = lines_at(*l, LINE_NAME).line;
             return true;
         }
     }
@@ -147,14 +153,12 @@ static bool check_end(const struct record_reader *r, struct lines l) {
     return true;
 }
 
-static bool read_variant(const struct variant *v, const struct record_reader *r,
-                         bool (*next)(struct lines *l, struct piece *name)) {
+static bool read_variant(const struct variant *v, const struct record_reader *r) {
+    struct channel c = {.variant = v};
     struct lines l;
-    struct piece name;
-    if (!channels_seek(r, next, v->none, &l)) {
+    if (!channels_seek(r, next_channel, v->none, &l, &c)) {
         return false;
     }
-    next(&l, &name);
     const struct lines points = lines_at(l, LINE_POINTS), units = lines_at(l, LINE_UNITS);
     l = lines_at(l, HEADER_LINES);
     return read_sizes(v, r, &points) && read_unit(r, &units) && fixed_read(r, &l, &v->format) &&
@@ -165,12 +169,8 @@ static bool bhrc_matches(const struct record_text *t) {
     return has_layout(&bhrc, t);
 }
 
-static bool bhrc_next(struct lines *l, struct piece *name) {
-    return next_channel(&bhrc, l, name);
-}
-
 static bool bhrc_read(const struct record_reader *r) {
-    return read_variant(&bhrc, r, bhrc_next);
+    return read_variant(&bhrc, r);
 }
 
 const struct record_format record_bhrc = {
@@ -186,12 +186,8 @@ static bool renadic_matches(const struct record_text *t) {
     return has_layout(&renadic, t);
 }
 
-static bool renadic_next(struct lines *l, struct piece *name) {
-    return next_channel(&renadic, l, name);
-}
-
 static bool renadic_read(const struct record_reader *r) {
-    return read_variant(&renadic, r, renadic_next);
+    return read_variant(&renadic, r);
 }
 
 const struct record_format record_renadic = {

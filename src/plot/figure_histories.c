@@ -38,7 +38,8 @@ static void shift_right(struct view *v, struct canvas *c) {
     double *right = d->column[RIGHT];
     const bool exact = r->fields & FIELD_PENETRATION;
     if (exact) {
-        c->status = result_contact_history(v->s->file[0], FIELD_PENETRATION, contact, right, c->e);
+        const struct history h = {HISTORY_CONTACT, FIELD_PENETRATION, contact, 0};
+        c->status = result_history(v->s->file[0], &h, right, c->e);
     }
     for (size_t i = 0; i < d->n_row; i++) {
         right[i] = exact ? d->column[LEFT][i] - right[i] : right[i] + r->contact[contact].gap;

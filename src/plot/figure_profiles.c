@@ -106,51 +106,41 @@ static double drawn_value(const struct selection *s, const struct report_buildin
     return value_of(b, p, i) / (ratio ? b->height[i] / 100 : 1);
 }
 
-// The accelerations of the floors that were hit, with their levels, or with the `row`.
-static void write_hit(const struct selection *s, int run, int k, double row, FILE *to) {
-    const struct report_building *b = shown(s, run, k);
-    fprintf(to, "$hit%d%d << EOD\n# level acceleration, of floors that were hit\nNaN NaN\n", run,
-            k);
-    for (int i = 0; i < b->n_floor; i++) {
-        const double level = s->rows ? row : runs_level(b, i + 1, s->heights);
-        if (report_floor_was_hit(s->s->r[run], b->name, i + 1)) {
-            fprintf(to, "%.9g %.9g\n", level, b->peak[PEAK_ACCELERATION][i]);
-        }
-    }
-    fprintf(to, "EOD\n");
-}
-
-// Of a building of one floor. Rows count upwards; a second run stands below the first.
-static void write_row(const struct selection *s, int run, int k, FILE *to) {
-    const struct report_building *b = shown(s, run, k);
+// The place of a level of a building. Where buildings have rows, these count upwards, and a second
+// run stands below the first.
+static double place_of(const struct selection *s, int run, int k, int floors) {
     const double row = s->n - k + (s->s->n > 1 ? 0.15 - 0.3 * run : 0);
-    double value[PANELS];
-    for (int i = 0; i < PANELS; i++) {
-        value[i] = drawn_value(s, b, &profiles[i], 0);
-    }
-    fprintf(to, "$floors%d%d << EOD\n# row displacement acceleration\n%.9g %.9g %.9g\nEOD\n", run,
-            k, row, value[0], value[2]);
-    fprintf(to, "$storeys%d%d << EOD\n# row drift shear\n%.9g %.9g %.9g\nEOD\n", run, k, row,
-            value[1], value[3]);
-    write_hit(s, run, k, row, to);
+    return s->rows ? row : runs_level(shown(s, run, k), floors, s->heights);
 }
 
-static void write_building(const struct selection *s, int run, int k, FILE *to) {
+// Floors, storeys (both ends of each; a row is one point), and the accelerations of the floors that
+// were hit.
+static void write_building(const struct selection *s, int run, int k, struct canvas *c) {
     const struct report_building *b = shown(s, run, k);
-    fprintf(to, "$floors%d%d << EOD\n# level displacement acceleration\n0 %s NaN\n", run, k,
-            b->stiffness[0] > 0 ? "0" : "NaN");
+    canvas_block(c, "level or row, displacement, acceleration", "floors%d%d", run, k);
+    if (!s->rows) {
+        fprintf(c->data, "0 %s NaN\n", b->stiffness[0] > 0 ? "0" : "NaN");
+    }
     for (int i = 0; i < b->n_floor; i++) {
-        fprintf(to, "%.9g %.9g %.9g\n", runs_level(b, i + 1, s->heights),
+        fprintf(c->data, "%.9g %.9g %.9g\n", place_of(s, run, k, i + 1),
                 b->peak[PEAK_DISPLACEMENT][i], b->peak[PEAK_ACCELERATION][i]);
     }
-    fprintf(to, "EOD\n$storeys%d%d << EOD\n# level drift shear, both ends of each storey\n", run,
-            k);
-    for (int i = 0; i < 2 * b->n_floor; i++) {
-        fprintf(to, "%.9g %.9g %.9g\n", runs_level(b, (i + 1) / 2, s->heights),
+    canvas_end(c);
+    canvas_block(c, "level or row, drift, shear", "storeys%d%d", run, k);
+    for (int i = 0; i < (s->rows ? 1 : 2 * b->n_floor); i++) {
+        fprintf(c->data, "%.9g %.9g %.9g\n", place_of(s, run, k, (i + 1) / 2),
                 drawn_value(s, b, &profiles[1], i / 2), drawn_value(s, b, &profiles[3], i / 2));
     }
-    fprintf(to, "EOD\n");
-    write_hit(s, run, k, 0, to);
+    canvas_end(c);
+    canvas_block(c, "level or row, acceleration of floors that were hit", "hit%d%d", run, k);
+    fputs("NaN NaN\n", c->data);
+    for (int i = 0; i < b->n_floor; i++) {
+        if (report_floor_was_hit(s->s->r[run], b->name, i + 1)) {
+            fprintf(c->data, "%.9g %.9g\n", place_of(s, run, k, i + 1),
+                    b->peak[PEAK_ACCELERATION][i]);
+        }
+    }
+    canvas_end(c);
 }
 
 static struct span panel_span(const struct selection *s, const struct profile *p) {
@@ -210,48 +200,40 @@ static void draw_series(const struct selection *s, const struct profile *p, stru
     panel_close(c);
 }
 
-// The panel `at` of `n` beside each other.
-static void draw_panel(const struct selection *s, const struct profile *p, int at, int n,
-                       struct canvas *c) {
-    struct canvas within = *c;
-    within.area.left += 4.2;
-    const struct area part = canvas_part(&within, (double)at / n, (at + 1.0) / n, 0, 1);
-    panel_open(c, &(struct panel){.area = canvas_inset(part, 1.1, 1.1, 3.2, 0.5),
-                                  .x = value_axis(s, p),
-                                  .y = runs_height_axis(at == 0, s->heights, top_level(s))});
-    draw_series(s, p, c);
+// Names of buildings beside their rows.
+static void write_names(const struct selection *s, FILE *to) {
+    fprintf(to, "set ytics (");
+    for (int k = 0; k < s->n; k++) {
+        char name[64];
+        script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
+        fprintf(to, "%s", k > 0 ? ", " : "");
+        safe_put(to, SAFE_TIC, name);
+        fprintf(to, " %d", s->n - k);
+    }
+    fprintf(to, ")\n");
 }
 
-// Panel `at` of `n`, two above each other where there is room.
-static void draw_rows(const struct selection *s, const struct profile *p, int at, int n,
-                      struct canvas *c) {
+// Panel `at` of `n` beside each other; of rows, two above each other where there is room.
+static void draw_panel(const struct selection *s, const struct profile *p, int at, int n,
+                       struct canvas *c) {
     struct canvas within = *c;
     double names = 0;
     for (int k = 0; k < s->n; k++) {
         names = fmax(names, fmin(NAME_WIDTH, script_width(shown(s, 0, k)->name)));
     }
-    within.area.left += names;
+    within.area.left += s->rows ? names : 4.2;
     const double height = c->area.top - c->area.bottom;
-    const int across = height > 2 * (ROW_HEIGHT * (s->n + 0.2) + 3.7) ? 2 : n;
-    const int column = at % across, line = at / across, lines = n / across;
-    const struct area a =
-        canvas_inset(canvas_part(&within, (double)column / across, (column + 1.0) / across,
-                                 1 - (line + 1.0) / lines, 1 - (double)line / lines),
-                     1.1, 1.1, 3.2, 0.5);
+    const bool two = s->rows && height > 2 * (ROW_HEIGHT * (s->n + 0.2) + 3.7);
+    const int across = two ? 2 : n, column = at % across, line = at / across, lines = n / across;
+    const struct area a = canvas_part(&within, (double)column / across, (column + 1.0) / across,
+                                      1 - (line + 1.0) / lines, 1 - (double)line / lines);
+    const struct axis rows = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
     panel_open(c, &(struct panel){
-                      .area = a,
+                      .area = canvas_inset(a, 1.1, 1.1, 3.2, 0.5),
                       .x = value_axis(s, p),
-                      .y = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1}});
-    if (column == 0) {
-        fprintf(c->to, "set ytics (");
-        for (int k = 0; k < s->n; k++) {
-            char name[64];
-            script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
-            fprintf(c->to, "%s", k > 0 ? ", " : "");
-            safe_put(c->to, SAFE_TIC, name);
-            fprintf(c->to, " %d", s->n - k);
-        }
-        fprintf(c->to, ")\n");
+                      .y = s->rows ? rows : runs_height_axis(at == 0, s->heights, top_level(s))});
+    if (s->rows && column == 0) {
+        write_names(s, c->to);
     }
     draw_series(s, p, c);
 }
@@ -291,13 +273,13 @@ static void draw(const struct subject *subject, struct canvas *c) {
     struct selection s = choose(runs);
     s.points = canvas_has_room(c, s.floors);
     for (int k = 0; k < s.n * runs->n; k++) {
-        (s.rows ? write_row : write_building)(&s, k / s.n, k % s.n, c->data);
+        write_building(&s, k / s.n, k % s.n, c);
     }
     write_head(&s, c);
     const int n = s.storeys ? PANELS : PANELS - 2;
     for (int i = 0, at = 0; i < PANELS; i++) {
         if (s.storeys || !profiles[i].storeys) {
-            (s.rows ? draw_rows : draw_panel)(&s, &profiles[i], at++, n, c);
+            draw_panel(&s, &profiles[i], at++, n, c);
         }
     }
 }

@@ -3,7 +3,6 @@
 // contacts that have closed, and below them the largest contact force in each gap. Buildings stand
 // beside each other in the order of the deck; only heights are to scale.
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/safe.h"
 #include "plot/figure.h"
@@ -20,9 +19,8 @@ struct street {
     bool heights;  // all storeys have them
     double top;    // of the highest building
     double drift;  // the largest
-    double
-        *force;  // (n_building + 1) the largest in the gap before each building and behind the last
-    long n_hit;  // contacts that have closed
+    double force;  // the largest of a contact
+    long n_hit;    // contacts that have closed
 };
 
 // NAN: a free body has no storey.
@@ -69,8 +67,7 @@ static void survey(struct street *s) {
     }
     for (int i = 0; i < s->r->n_contact; i++) {
         const struct report_link *c = &s->r->contact[i];
-        double *force = &s->force[gap_of(s->r, c)];
-        *force = fmax(*force, c->peak.force);
+        s->force = fmax(s->force, c->peak.force);
         s->n_hit += has_closed(c);
     }
 }
@@ -80,8 +77,8 @@ static void write_storeys(const struct street *s, struct canvas *c) {
     for (int k = 0; k < s->r->n_building; k++) {
         const struct report_building *b = &s->r->building[k];
         for (int i = 0; i < b->n_floor; i++) {
-            const double low = runs_level(b, i, s->heights),
-                         high = runs_level(b, i + 1, s->heights);
+            const double low = runs_level(b, i, s->heights);
+            const double high = runs_level(b, i + 1, s->heights);
             fprintf(c->data, "%d %.7g %.7g %.7g %.7g %.7g %.7g\n", k + 1, (low + high) / 2,
                     k + 1 - HALF, k + 1 + HALF, low, high, drift_of(s, b, i));
         }
@@ -89,19 +86,14 @@ static void write_storeys(const struct street *s, struct canvas *c) {
     canvas_end(c);
 }
 
-static void write_gaps(const struct street *s, struct canvas *c) {
-    canvas_block(c, "gap, level of each contact that has closed", "hits");
-    fprintf(c->data, "NaN NaN\n");
+// Of the lines in one gap the longest is seen.
+static void write_contacts(const struct street *s, struct canvas *c) {
+    canvas_block(c, "gap, level of a contact that has closed, largest force", "contacts");
+    fprintf(c->data, "NaN NaN NaN\n");
     for (int i = 0; i < s->r->n_contact; i++) {
         const struct report_link *l = &s->r->contact[i];
-        if (has_closed(l)) {
-            fprintf(c->data, "%.7g %.7g\n", gap_of(s->r, l) + 0.5, level_of(s, l));
-        }
-    }
-    canvas_end(c);
-    canvas_block(c, "gap, largest force", "forces");
-    for (int k = 0; k <= s->r->n_building; k++) {
-        fprintf(c->data, "%.7g %.9g\n", k + 0.5, s->force[k]);
+        fprintf(c->data, "%.7g %.7g %.9g\n", gap_of(s->r, l) + 0.5,
+                has_closed(l) ? level_of(s, l) : (double)NAN, l->peak.force);
     }
     canvas_end(c);
 }
@@ -119,12 +111,11 @@ static void write_names(const struct street *s, double room, struct canvas *c) {
 }
 
 static void write_head(const struct street *s, const struct runs *runs, struct canvas *c) {
-    canvas_head(c, runs->title,
-                "%d buildings; %ld of %d contacts have closed; below, the largest contact force in "
-                "each gap",
-                s->r->n_building, s->n_hit, s->r->n_contact);
+    canvas_head(c, runs->title, "%d buildings; %ld of %d contacts have closed", s->r->n_building,
+                s->n_hit, s->r->n_contact);
     struct legend l = {0};
     legend_add(&l, panel_points("#0072b2", POINT_DISC, 0.8), "contacts that have closed", "");
+    legend_add(&l, panel_line("#0072b2", 2), "largest contact force in each gap", "");
     legend_write(&l, c);
 }
 
@@ -141,7 +132,7 @@ static void draw_map(const struct street *s, struct area a, const struct axis *x
     panel_shades(c, SHADES_LINES, most);
     panel_series(c, (struct style){.kind = STYLE_BOXES}, "$storeys using 1:2:3:4:5:6:7");
     const double size = s->r->n_building > 2 * NAMES_MAX ? 0.35 : 0.8;
-    panel_series(c, panel_points("#0072b2", POINT_DISC, size), "$hits using 1:2");
+    panel_series(c, panel_points("#0072b2", POINT_DISC, size), "$contacts using 1:2");
     panel_close(c);
     const struct axis drift = {.name = s->heights ? "drift / height" : "storey drift",
                                .unit = s->heights ? "%" : NULL,
@@ -152,18 +143,9 @@ static void draw_map(const struct street *s, struct area a, const struct axis *x
 
 static void draw(const struct subject *subject, struct canvas *c) {
     struct street s = {.r = subject->runs->r[0]};
-    s.force = calloc((size_t)s.r->n_building + 1, sizeof *s.force);
-    if (!s.force) {
-        c->status = error_no_memory(c->e);
-        return;
-    }
     survey(&s);
-    struct span force = {0, 0};
-    for (int k = 0; k <= s.r->n_building; k++) {
-        span_add(&force, s.force[k]);
-    }
     write_storeys(&s, c);
-    write_gaps(&s, c);
+    write_contacts(&s, c);
     write_head(&s, subject->runs, c);
     const bool names = s.r->n_building <= NAMES_MAX;
     const struct axis x = {.name = names ? NULL : "building, from the left",
@@ -171,17 +153,18 @@ static void draw(const struct subject *subject, struct canvas *c) {
                            .span = {0.4, s.r->n_building + 0.6}};
     const struct area map = canvas_inset(canvas_part(c, 0, 1, 1 - MAP_SHARE, 1), 5.5, 1, 1, 0.5);
     draw_map(&s, map, &x, c);
-    struct area below = canvas_inset(canvas_part(c, 0, 1, 0, 1 - MAP_SHARE), 5.5, 8.5, 3.2, 0.5);
-    const struct axis up = {
-        .name = "force", .dimension = dimension_force, .span = span_with_room(force, 0)};
-    panel_open(c, &(struct panel){.area = below, .x = x, .y = up});
+    const struct area a = canvas_inset(canvas_part(c, 0, 1, 0, 1 - MAP_SHARE), 5.5, 8.5, 3.2, 0.5);
+    panel_open(c, &(struct panel){.area = a,
+                                  .x = x,
+                                  .y = {.name = "force",
+                                        .dimension = dimension_force,
+                                        .span = span_with_room((struct span){0, s.force}, 0)}});
     if (names) {
-        write_names(&s, (below.right - below.left) / (s.r->n_building + 0.2), c);
+        write_names(&s, (a.right - a.left) / (s.r->n_building + 0.2), c);
     }
     panel_series(c, (struct style){.kind = STYLE_UPRIGHT, .colour = "#0072b2", .width = 2},
-                 "$forces using 1:2");
+                 "$contacts using 1:3");
     panel_close(c);
-    free(s.force);
 }
 
 static int check(const struct subject *p, struct error *e) {

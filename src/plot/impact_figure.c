@@ -136,8 +136,8 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
     return figure_close(&canvas);
 }
 
-int force_figure_write(const struct force_figure *f, const struct figure_files *to,
-                       struct error *e) {
+int impact_figure_write_forces(const struct force_figure *f, const struct figure_files *to,
+                               struct error *e) {
     assert(f->n_curve <= IMPACT_FIGURE_CURVES);
     struct unit_system si;
     unit_system_init(&si);

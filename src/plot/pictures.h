@@ -94,8 +94,8 @@ struct force_figure {
 
 // Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending). Write
 // errors are the caller's.
-int force_figure_write(const struct force_figure *f, const struct figure_files *to,
-                       struct error *e);
+int impact_figure_write_forces(const struct force_figure *f, const struct figure_files *to,
+                               struct error *e);
 
 // The picture of storeys under a protocol: shear against drift, and energy, plastic deformation and
 // tangent over the turns.

@@ -88,25 +88,6 @@ int runs_init(struct runs *s, const struct result_file *first, const struct resu
     return match(s, e);
 }
 
-static int read_one(const struct result_file *file, const struct history *h, double *to,
-                    struct error *e) {
-    switch (h->kind) {
-        case HISTORY_FLOOR:
-            return result_floor_history(file, (enum field)h->field, h->index, h->floor, to, e);
-        case HISTORY_CONTACT:
-            return result_contact_history(file, (enum field)h->field, h->index, to, e);
-        case HISTORY_LINK:
-            return result_link_history(file, (enum field)h->field, h->index, to, e);
-        case HISTORY_GROUND:
-            return result_ground(file, h->index, to, e);
-        case HISTORY_ENERGY:
-            return result_energy(file, (enum energy)h->field, to, e);
-        case HISTORY_TIME:
-            break;
-    }
-    return result_time(file, to, e);
-}
-
 bool runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
                struct canvas *c) {
     assert(run >= 0 && run < s->n && n > 0);
@@ -118,7 +99,8 @@ bool runs_read(const struct runs *s, int run, const struct history *h, int n, st
         c->status = data_create(d, s->r[run]->n_row, n, c->e);
     }
     for (int i = 0; i < n && c->status == STATUS_OK; i++) {
-        c->status = h[i].index < 0 ? STATUS_OK : read_one(s->file[run], &h[i], d->column[i], c->e);
+        c->status =
+            h[i].index < 0 ? STATUS_OK : result_history(s->file[run], &h[i], d->column[i], c->e);
     }
     d->n_row = c->status == STATUS_OK ? d->n_row : 0;
     return c->status == STATUS_OK;
@@ -312,8 +294,8 @@ bool runs_move_to_level(const struct runs *s, int run, int building, int floor, 
         return false;
     }
     if (floor > 0) {
-        c->status = result_floor_history(s->file[run], FIELD_DISPLACEMENT, building, floor - 1,
-                                         below, c->e);
+        const struct history h = {HISTORY_FLOOR, FIELD_DISPLACEMENT, building, floor - 1};
+        c->status = result_history(s->file[run], &h, below, c->e);
     }
     for (size_t i = 0; c->status == STATUS_OK && i < n; i++) {
         u[i] = weight * u[i] + (1 - weight) * below[i];

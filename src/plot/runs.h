@@ -53,24 +53,9 @@ struct runs {
 int runs_init(struct runs *s, const struct result_file *first, const struct result_file *second,
               struct error *e);
 
-// A history to be read from a result file.
-enum history_kind {
-    HISTORY_TIME,
-    HISTORY_FLOOR,
-    HISTORY_CONTACT,
-    HISTORY_LINK,
-    HISTORY_GROUND,
-    HISTORY_ENERGY
-};
-struct history {
-    enum history_kind kind;
-    int field;  // enum field, or enum energy
-    int index;  // building, contact or link; below 0: none, the column is left zero
-    int floor;  // from 0
-};
-
-// Reads histories of a run, one in each column. Call data_free afterwards, also after a failure of
-// the canvas (they take too much memory; a damaged file), which leaves no rows; false then.
+// Reads histories of a run, one in each column; an index below 0 leaves its column zero. Call
+// data_free afterwards, also after a failure of the canvas (they take too much memory; a damaged
+// file), which leaves no rows; false then.
 bool runs_read(const struct runs *s, int run, const struct history *h, int n, struct data *d,
                struct canvas *c);
 

@@ -250,48 +250,44 @@ int result_check_memory(const struct result_file *f, int n_column, struct error 
                            (double)f->h.heap.end / 1e6);
 }
 
-int result_time(const struct result_file *f, double *out, struct error *e) {
-    return read_column(f, "time", -1, out, e);
-}
-
-static int bit_index(enum field field) {
+static const char *name_of(int field) {
     int i = 0;
     while (i < FIELD_COUNT - 1 && !((unsigned)field >> i & 1)) {
         i++;
     }
-    return i;
+    return field_names[i];
 }
 
-int result_floor_history(const struct result_file *f, enum field field, int building, int floor,
-                         double *out, struct error *e) {
-    char path[512];
-    snprintf(path, sizeof path, "buildings/%s/%s", f->report->building[building].name,
-             field_names[bit_index(field)]);
-    return read_column(f, path, floor, out, e);
-}
-
-int result_contact_history(const struct result_file *f, enum field field, int contact, double *out,
-                           struct error *e) {
-    char path[512];
-    snprintf(path, sizeof path, "contacts/%s", field_names[bit_index(field)]);
-    return read_column(f, path, contact, out, e);
-}
-
-int result_link_history(const struct result_file *f, enum field field, int link, double *out,
-                        struct error *e) {
-    return read_column(f, field == FIELD_FORCE ? "links/force" : "links/deformation", link, out, e);
-}
-
-int result_ground(const struct result_file *f, int building, double *out, struct error *e) {
-    char path[512];
-    snprintf(path, sizeof path, "ground/%s", f->report->building[building].name);
-    return read_column(f, path, -1, out, e);
-}
-
-int result_energy(const struct result_file *f, enum energy energy, double *out, struct error *e) {
-    char path[64];
-    snprintf(path, sizeof path, "energy/%s", energy_names[energy]);
-    return read_column(f, path, -1, out, e);
+int result_history(const struct result_file *f, const struct history *h, double *out,
+                   struct error *e) {
+    const struct report *r = f->report;
+    const bool of_building = h->kind == HISTORY_FLOOR || h->kind == HISTORY_GROUND;
+    const char *building = of_building ? r->building[h->index].name : "";
+    char path[512] = "time";
+    int column = -1;
+    switch (h->kind) {
+        case HISTORY_TIME:
+            break;
+        case HISTORY_FLOOR:
+            snprintf(path, sizeof path, "buildings/%s/%s", building, name_of(h->field));
+            column = h->floor;
+            break;
+        case HISTORY_CONTACT:
+            snprintf(path, sizeof path, "contacts/%s", name_of(h->field));
+            column = h->index;
+            break;
+        case HISTORY_LINK:
+            snprintf(path, sizeof path, "links/%s", layout_links.field[h->field != FIELD_FORCE]);
+            column = h->index;
+            break;
+        case HISTORY_GROUND:
+            snprintf(path, sizeof path, "ground/%s", building);
+            break;
+        case HISTORY_ENERGY:
+            snprintf(path, sizeof path, "energy/%s", energy_names[h->field]);
+            break;
+    }
+    return read_column(f, path, column, out, e);
 }
 
 int result_verify(const char *path, struct result_sums *out, struct error *e) {

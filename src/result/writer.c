@@ -239,26 +239,16 @@ int result_finish(struct result_writer *w, const struct results *r, struct error
 }
 
 // The rows go to the writer, the question whether to go on to who asked for the analysis.
-struct relay {
-    struct result_writer *writer;
-    const struct observer *watch;
-};
-
-static int relay_row(void *context, const struct row_view *row, struct error *e) {
-    const struct relay *r = context;
-    return write_row(r->writer, row, e);
-}
-
-static int relay_poll(void *context, double time, struct error *e) {
-    const struct relay *r = context;
-    return r->watch->poll(r->watch->context, time, e);
+static int poll(void *context, double time, struct error *e) {
+    const struct result_writer *w = context;
+    return w->watch->poll(w->watch->context, time, e);
 }
 
 int result_analyse(struct result_writer *w, const struct observer *watch, struct results **out,
                    struct error *e) {
-    struct relay relay = {.writer = w, .watch = watch};
-    const struct observer observer = {
-        .row = relay_row, .poll = watch && watch->poll ? relay_poll : NULL, .context = &relay};
+    struct observer observer = result_observer(w);
+    w->watch = watch;
+    observer.poll = watch && watch->poll ? poll : NULL;
     int status = analysis_run(w->model, &observer, out, e);
     if (status != STATUS_OK) {
         result_abort(w);

@@ -40,6 +40,7 @@ struct result_writer {
     size_t pending;                    // rows in memory
     long n_written;                    // rows in the file
     const struct result_place *place;  // borrowed; NULL: in a file of its own
+    const struct observer *watch;      // borrowed: whom result_analyse asks whether to go on
 
     // Of a file of its own.
     struct h5 own;

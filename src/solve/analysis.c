@@ -204,9 +204,7 @@ static int analysis_start(struct run *r) {
     rest_start(r->now, m);
     peaks_update(r->results, m, r->now);
     yielding_start(&r->forces.yielding, r->now);
-    if (force_peaks_due(&r->forces)) {
-        force_peaks_note(&r->forces, r->now);
-    }
+    force_peaks_note(&r->forces, r->now);
     if (energy_start(&r->energy, m, r->now, r->results->link, r->error) != STATUS_OK) {
         return r->error->status;
     }
@@ -248,7 +246,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
     peaks_finish(results, r->model);
     force_peaks_flush(&r->forces);
     impacts_finish(&r->impacts, r->now);
-    if (!residual_drifts(r->model, r->now, results->residual_drift)) {
+    if (!residual_drifts(r->model, r->now, results->residual_drift, results->arena)) {
         results_free(results);
         return error_no_memory(r->error);
     }

@@ -154,12 +154,8 @@ static void forcing_grounds_at(struct state *s, const struct model *m, double t)
     }
 }
 
-// The ground's accelerations under the floors, and the external forces; `f` is NULL where loads do
-// not come from pieces.
-static void forcing_on_floors(struct state *s, const struct model *m, const struct forcing *f,
-                              double t) {
-    for (int k = 0; k < m->n_body; k++) {
-        const struct building *g = &m->building[k];
+void forcing_floors(struct state *s, const struct model *m, const struct forcing *f, double t) {
+    for (const struct building *g = m->building; g < m->building + m->n_body; g++) {
         const double a = s->ground_a[g->ground];
         for (int i = g->first; i < g->first + g->n_dof; i++) {
             s->base[i] = a;
@@ -172,19 +168,15 @@ static void forcing_on_floors(struct state *s, const struct model *m, const stru
     }
 }
 
-void forcing_floors(struct state *s, const struct model *m, double t) {
-    forcing_on_floors(s, m, NULL, t);
-}
-
 void forcing_at(struct state *s, const struct model *m, double t) {
     forcing_grounds_at(s, m, t);
-    forcing_on_floors(s, m, NULL, t);
+    forcing_floors(s, m, NULL, t);
 }
 
 void forcing_of_pieces(struct state *s, const struct forcing *f, double t) {
     struct forcing_values ground = {.a = s->ground_a, .v = s->ground_v, .u = s->ground_u};
     forcing_ground(f, t, &ground);
-    forcing_on_floors(s, f->model, f, t);
+    forcing_floors(s, f->model, f, t);
 }
 
 void forcing_foresee(struct forcing_ahead *x, const struct model *m, long n) {

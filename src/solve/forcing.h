@@ -66,8 +66,9 @@ double forcing_load(const struct forcing *f, int k, double t);
 // external forces -m a_ground + p of `s` to time t.
 void forcing_at(struct state *s, const struct model *m, double t);
 
-// The forces on the floors only, with the ground's accelerations as they are in `s`.
-void forcing_floors(struct state *s, const struct model *m, double t);
+// The ground's accelerations under the floors, as they are in `s`, and the external forces. `f` is
+// NULL where loads do not come from pieces.
+void forcing_floors(struct state *s, const struct model *m, const struct forcing *f, double t);
 
 // forcing_at from the pieces of the forcing, for t up to its next corner. At the corner it is
 // the limit from the left before forcing_turn, and that from the right after.

@@ -53,8 +53,7 @@ bool state_memory_alloc(struct memory *s, const struct model *m, struct arena *a
         return false;
     }
     memcpy(s->tangent, m->chain.stiffness, (size_t)m->n_dof * sizeof *s->tangent);
-    for (int k = 0; k < m->n_body; k++) {
-        const struct building *g = &m->building[k];
+    for (const struct building *g = m->building; g < m->building + m->n_body; g++) {
         if (g->predictable && g->n_part > 0) {
             parts_initial(g, s->part_tangent + g->part_tangent);
         }
@@ -135,8 +134,8 @@ LANES static void state_strain(const struct chain *c, const double *restrict u,
     }
 }
 
-static void state_forces_from(struct state *s, const struct model *m, const double *from,
-                              double *after) {
+void state_forces(struct state *s, const struct model *m, const double *from, double *after) {
+    state_assert(s, m);
     state_strain(&m->chain, s->u, s->drift, s->shear);
     for (int k = 0; !m->elastic && k < m->n_body; k++) {
         if (!m->building[k].elastic) {
@@ -151,15 +150,6 @@ static void state_forces_from(struct state *s, const struct model *m, const doub
     }
 }
 
-void state_internal_forces(struct state *s, const struct model *m) {
-    state_assert(s, m);
-    state_forces_from(s, m, s->storey_history, NULL);
-}
-
-void state_reach(struct state *s, const struct model *m, const double *from) {
-    state_forces_from(s, m, from, s->storey_history);
-}
-
 void state_totals(struct state *s, const struct model *m) {
     for (int i = 0; i < m->n_dof; i++) {
         s->total[i] = s->a[i] + s->base[i];
@@ -168,10 +158,10 @@ void state_totals(struct state *s, const struct model *m) {
 
 void state_complete(struct state *s, const struct model *m) {
     if (!m->adaptive) {
-        forcing_floors(s, m, s->time);
+        forcing_floors(s, m, NULL, s->time);
     }
     if (state_is_linear(m)) {
-        state_internal_forces(s, m);
+        state_forces(s, m, s->storey_history, NULL);
     }
     state_totals(s, m);
 }

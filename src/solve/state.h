@@ -144,13 +144,10 @@ static inline bool state_is_uniform(const struct model *m) {
     return m->n_ground == 1 && m->n_load == 0;
 }
 
-// Sets drifts and storey shears to the displacements and velocities of `s`, with its storey
-// history, which stays as it is.
-void state_internal_forces(struct state *s, const struct model *m);
-
-// The same from the storey history `from` of the committed state; that of `s` becomes what a step
-// which ends at these drifts commits. `from` may be that of `s` itself.
-void state_reach(struct state *s, const struct model *m, const double *from);
+// Sets drifts and storey shears to the displacements and velocities of `s`, from the storey history
+// `from`. `after` becomes what a step which ends at these drifts commits, and may be `from` itself;
+// NULL: it is not wanted.
+void state_forces(struct state *s, const struct model *m, const double *from, double *after);
 
 // Parts of that, after the chain's: shears and tangents of the storeys of building g; then the
 // shears of its parts, at the drift rates of `s`. `after` as in struct storey_law.

@@ -35,7 +35,7 @@ awk -F '\t' '$1 == "record" {
 run "$jostle" spectrum centro.AT2 napa.AT2 --target code.txt --match $match --tsv --intensities
 factors "$out" >got
 expect "factors are geometric means of target over PSA" '[ $status -eq 0 ] && paste -d " " got want | awk "{ n += \$1 == \$4 && (\$2 / \$5 - 1)^2 < 1e-12 && (\$3 / \$6 - 1)^2 < 1e-12 } END { exit n != 2 }"'
-expect "so is what a table of one line a record shows" '[ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 16 ] && [ "$(head -n 1 "$out" | cut -f 16)" = misfit ]'
+expect "so is what a table of one line a record shows" '[ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 18 ] && [ "$(head -n 1 "$out" | cut -f 18)" = misfit ]'
 
 run "$jostle" spectrum centro.AT2 napa.AT2 --target code.txt --match $match --periods $match --tsv
 cp "$out" scaled.tsv
@@ -50,6 +50,7 @@ least=$(awk -F '\t' '$1 == "target" { goal[$4] = $5 } $2 == "mean" { mean[$4] = 
     printf "%.4g at %.4g s", least, at }' scaled.tsv)
 run "$jostle" spectrum centro.AT2 napa.AT2 --target code.txt --match $match
 expect "the least ratio of the mean and its period are told" 'grep -q "^mean of the scaled spectra over the target: from $least to " "$out"'
+expect "and the mean PGA over that of the target" 'grep -q "^mean PGA over the target at 0 s: $(awk "/ centro\$| napa\$/ && NF == 9 { sum += \$1 } END { printf \"%.3f\", sum / 2 / 0.3 }" "$out")" "$out"'
 expect "no line is wider than 100 characters" '[ "$(wc -l <"$out")" -gt 30 ] && ! grep -qE "^.{101,}" "$out"'
 common=$(sed -n 's/.* with all factors times //p' "$out")
 awk -v f="$common" '/^[0-9]/ { $2 *= f } 1' code.txt >higher.txt

@@ -44,7 +44,7 @@ static void so_does_the_fit_of_a_loop(void **state) {
     const double value[STOREY_ROWS_MAX] = {NAN, NAN, NAN};
     const int row[] = {STOREY_FIT_STIFFNESS, 0, 1};
     struct loop_law law;
-    loop_law_of_storey(storey_law_find("bilinear"), &law);
+    storey_loop_of_storey(storey_law_find("bilinear"), &law);
     struct storey_fit_request q = {&law, value, NAN, row, 3, SAMPLES, drift, shear};
     fail_alloc_each(fit_loop, &q, 3);
 }

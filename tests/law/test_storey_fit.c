@@ -38,7 +38,7 @@ static int fit(const char *name, const char *values, const int *row, int n_row,
     double value[STOREY_ROWS_MAX];
     test_storey_values(law, values, value);
     struct loop_law of;
-    loop_law_of_storey(law, &of);
+    storey_loop_of_storey(law, &of);
     const struct storey_fit_request q = {&of, value, NAN, row, n_row, SAMPLES, l->drift, l->shear};
     return storey_fit_run(&q, out, e);
 }

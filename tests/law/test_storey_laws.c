@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "jostle/storey_law.h"
+#include "law/yield.h"
 #include "support/storey.h"
 #include "support/support.h"
 
@@ -368,7 +369,7 @@ static void a_storey_without_stiffness_cannot_yield(void **state) {
         double value[STOREY_ROWS_MAX] = {YIELD, 0.0};
         double constant[STOREY_CONSTANTS_MAX];
         struct error e;
-        assert_int_equal(storey_laws[k]->prepare(value, 0.0, constant, &e),
+        assert_int_equal(storey_law_prepare(storey_laws[k], value, 0.0, constant, &e),
                          storey_laws[k]->n_history > 0 ? STATUS_INPUT : STATUS_OK);
     }
 }

@@ -13,7 +13,7 @@ void single_step_init(struct single_step *s, struct model *m) {
                 fields_alloc(&energy_fields, m, &s->energy, s->arena) &&
                 state_memory_alloc(&s->memory, m, s->arena) &&
                 work_alloc(&s->work, m, &s->results, &s->memory, s->arena));
-    floors_account_to(&s->work, &s->energy, &s->results);
+    floors_account_to(&s->work, &s->energy, &s->results, NULL);
     s->work.strictness = STEP_ACCEPT;
 }
 

@@ -59,18 +59,23 @@ static void contacts_links_and_impacts_come_back(void **state) {
     result_close(file);
 }
 
+static int read(const struct result_file *file, enum history_kind kind, int field, int index,
+                int floor, double *out, struct error *e) {
+    return result_history(file, &(struct history){kind, field, index, floor}, out, e);
+}
+
 static void histories_come_back_row_by_row(void **state) {
     struct result_file *file = made_up_written(*state);
     struct error e;
     double v[ROWS];
     assert_int_equal(result_report(file)->n_row, ROWS);
-    assert_int_equal(result_time(file, v, &e), STATUS_OK);
+    assert_int_equal(read(file, HISTORY_TIME, 0, 0, 0, v, &e), STATUS_OK);
     assert_close(v[ROWS - 1], 1.0, 1e-15);
-    assert_int_equal(result_floor_history(file, FIELD_DRIFT, 1, 2, v, &e), STATUS_OK);
+    assert_int_equal(read(file, HISTORY_FLOOR, FIELD_DRIFT, 1, 2, v, &e), STATUS_OK);
     assert_close(v[7], 3000 + 50 + 7 / 16.0, 0);
-    assert_int_equal(result_contact_history(file, FIELD_PENETRATION, 1, v, &e), STATUS_OK);
+    assert_int_equal(read(file, HISTORY_CONTACT, FIELD_PENETRATION, 1, 0, v, &e), STATUS_OK);
     assert_close(v[3], 6000 + 10 + 3 / 16.0, 0);
-    assert_int_equal(result_ground(file, 1, v, &e), STATUS_OK);
+    assert_int_equal(read(file, HISTORY_GROUND, 0, 1, 0, v, &e), STATUS_OK);
     assert_close(v[10], 7000 + 10 / 16.0, 0);
     result_close(file);
 }
@@ -84,7 +89,7 @@ static void more_rows_than_the_buffer_holds_are_written_in_blocks(void **state) 
     struct error e;
     double *v = calloc((size_t)n, sizeof *v);
     assert_int_equal(n, 5002);
-    assert_int_equal(result_floor_history(file, FIELD_VELOCITY, 0, 1, v, &e), STATUS_OK);
+    assert_int_equal(read(file, HISTORY_FLOOR, FIELD_VELOCITY, 0, 1, v, &e), STATUS_OK);
     for (long k = 0; k < n; k++) {
         assert_close(v[k], 1010 + (double)k / 16, 0);
     }
@@ -100,9 +105,9 @@ static void fields_not_asked_for_are_not_written(void **state) {
     struct error e;
     double v[ROWS];
     assert_int_equal(result_report(file)->fields, FIELD_DISPLACEMENT | FIELD_FORCE);
-    assert_int_equal(result_floor_history(file, FIELD_DRIFT, 0, 0, v, &e), STATUS_INPUT);
+    assert_int_equal(read(file, HISTORY_FLOOR, FIELD_DRIFT, 0, 0, v, &e), STATUS_INPUT);
     assert_non_null(strstr(e.message, "drift"));
-    assert_int_equal(result_floor_history(file, FIELD_DISPLACEMENT, 0, 0, v, &e), STATUS_OK);
+    assert_int_equal(read(file, HISTORY_FLOOR, FIELD_DISPLACEMENT, 0, 0, v, &e), STATUS_OK);
     assert_close(v[5], 5 / 16.0, 0);
     result_close(file);
 }

@@ -98,7 +98,7 @@ static void begin(struct single_step *b, struct random *random) {
     memset(s->link, 0, (size_t)m->n_link * sizeof *s->link);
     rest_start(s, m);
     displace(b, random);
-    state_internal_forces(s, m);
+    state_forces(s, m, s->storey_history, NULL);
     rest_equilibrium(s, m);
     close_pressed(b, random);
     b->next.time = 0.0;

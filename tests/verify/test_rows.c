@@ -178,7 +178,7 @@ static void penetrations_of_runs_of_links_are_those_of_each(void **state) {
     assert_true(state_alloc(&s, m, a) && peaks_alloc(&r, m, a) && gaps_alloc(&gaps, m, &r, a));
     for (int i = 0; i < 20; i++) {
         fill(&random, s.u, m->n_dof);
-        gaps_update(&gaps, &s);
+        gaps_update(&gaps, &s, NULL);
         assert_penetrations(m, &s);
         gaps_forget(&gaps);
         int k = random_below(&random, m->n_link);
@@ -187,7 +187,7 @@ static void penetrations_of_runs_of_links_are_those_of_each(void **state) {
             const struct building *g = &m->building[gaps.touched[j]];
             fill(&random, s.u + g->first, g->n_dof);
         }
-        gaps_update_touched(&gaps, &s);
+        gaps_update(&gaps, &s, gaps.is_touched);
         assert_penetrations(m, &s);
     }
     arena_free(a);
@@ -206,20 +206,20 @@ static void contacts_inside_are_in_a_pressed_run(void **state) {
     struct gaps gaps;
     struct results r = {0};
     assert_true(state_alloc(&s, m, a) && peaks_alloc(&r, m, a) && gaps_alloc(&gaps, m, &r, a));
-    gaps_update(&gaps, &s);
+    gaps_update(&gaps, &s, NULL);
     assert_int_equal(gaps.n_pressed, 0);
     s.u[2] = 0.021;
-    gaps_update(&gaps, &s);
+    gaps_update(&gaps, &s, NULL);
     assert_int_equal(gaps.n_pressed, 1);
     gaps_touch(&gaps, 2);
-    gaps_update(&gaps, &s);
+    gaps_update(&gaps, &s, NULL);
     assert_int_equal(gaps.n_pressed, 0);
     s.u[3] = 0.021;
-    gaps_update_touched(&gaps, &s);
+    gaps_update(&gaps, &s, gaps.is_touched);
     assert_int_equal(gaps.n_pressed, 1);
     gaps_forget(&gaps);
     s.u[3] = 0.0;
-    gaps_update(&gaps, &s);
+    gaps_update(&gaps, &s, NULL);
     assert_int_equal(gaps.n_pressed, 1);
     arena_free(a);
     model_free(m);

@@ -4,17 +4,9 @@
 // The contact keeps its tension just before separation. So an isolated impact delivers exactly the
 // e from which zeta was computed. The force jumps from 0 to c v0 at closure, and from tension to 0
 // at opening.
-#include "law/dashpot.h"
 #include "law/in_lanes.h"
 #include "law/lists.h"
 #include "law/restitution.h"
-
-static int kelvin_voigt_prepare(const double *value, double m_eff, double *constant,
-                                struct error *e) {
-    (void)e;
-    dashpot_prepare(value, m_eff, restitution_kelvin_voigt, constant);
-    return STATUS_OK;
-}
 
 LANES_INLINE struct contact_response kelvin_voigt_force(const double *c, const double *h, double d,
                                                         double v) {
@@ -40,11 +32,11 @@ const struct contact_law contact_kelvin_voigt = {
     .remarks = "Use it to compare with the literature. It delivers e exactly in an isolated "
                "impact, at any velocity. It pulls before the bodies part.",
     .example = "-k 93.5MN/m -e 0.65",
-    .row = dashpot_rows,
+    .row = restitution_dashpot_rows,
     .n_row = DASHPOT_ROWS,
     .n_constant = DASHPOT_CONSTANTS,
     .traits = CONTACT_JUMPS | CONTACT_MAY_PULL | CONTACT_NEEDS_MASS | CONTACT_SMOOTH,
-    .prepare = kelvin_voigt_prepare,
+    .prepare = restitution_prepare,
     .force = kelvin_voigt_force,
     .force_lanes = kelvin_voigt_lanes,
     .exact = restitution_kelvin_voigt,

@@ -5,16 +5,8 @@
 // relaxes without force. The law dissipates less energy than kelvin-voigt: with the published zeta
 // an e of 0.65 gives 0.6748. The force jumps at closure. Its slope jumps where the force reaches
 // zero.
-#include "law/dashpot.h"
 #include "law/lists.h"
 #include "law/restitution.h"
-
-static int komodromos_prepare(const double *value, double m_eff, double *constant,
-                              struct error *e) {
-    (void)e;
-    dashpot_prepare(value, m_eff, restitution_kelvin_voigt, constant);
-    return STATUS_OK;
-}
 
 static double with_tension(const double *c, double d, double v) {
     return c[DASHPOT_STIFFNESS] * d + c[DASHPOT_COEFFICIENT] * v;
@@ -47,11 +39,11 @@ const struct contact_law contact_komodromos = {
         "1605-1622",
     .remarks = "Use it for flat faces. It delivers more than e: 0.675 for 0.65.",
     .example = "-k 93.5MN/m -e 0.65",
-    .row = dashpot_rows,
+    .row = restitution_dashpot_rows,
     .n_row = DASHPOT_ROWS,
     .n_constant = DASHPOT_CONSTANTS,
     .traits = CONTACT_JUMPS | CONTACT_NEEDS_MASS,
-    .prepare = komodromos_prepare,
+    .prepare = restitution_prepare,
     .force = komodromos_force,
     .kink = komodromos_kink,
     .exact = restitution_no_tension,

@@ -8,11 +8,10 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-#include "law/dashpot.h"
 #include "law/lists.h"
 #include "law/restitution.h"
 
-// The rows of law/dashpot.h, and RELATION.
+// The rows of law/restitution.h, and RELATION.
 enum { K = DASHPOT_K, E = DASHPOT_E, ZETA = DASHPOT_ZETA, RELATION = DASHPOT_ROWS, N_ROW };
 
 static const struct range relation_range = {.min = 2008, .max = 2011, .text = "2008 or 2011"};
@@ -43,7 +42,7 @@ static int mahmoud_jankowski_prepare(const double *value, double m_eff, double *
         return error_set(e, STATUS_INPUT,
                          "-relation has no effect where -zeta or -calibrate sets the damping");
     }
-    dashpot_prepare(value, m_eff, year == 2008.0 ? relation_2008 : relation_2011, constant);
+    restitution_dashpot(value, m_eff, year == 2008.0 ? relation_2008 : relation_2011, constant);
     return STATUS_OK;
 }
 

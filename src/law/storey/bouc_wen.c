@@ -76,9 +76,6 @@ static const struct row rows[N_ROW] = {
 
 static int bouc_wen_prepare(const double *value, double stiffness, double *constant,
                             struct error *e) {
-    if (stiffness == 0.0) {
-        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
-    }
     if (fabs(value[GAMMA]) > value[BETA]) {
         return error_set(e, STATUS_INPUT,
                          "gamma is %.6g; its size must be <= beta, which is %.6g, or the storey "

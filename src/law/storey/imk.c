@@ -52,71 +52,28 @@ CHOICE(sides, "one or both", "one", "both");
 // `side` is "" or "-negative". A value of the negative direction that is not given is that of the
 // positive one.
 #define SIDE_ROWS(at, side, required, zero, whole, of)                                             \
-    [(at) + YIELD] = {"yield" side,                                                                \
-                      ROW_LIST,                                                                    \
-                      required,                                                                    \
-                      OF_FORCE,                                                                    \
-                      &range_positive,                                                             \
-                      NAN,                                                                         \
-                      "storey shear at first yield" of},                                           \
-            [(at) + HARDENING] = {"hardening" side,                                                \
-                                  ROW_NUMBER,                                                      \
-                                  required,                                                        \
-                                  OF_NONE,                                                         \
-                                  &hardening_range,                                                \
-                                  NAN,                                                             \
-                                  "stiffness after yield over initial stiffness" of},              \
-            [(at) + CAPPING] = {"capping" side,                                                    \
-                                ROW_LIST,                                                          \
-                                0,                                                                 \
-                                OF_LENGTH,                                                         \
-                                &range_positive,                                                   \
-                                NAN,                                                               \
-                                "drift beyond which the strength falls" of},                       \
-            [(at) + POST_CAPPING] = {"post-capping" side,                                          \
-                                     ROW_NUMBER,                                                   \
-                                     0,                                                            \
-                                     OF_NONE,                                                      \
-                                     &falling_range,                                               \
-                                     NAN,                                                          \
-                                     "stiffness beyond capping over initial stiffness" of},        \
-            [(at) + RESIDUAL] = {"residual" side,                                                  \
-                                 ROW_NUMBER,                                                       \
-                                 0,                                                                \
-                                 OF_NONE,                                                          \
-                                 &share_range,                                                     \
-                                 zero,                                                             \
-                                 "residual strength over yield strength" of},                      \
-            [(at) + ULTIMATE] = {"ultimate" side,                                                  \
-                                 ROW_LIST,                                                         \
-                                 0,                                                                \
-                                 OF_LENGTH,                                                        \
-                                 &range_positive,                                                  \
-                                 NAN,                                                              \
-                                 "drift at which all strength is lost" of},                        \
-            [(at) + SHARE] = {"D" side,                                                            \
-                              ROW_NUMBER,                                                          \
-                              0,                                                                   \
-                              OF_NONE,                                                             \
-                              &share_range,                                                        \
-                              whole,                                                               \
-                              "share of the deterioration of strength and target" of}
+    [(at) + YIELD] = ROW_OF("yield" side, ROW_LIST, required, OF_FORCE, &range_positive, NAN,      \
+                            "storey shear at first yield" of),                                     \
+            [(at) + HARDENING] =                                                                   \
+                ROW_OF("hardening" side, ROW_NUMBER, required, OF_NONE, &hardening_range, NAN,     \
+                       "stiffness after yield over initial stiffness" of),                         \
+            [(at) + CAPPING] = ROW_OF("capping" side, ROW_LIST, 0, OF_LENGTH, &range_positive,     \
+                                      NAN, "drift beyond which the strength falls" of),            \
+            [(at) + POST_CAPPING] =                                                                \
+                ROW_OF("post-capping" side, ROW_NUMBER, 0, OF_NONE, &falling_range, NAN,           \
+                       "stiffness beyond capping over initial stiffness" of),                      \
+            [(at) + RESIDUAL] = ROW_OF("residual" side, ROW_NUMBER, 0, OF_NONE, &share_range,      \
+                                       zero, "residual strength over yield strength" of),          \
+            [(at) + ULTIMATE] = ROW_OF("ultimate" side, ROW_LIST, 0, OF_LENGTH, &range_positive,   \
+                                       NAN, "drift at which all strength is lost" of),             \
+            [(at) + SHARE] = ROW_OF("D" side, ROW_NUMBER, 0, OF_NONE, &share_range, whole,         \
+                                    "share of the deterioration of strength and target" of)
 
 #define MODE_ROWS(mode, letter, what)                                                              \
-    [GAMMA + (mode)] = {"gamma-" letter,                                                           \
-                        ROW_NUMBER,                                                                \
-                        0,                                                                         \
-                        OF_NONE,                                                                   \
-                        &range_positive,                                                           \
-                        NAN,                                                                       \
-                        "energy capacity for " what " over V_y d_y; off if not given"},            \
-             [EXPONENT + (mode)] = {"c-" letter,                                                   \
-                                    ROW_NUMBER,                                                    \
-                                    0,                                                             \
-                                    OF_NONE,                                                       \
-                                    &exponent_range,                                               \
-                                    1.0,                                                           \
-                                    "exponent of gamma-" letter}
+    [GAMMA + (mode)] = ROW_OF("gamma-" letter, ROW_NUMBER, 0, OF_NONE, &range_positive, NAN,       \
+                              "energy capacity for " what " over V_y d_y; off if not given"),      \
+             [EXPONENT + (mode)] = ROW_OF("c-" letter, ROW_NUMBER, 0, OF_NONE, &exponent_range,    \
+                                          1.0, "exponent of gamma-" letter)
 
 static const struct row rows[N_ROW] = {
     SIDE_ROWS(0, "", ROW_REQUIRED, 0.0, 1.0, ""),
@@ -125,25 +82,29 @@ static const struct row rows[N_ROW] = {
     MODE_ROWS(IMK_CAPPING, "c", "the strength beyond capping"),
     MODE_ROWS(IMK_TARGET, "a", "the target of reloading"),
     MODE_ROWS(IMK_UNLOADING, "k", "the unloading stiffness"),
-    [CYCLE] = {"cycle", ROW_CHOICE, 0, OF_NONE, &cycle_range, IMK_PEAK, "how the storey reloads"},
-    [KF] = {"kf", ROW_NUMBER, 0, OF_NONE, &share_range, 0.25,
-            "pinched: force at the break, over the target's"},
-    [KD] = {"kd", ROW_NUMBER, 0, OF_NONE, &share_range, 0.25,
-            "pinched: 1 - drift at the break, over the permanent drift of the target"},
-    [RELOAD] = {"reload", ROW_CHOICE, 0, OF_NONE, &reload_range, NAN,
-                "peak: local aims first at the last turn of that side (default); pinched: behind "
-                "the break (default global)"},
-    [SUM] = {"sum", ROW_CHOICE, 0, OF_NONE, &sum_range, 0.0,
-             "excursions whose energy lessens the capacity: with the present one, or earlier ones "
-             "only"},
-    [SLOPE] = {"ku", ROW_CHOICE, 0, OF_NONE, &slope_range, 0.0,
-               "the unloading stiffness falls from that of the excursion's start, or at each turn"},
-    [LIMIT] = {"strength-limit", ROW_CHOICE, 0, OF_NONE, &limit_range, 0.0,
-               "bilinear: strength lost beyond capping does not return"},
-    [EXHAUSTED] = {"exhausted", ROW_CHOICE, 0, OF_NONE, &exhausted_range, 0.0,
-                   "strength after a capacity is used up"},
-    [LOST_SIDES] = {"ultimate-sides", ROW_CHOICE, 0, OF_NONE, &sides_range, 0.0,
-                    "directions that lose their strength at -ultimate"},
+    [CYCLE] =
+        ROW_OF("cycle", ROW_CHOICE, 0, OF_NONE, &cycle_range, IMK_PEAK, "how the storey reloads"),
+    [KF] = ROW_OF("kf", ROW_NUMBER, 0, OF_NONE, &share_range, 0.25,
+                  "pinched: force at the break, over the target's"),
+    [KD] = ROW_OF("kd", ROW_NUMBER, 0, OF_NONE, &share_range, 0.25,
+                  "pinched: 1 - drift at the break, over the permanent drift of the target"),
+    [RELOAD] =
+        ROW_OF("reload", ROW_CHOICE, 0, OF_NONE, &reload_range, NAN,
+               "peak: local aims first at the last turn of that side (default); pinched: behind "
+               "the break (default global)"),
+    [SUM] = ROW_OF(
+        "sum", ROW_CHOICE, 0, OF_NONE, &sum_range, 0.0,
+        "excursions whose energy lessens the capacity: with the present one, or earlier ones "
+        "only"),
+    [SLOPE] =
+        ROW_OF("ku", ROW_CHOICE, 0, OF_NONE, &slope_range, 0.0,
+               "the unloading stiffness falls from that of the excursion's start, or at each turn"),
+    [LIMIT] = ROW_OF("strength-limit", ROW_CHOICE, 0, OF_NONE, &limit_range, 0.0,
+                     "bilinear: strength lost beyond capping does not return"),
+    [EXHAUSTED] = ROW_OF("exhausted", ROW_CHOICE, 0, OF_NONE, &exhausted_range, 0.0,
+                         "strength after a capacity is used up"),
+    [LOST_SIDES] = ROW_OF("ultimate-sides", ROW_CHOICE, 0, OF_NONE, &sides_range, 0.0,
+                          "directions that lose their strength at -ultimate"),
 };
 
 // The constants of one direction, from its values.
@@ -181,9 +142,6 @@ static int imk_prepare_side(const double *value, double stiffness, const char *s
 }
 
 static int imk_prepare(const double *value, double stiffness, double *constant, struct error *e) {
-    if (stiffness == 0.0) {
-        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
-    }
     double left[N_SIDE];
     for (int i = 0; i < N_SIDE; i++) {
         left[i] = isnan(value[LEFT + i]) ? value[i] : value[LEFT + i];

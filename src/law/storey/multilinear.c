@@ -77,9 +77,6 @@ static int multilinear_check_slope(int i, double before, double slope, bool peak
 
 static int multilinear_points(const double *value, double stiffness, double *drift, double *shear,
                               int *n, struct error *e) {
-    if (stiffness == 0.0) {
-        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
-    }
     drift[0] = value[YIELD] / stiffness;
     shear[0] = value[YIELD];
     *n = 1;
@@ -113,8 +110,7 @@ static int multilinear_prepare(const double *value, double stiffness, double *co
     int n = 0;
     int status = multilinear_points(value, stiffness, drift, shear, &n, e);
     if (status == STATUS_OK) {
-        status =
-            points_prepare(stiffness, drift, shear, n, value[HARDENING] * stiffness, constant, e);
+        points_prepare(stiffness, drift, shear, n, value[HARDENING] * stiffness, constant);
     }
     double before = 1.0;
     for (int i = 0; status == STATUS_OK && i < n; i++) {

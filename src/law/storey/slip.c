@@ -30,9 +30,6 @@ static const struct row rows[N_ROW] = {
 };
 
 static int slip_prepare(const double *value, double stiffness, double *constant, struct error *e) {
-    if (stiffness == 0.0) {
-        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
-    }
     const double weak = value[WEAK] * stiffness, hook = stiffness - weak;
     if (value[HARDENING] < value[WEAK]) {
         return error_set(e, STATUS_INPUT, "hardening is %.6g; it must be >= weak, which is %.6g",

@@ -2,7 +2,8 @@
 // Takeda's storey with a bilinear backbone, for reinforced concrete that is cracked from the start.
 // The unloading stiffness decreases with the largest drift. Reloading aims at less than the largest
 // drift (law/peak_oriented.h). The backbone of Takeda, Sozen & Nielsen has a third line, from
-// cracking to yield.
+// cracking to yield. Clough's storey is the same with alpha = beta = 0: it unloads with the initial
+// stiffness, and reloads towards the largest drift.
 
 #include "law/lists.h"
 #include "law/peak_oriented.h"
@@ -21,8 +22,12 @@ static const struct row rows[N_ROW] = {
     [YIELD_NEGATIVE] = YIELD_NEGATIVE_ROW,
 };
 
+static const struct row clough_rows[] = {YIELD_ROW, FALLING_ROW, YIELD_NEGATIVE_ROW};
+enum { N_CLOUGH_ROW = sizeof clough_rows / sizeof clough_rows[0] };
+
 static int takeda_prepare(const double *value, double stiffness, double *constant,
                           struct error *e) {
+    (void)e;
     const double own[PEAK_ORIENTED_CONSTANTS] = {
         [PEAK_ORIENTED_STIFFNESS] = stiffness,
         [PEAK_ORIENTED_YIELD] = value[YIELD],
@@ -31,7 +36,15 @@ static int takeda_prepare(const double *value, double stiffness, double *constan
         [PEAK_ORIENTED_BETA] = value[BETA],
         [PEAK_ORIENTED_YIELD_LEFT] = value[YIELD_NEGATIVE],
     };
-    return peak_oriented_prepare(own, constant, e);
+    peak_oriented_prepare(own, constant);
+    return STATUS_OK;
+}
+
+static int clough_prepare(const double *value, double stiffness, double *constant,
+                          struct error *e) {
+    const double all[N_ROW] = {
+        [YIELD] = value[0], [HARDENING] = value[1], [YIELD_NEGATIVE] = value[2]};
+    return takeda_prepare(all, stiffness, constant, e);
 }
 
 const struct storey_law storey_takeda = {
@@ -53,6 +66,29 @@ const struct storey_law storey_takeda = {
     .n_history = PEAK_ORIENTED_HISTORY,
     .traits = STOREY_STRAIGHT,
     .prepare = takeda_prepare,
+    .respond = peak_oriented_respond,
+    .stored = peak_oriented_stored,
+    .describe = peak_oriented_describe,
+};
+
+const struct storey_law storey_clough = {
+    .name = "clough",
+    .summary = "bilinear; reloads towards the largest drift so far",
+    .formula = "unloading with k to V = 0, then a straight line to the point of the largest drift "
+               "so far in that direction, on the backbone V_y + R k (drift - d_y)",
+    .source = "Clough & Johnston (1966), Proc. Japan Earthquake Eng. Symposium, 227-232; partial "
+              "unloading as Mahin & Bertero (1976), J. Struct. Div. ASCE 102, 1125-1139",
+    .remarks =
+        "For reinforced concrete in bending with little shear. Typical: hardening 0.01 to 0.1. "
+        "It unloads with k at any drift, and does not pinch: large cycles dissipate too much "
+        "(takeda, imk). With a negative hardening the backbone falls to V = 0 and stays there",
+    .example = "-yield 600kN -hardening 0.05",
+    .row = clough_rows,
+    .n_row = N_CLOUGH_ROW,
+    .n_constant = PEAK_ORIENTED_CONSTANTS,
+    .n_history = PEAK_ORIENTED_HISTORY,
+    .traits = STOREY_STRAIGHT,
+    .prepare = clough_prepare,
     .respond = peak_oriented_respond,
     .stored = peak_oriented_stored,
     .describe = peak_oriented_describe,

@@ -89,9 +89,8 @@ static int trilinear_prepare(const double *value, double stiffness, double *cons
     const double drift[] = {first,
                             first + (value[YIELD] - value[CRACK]) / (value[CRACKED] * stiffness)};
     const double shear[] = {value[CRACK], value[YIELD]};
-    int status =
-        points_prepare(stiffness, drift, shear, 2, value[HARDENING] * stiffness, constant, e);
-    status = status == STATUS_OK ? trilinear_check(value, e) : status;
+    points_prepare(stiffness, drift, shear, 2, value[HARDENING] * stiffness, constant);
+    const int status = trilinear_check(value, e);
     if (status != STATUS_OK) {
         return status;
     }

@@ -5,12 +5,7 @@
 enum { ROTATION, LINES, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [ROTATION] = {"rotation",
-                  ROW_NUMBER,
-                  0,
-                  {1, 1, 0},
-                  &range_positive,
-                  NAN,
+    [ROTATION] = {"rotation", ROW_NUMBER, 0, OF_MOMENT, &range_positive, NAN,
                   "stiffness against turning, of each base"},
     [LINES] = {"lines", ROW_LIST, 0, OF_NONE, NULL, NAN,
                "column lines, from 1 at the left; if not given, all of them and the walls"},

@@ -10,13 +10,6 @@
 
 enum { NAME, BENDING, MODULUS, INERTIA, LINE, NUMBER, MASS, DAMPING, SHEAR, MOMENT, N_ROW };
 
-#define OF_BENDING                                                                                 \
-    { 1, 2, 0 }
-#define OF_INERTIA                                                                                 \
-    { 0, 4, 0 }
-#define OF_MOMENT                                                                                  \
-    { 1, 1, 0 }
-
 static const struct range number_range = {.min = 1.0, .max = 1000.0, .text = ">= 1 and <= 1000"};
 static const struct range line_range = {
     .min = 1.0, .max = FRAME_BAYS_MAX + 1, .text = "the number of a line"};
@@ -28,7 +21,7 @@ static const struct row rows[N_ROW] = {
     [BENDING] = {"EI", ROW_NUMBER, 0, OF_BENDING, &range_positive, NAN,
                  "bending stiffness of one column"},
     [MODULUS] = {"E", ROW_NUMBER, 0, OF_STRESS, &range_positive, NAN, "modulus, with -I"},
-    [INERTIA] = {"I", ROW_NUMBER, 0, OF_INERTIA, &range_positive, NAN,
+    [INERTIA] = {"I", ROW_NUMBER, 0, OF_AREA_MOMENT, &range_positive, NAN,
                  "second moment of area of one column, with -E"},
     [LINE] = {"line", ROW_INTEGER, 0, OF_NONE, &line_range, NAN,
               "outer line of the frame on which the column is, instead of -EI"},
@@ -119,7 +112,7 @@ static bool read_options(struct builder *b, const struct statement *s, struct ar
     }
     const struct storey_law *law = storey_choice_find_rateless(b->deck, &s->word[2]);
     for (int i = 0; law && i < N_ROW; i++) {
-        if (storey_choice_row(law, rows[i].key) >= 0) {
+        if (storey_loop_row(law->row, law->n_row, rows[i].key) >= 0) {
             return deck_error(b->deck, &s->word[2],
                               "law %s has the option -%s, which column has, too; give another law",
                               law->name, rows[i].key);

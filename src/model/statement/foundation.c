@@ -23,8 +23,6 @@ enum {
 
 #define OF_INERTIA                                                                                 \
     { 1, 1, 2 }
-#define OF_ROCKING                                                                                 \
-    { 1, 1, 0 }
 #define OF_ROCKING_DASHPOT                                                                         \
     { 1, 1, 1 }
 #define OF_DENSITY                                                                                 \
@@ -37,14 +35,9 @@ static const struct row rows[N_ROW] = {
     [INERTIA] = {"inertia", ROW_NUMBER, ROW_REQUIRED, OF_INERTIA, &range_positive, NAN,
                  "moment of inertia of the slab, and of the floors about their own axes"},
     [SWAY] = {"sway", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN, "stiffness against sway"},
-    [SWAY_DASHPOT] = {"sway-dashpot",
-                      ROW_NUMBER,
-                      0,
-                      {1, -1, 1},
-                      &range_non_negative,
-                      0.0,
+    [SWAY_DASHPOT] = {"sway-dashpot", ROW_NUMBER, 0, OF_DASHPOT, &range_non_negative, 0.0,
                       "dashpot against sway"},
-    [ROCKING] = {"rocking", ROW_NUMBER, 0, OF_ROCKING, &range_positive, NAN,
+    [ROCKING] = {"rocking", ROW_NUMBER, 0, OF_MOMENT, &range_positive, NAN,
                  "stiffness against rocking, moment over angle"},
     [ROCKING_DASHPOT] = {"rocking-dashpot", ROW_NUMBER, 0, OF_ROCKING_DASHPOT, &range_non_negative,
                          0.0, "dashpot against rocking"},

@@ -6,17 +6,11 @@
 #include "deck/reader.h"
 #include "model/frame_draft.h"
 #include "model/storey_choice.h"
-#include "model/storey_choices.h"
 
 enum { STIFFNESS, LINES, BAYS, DAMAGE, N_ROW = DAMAGE + STOREY_DAMAGE_COUNT };
 
 static const struct row rows[N_ROW] = {
-    [STIFFNESS] = {"stiffness",
-                   ROW_LIST,
-                   ROW_REQUIRED,
-                   {1, 1, 0},
-                   &range_positive,
-                   NAN,
+    [STIFFNESS] = {"stiffness", ROW_LIST, ROW_REQUIRED, OF_MOMENT, &range_positive, NAN,
                    "initial stiffnesses of the hinges, moment over rotation"},
     [LINES] = {"lines", ROW_LIST, 0, OF_NONE, NULL, NAN,
                "column lines, from 1 at the left; all if not given"},

@@ -3,61 +3,37 @@
 #include "model/isolator.h"
 #include "deck/reader.h"
 #include "model/builder.h"
-#include "model/storey_draft.h"
+#include "model/storey_choice.h"
 
 enum { MU, MU_SLOW, RATE, WEIGHT, YIELD_DRIFT, N_SLIDING_ROW, RADIUS = N_SLIDING_ROW, N_FPS_ROW };
 enum { Q, KD, KI, N_LRB_ROW };
 
 #define SLIDING_ROWS                                                                               \
-    [MU] = {"mu",                                                                                  \
-            ROW_NUMBER,                                                                            \
-            ROW_REQUIRED,                                                                          \
-            OF_NONE,                                                                               \
-            &range_positive,                                                                       \
-            NAN,                                                                                   \
-            "coefficient of friction when it slides fast"},                                        \
-    [MU_SLOW] = {"mu-slow",                                                                        \
-                 ROW_NUMBER,                                                                       \
-                 0,                                                                                \
-                 OF_NONE,                                                                          \
-                 &range_positive,                                                                  \
-                 NAN,                                                                              \
-                 "coefficient of friction when it slides slowly; mu if not given"},                \
-    [RATE] = {"rate",                                                                              \
-              ROW_NUMBER,                                                                          \
-              0,                                                                                   \
-              OF_PER_VELOCITY,                                                                     \
-              &range_positive,                                                                     \
-              NAN,                                                                                 \
-              "a, how fast the friction grows with the velocity; with -mu-slow"},                  \
-    [WEIGHT] = {"weight",                                                                          \
-                ROW_NUMBER,                                                                        \
-                0,                                                                                 \
-                OF_FORCE,                                                                          \
-                &range_positive,                                                                   \
-                NAN,                                                                               \
-                "weight on all bearings; that of the floors above if not given, or of pdelta"},    \
-    [YIELD_DRIFT] = {"yield-drift",                                                                \
-                     ROW_NUMBER,                                                                   \
-                     0,                                                                            \
-                     OF_LENGTH,                                                                    \
-                     &range_positive,                                                              \
-                     0.5e-3,                                                                       \
-                     "drift at which it begins to slide with mu, for the initial stiffness"}
+    [MU] = ROW_OF("mu", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &range_positive, NAN,                   \
+                  "coefficient of friction when it slides fast"),                                  \
+    [MU_SLOW] = ROW_OF("mu-slow", ROW_NUMBER, 0, OF_NONE, &range_positive, NAN,                    \
+                       "coefficient of friction when it slides slowly; mu if not given"),          \
+    [RATE] = ROW_OF("rate", ROW_NUMBER, 0, OF_PER_VELOCITY, &range_positive, NAN,                  \
+                    "a, how fast the friction grows with the velocity; with -mu-slow"),            \
+    [WEIGHT] =                                                                                     \
+        ROW_OF("weight", ROW_NUMBER, 0, OF_FORCE, &range_positive, NAN,                            \
+               "weight on all bearings; that of the floors above if not given, or of pdelta"),     \
+    [YIELD_DRIFT] = ROW_OF("yield-drift", ROW_NUMBER, 0, OF_LENGTH, &range_positive, 0.5e-3,       \
+                           "drift at which it begins to slide with mu, for the initial stiffness")
 
 static const struct row fps_rows[N_FPS_ROW] = {
     SLIDING_ROWS,
-    [RADIUS] = {"radius", ROW_NUMBER, ROW_REQUIRED, OF_LENGTH, &range_positive, NAN,
-                "radius of the surface, for the pendulum's stiffness, weight over radius"},
+    [RADIUS] = ROW_OF("radius", ROW_NUMBER, ROW_REQUIRED, OF_LENGTH, &range_positive, NAN,
+                      "radius of the surface, for the pendulum's stiffness, weight over radius"),
 };
 static const struct row sliding_rows[N_SLIDING_ROW] = {SLIDING_ROWS};
 static const struct row lrb_rows[N_LRB_ROW] = {
-    [Q] = {"q", ROW_NUMBER, ROW_REQUIRED, OF_FORCE, &range_positive, NAN,
-           "strength: the force at drift 0 of a loop"},
-    [KD] = {"kd", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN,
-            "stiffness after yield"},
-    [KI] = {"ki", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN,
-            "initial stiffness; 10 kd if not given"},
+    [Q] = ROW_OF("q", ROW_NUMBER, ROW_REQUIRED, OF_FORCE, &range_positive, NAN,
+                 "strength: the force at drift 0 of a loop"),
+    [KD] = ROW_OF("kd", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN,
+                  "stiffness after yield"),
+    [KI] = ROW_OF("ki", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN,
+                  "initial stiffness; 10 kd if not given"),
 };
 
 enum { FPS, SLIDING, LRB, N_VARIANT };
@@ -116,8 +92,8 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     const int i = storey.floor[0] - 1;
-    if (!d->storey || !storey_draft_take(b, d, i, s) ||
-        !storey_draft_isolate(b, d, i, &s->word[1])) {
+    if (!d->storey || !storey_choices_take(b, d, i, s) ||
+        !storey_choices_isolate(b, d, i, &s->word[1])) {
         return;
     }
     d->any_stiffness |= d->n_floor == 1;

@@ -7,7 +7,7 @@
 #include "law/maxwell.h"
 #include "model/builder.h"
 #include "model/pairs.h"
-#include "model/storey_choices.h"
+#include "model/storey_choice.h"
 
 enum { NAME, LAW, N_ROW };
 

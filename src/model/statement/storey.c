@@ -2,8 +2,7 @@
 #include <math.h>
 
 #include "deck/reader.h"
-#include "model/storey_choices.h"
-#include "model/storey_draft.h"
+#include "model/storey_choice.h"
 
 enum { STIFFNESS, DAMAGE, N_ROW = DAMAGE + STOREY_DAMAGE_COUNT };
 
@@ -60,7 +59,7 @@ static void assign(struct builder *b, const struct statement *s, const struct se
     }
     for (int k = 0; good && k < floors->n_floor; k++) {
         int i = floors->floor[k] - 1;
-        good = storey_draft_take(b, d, i, s);
+        good = storey_choices_take(b, d, i, s);
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }

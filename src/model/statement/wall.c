@@ -4,12 +4,7 @@
 enum { EI, GA, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [EI] = {"EI",
-            ROW_LIST,
-            ROW_REQUIRED,
-            {1, 2, 0},
-            &range_positive,
-            NAN,
+    [EI] = {"EI", ROW_LIST, ROW_REQUIRED, OF_BENDING, &range_positive, NAN,
             "bending stiffnesses of its storeys"},
     [GA] = {"GA", ROW_LIST, 0, OF_FORCE, &range_positive, NAN,
             "shear stiffnesses, on the effective area; without them it only bends"},

@@ -82,6 +82,10 @@ int impacts_start(struct impact_log *log, const struct state *s, struct error *e
 int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
                  struct error *e);
 
+// Time from the start of the step of length h at which link k opens, and how fast it grows then.
+double impacts_opening(const struct model *m, const struct state *now, const struct state *next,
+                       double h, int k, double *rate);
+
 // Adds to the totals of link k and, if one is under way, to its impact.
 void impacts_add(const struct impact_log *log, int k, const struct impact_share *share);
 
@@ -116,8 +120,8 @@ void peaks_finish(struct results *r, const struct model *m);
 
 // In residual_drift.c: the size of the residual drift [L] of each storey (n_dof): where its law has
 // no shear when the storey unloads from state `s`; 0 of elastic ones. NAN: the law does not unload
-// to zero. False: no memory.
-bool residual_drifts(const struct model *m, const struct state *s, double *out);
+// to zero. The arena is for scratch. False: no memory.
+bool residual_drifts(const struct model *m, const struct state *s, double *out, struct arena *a);
 
 // The same for bilateral links: what they have lost, and their residual deformations.
 void residual_links(const struct model *m, const struct state *s, struct link_peak *link);

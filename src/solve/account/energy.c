@@ -44,8 +44,7 @@ struct energy_sums energy_sums_of(const struct energy_account *a, const struct m
     for (int i = 0; i < m->n_dof; i++) {
         kinetic_2x += m->mass[i] * s->v[i] * s->v[i];
     }
-    for (int k = 0; k < m->n_body; k++) {
-        const struct building *g = &m->building[k];
+    for (const struct building *g = m->building; g < m->building + m->n_body; g++) {
         for (int i = g->first; i < g->first + g->n_dof; i++) {
             const struct storey *law = &m->storey[i];
             const bool is_elastic = law->law->n_history == 0 && (g->n_part == 0 || g->elastic);

@@ -92,15 +92,11 @@ static void impacts_end(struct impact_log *log, int k, double time, double rate)
     log->open[k] = -1;
 }
 
-// The same where it opens on the way from `now` to `next`.
-static void impacts_end_between(struct impact_log *log, const struct state *now,
-                                const struct state *next, int k) {
-    const struct model *m = log->model;
-    struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
-                        state_rate(next, m, k), next->time - now->time};
-    double rate;
-    const double way = hermite_crossing(&path, &rate);
-    impacts_end(log, k, now->time + way, rate);
+double impacts_opening(const struct model *m, const struct state *now, const struct state *next,
+                       double h, int k, double *rate) {
+    const struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k),
+                              fmin(next->delta[k], 0.0), state_rate(next, m, k), h};
+    return hermite_crossing(&path, rate);
 }
 
 void impacts_add(const struct impact_log *log, int k, const struct impact_share *share) {
@@ -147,7 +143,9 @@ int impacts_step(struct impact_log *log, const struct state *now, const struct s
             log->energy->input += impacts_ground_work(m, k, now, next);
         }
         if (!next->link[k].closed) {
-            impacts_end_between(log, now, next, k);
+            double rate;
+            const double way = impacts_opening(m, now, next, h, k, &rate);
+            impacts_end(log, k, now->time + way, rate);
         }
     }
     log->energy->contact += contact;

@@ -67,8 +67,7 @@ static const enum peak founded_quantity[] = {PEAK_DRIFT, PEAK_SHEAR};
 void peaks_founded(struct results *r, const struct model *m, const struct state *s) {
     double drift[FLOORS_MAX], shear[FLOORS_MAX];
     const double *const value[] = {drift, shear};
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
+    for (const struct building *g = m->building; g < m->building + m->n_building; g++) {
         if (!foundation_differs(g)) {
             continue;
         }

@@ -125,23 +125,22 @@ static bool residual_drift_improve(struct settling *r, double *size) {
 }
 
 // The residual drifts of building `b` with parts, or as near to them as rounding allows. NAN: a law
-// does not let them come there. False: no memory.
-static bool residual_drift_settle(const struct model *m, const struct state *s,
-                                  const struct building *b, double *out) {
+// does not let them come there.
+static void residual_drift_settle(const struct model *m, const struct state *s,
+                                  const struct building *b, double *out, struct arena *a) {
     const size_t n = (size_t)b->n_dof;
-    struct arena *a = arena_create();
     struct settling r = {m, b, s->storey_history, .n = n};
     double **const array[] = {&r.tangent, &r.shear, &r.change, &r.x, &r.trial, &r.still};
     assert(b->n_part > 0 && b->first + b->n_dof <= m->n_dof);
-    for (size_t i = 0; a && i < sizeof array / sizeof array[0]; i++) {
+    for (size_t i = 0; i < sizeof array / sizeof array[0]; i++) {
         *array[i] = arena_alloc(a, i == 0 ? n * n : n, sizeof(double));
     }
-    r.order = a ? arena_alloc(a, n, sizeof *r.order) : NULL;
-    r.scratch = a ? arena_alloc(a, (size_t)m->n_part_scratch, sizeof *r.scratch) : NULL;
+    r.order = arena_alloc(a, n, sizeof *r.order);
+    r.scratch = arena_alloc(a, (size_t)m->n_part_scratch, sizeof *r.scratch);
     for (size_t i = 0; i < n; i++) {
         out[i] = (double)NAN;
     }
-    if (a && !arena_failed(a)) {
+    if (!arena_failed(a)) {
         memcpy(r.x, s->drift + b->first, n * sizeof *r.x);
         const double start = residual_drift_shears(&r, r.x);
         double size = start;
@@ -152,9 +151,6 @@ static bool residual_drift_settle(const struct model *m, const struct state *s,
             out[i] = fabs(r.x[i]);
         }
     }
-    const bool has_memory = a && !arena_failed(a);
-    arena_free(a);
-    return has_memory;
 }
 
 // The residual drifts of building `b` whose storeys come to rest one by one, from their drifts. One
@@ -172,14 +168,12 @@ static void residual_drift_storeys(const struct model *m, const struct state *s,
     }
 }
 
-bool residual_drifts(const struct model *m, const struct state *s, double *out) {
+bool residual_drifts(const struct model *m, const struct state *s, double *out, struct arena *a) {
     double drift[FLOORS_MAX], shear[FLOORS_MAX];
-    bool has_memory = true;
-    for (int k = 0; k < m->n_body; k++) {
-        const struct building *b = &m->building[k];
+    for (const struct building *b = m->building; b < m->building + m->n_body; b++) {
         const struct building *own = b->fixed ? b->fixed : b;
         if (own->n_part > 0 && !b->elastic) {
-            has_memory &= residual_drift_settle(m, s, b, out + b->first);
+            residual_drift_settle(m, s, b, out + b->first, a);
             continue;
         }
         if (b->fixed) {
@@ -188,5 +182,5 @@ bool residual_drifts(const struct model *m, const struct state *s, double *out) 
         }
         residual_drift_storeys(m, s, b, b->fixed ? drift : s->drift + b->first, out + b->first);
     }
-    return has_memory;
+    return !arena_failed(a);
 }

@@ -143,8 +143,7 @@ static void yielding_demand(const struct storey *s, const double *history, const
 static void yielding_plain(const struct model *m, const struct energy_account *energy,
                            const struct state *s, struct results *r) {
     static const double none[STOREY_HISTORY_MAX];
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
+    for (const struct building *g = m->building; g < m->building + m->n_building; g++) {
         for (int i = g->first; g->n_part == 0 && i < g->first + g->n_floor; i++) {
             const struct storey *own = &m->storey[i];
             if (own->law->n_history == 0) {

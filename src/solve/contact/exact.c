@@ -87,31 +87,24 @@ static double exact_search(const struct equation *e, double low, double high, do
     return f;
 }
 
-// An end of the bracket below `low` < 0: as a force of tension grows, d and v do, until no law
-// pulls.
-static double exact_bracket_below(const struct equation *e, double low) {
-    while (exact_residual(e, low) > 0.0) {
-        low *= 2.0;
+// The other end of a bracket that ends at 0 or above, from a force `end` on: below, as a force of
+// tension grows, d and v do, until no law pulls; above, as the force of a link that softens grows.
+static double exact_bracket(const struct equation *e, double end) {
+    const double sign = copysign(1.0, end);
+    while (sign * exact_residual(e, end) < 0.0) {
+        end *= 2.0;
     }
-    return low;
-}
-
-// An end of the bracket above `high` > 0, where a link softens: its force grows as it gives way.
-static double exact_bracket_above(const struct equation *e, double high) {
-    while (exact_residual(e, high) < 0.0) {
-        high *= 2.0;
-    }
-    return high;
+    return end;
 }
 
 // The root that is no more than `top`, which bounds it from above.
 static double exact_root(const struct equation *e, double top, double guess) {
     double f = exact_law(e, 0.0).force;
     if (f < 0.0) {
-        return exact_search(e, exact_bracket_below(e, f), 0.0, guess);
+        return exact_search(e, exact_bracket(e, f), 0.0, guess);
     }
     const bool softens = e->link->law->traits & CONTACT_TURNS;
-    return exact_search(e, 0.0, softens ? exact_bracket_above(e, f) : fmin(top, f), guess);
+    return exact_search(e, 0.0, softens ? exact_bracket(e, f) : fmin(top, f), guess);
 }
 
 double exact_excess(const struct equation *e, double force) {
@@ -162,7 +155,7 @@ enum branch exact_force(const struct equation *e, double guess, double *force) {
     if (low >= top) {
         return BRANCH_OPEN;
     }
-    *force = exact_search(e, exact_bracket_below(e, low), top, guess);
+    *force = exact_search(e, exact_bracket(e, low), top, guess);
     return BRANCH_CLOSED;
 }
 

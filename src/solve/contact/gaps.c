@@ -132,9 +132,8 @@ static inline bool gaps_is_pressed(const struct gaps *g, const struct gap_run *r
     return inside != 0;
 }
 
-// The penetrations of runs at buildings that have `moved`; NULL: of all. Where grounds move
-// differently, all of them may be beyond their limits and pressed.
-LANES static void gaps_update_runs(struct gaps *g, struct state *s, const bool *moved) {
+// Where grounds move differently, all runs may be beyond their limits and pressed.
+LANES void gaps_update(struct gaps *g, struct state *s, const bool *moved) {
     const struct model *m = g->model;
     const bool grounds = m->n_ground > 1;
     g->n_pressed = 0;
@@ -152,14 +151,6 @@ LANES static void gaps_update_runs(struct gaps *g, struct state *s, const bool *
             g->pressed[g->n_pressed++] = i;
         }
     }
-}
-
-void gaps_update(struct gaps *g, struct state *s) {
-    gaps_update_runs(g, s, NULL);
-}
-
-void gaps_update_touched(struct gaps *g, struct state *s) {
-    gaps_update_runs(g, s, g->is_touched);
 }
 
 LANES void gaps_peaks(struct gaps *g, const struct state *s) {

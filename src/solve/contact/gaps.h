@@ -44,11 +44,8 @@ bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, 
 // Starts with what is in the results: no link acts.
 void gaps_resume(struct gaps *g);
 
-// Brings s->delta to the displacements of `s`.
-void gaps_update(struct gaps *g, struct state *s);
-
-// The same where only touched buildings have moved.
-void gaps_update_touched(struct gaps *g, struct state *s);
+// Brings s->delta to the displacements of `s`, at the buildings that have `moved`; NULL: at all.
+void gaps_update(struct gaps *g, struct state *s, const bool *moved);
 
 // Records penetrations that are larger than ever.
 void gaps_peaks(struct gaps *g, const struct state *s);

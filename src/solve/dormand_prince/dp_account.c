@@ -119,7 +119,7 @@ static void dp_row(const struct dp *p, const struct dp_rates *rates, struct stat
     for (int i = 0; i < m->n_dof; i++) {
         row->total[i] = row->a[i] + row->ground_a[m->building[p->system.building[i]].ground];
     }
-    state_reach(row, m, p->now.storey_history);
+    state_forces(row, m, p->now.storey_history, row->storey_history);
     for (int k = 0; k < m->n_link; k++) {
         row->delta[k] = state_penetration(row, m, k);
         row->link[k].closed = p->now.link[k].closed;

@@ -251,7 +251,7 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
     }
     s->time = time;
     if (e->line) {
-        state_internal_forces(s, r->model);
+        state_forces(s, r->model, s->storey_history, NULL);
     }
     t->steps += n_step;
     t->iterations += n_step;

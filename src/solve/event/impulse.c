@@ -146,7 +146,7 @@ void impulse_meet(struct state *s, const struct model *m, int k, enum rebound re
     // state_complete where models are linear.
     state_complete(s, m);
     if (!state_is_linear(m)) {
-        state_internal_forces(s, m);
+        state_forces(s, m, s->storey_history, NULL);
     }
     for (int i = 0; i < m->n_link; i++) {
         if (s->link[i].closed && m->link[i].law->force) {

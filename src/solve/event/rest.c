@@ -280,7 +280,7 @@ void rest_start(struct state *s, const struct model *m) {
     memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
     s->time = 0.0;
     forcing_at(s, m, 0.0);
-    state_reach(s, m, s->storey_history);
+    state_forces(s, m, s->storey_history, s->storey_history);
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         const double delta = s->delta[k] = state_penetration(s, m, k), rate = state_rate(s, m, k);

@@ -108,16 +108,14 @@ LANES void floors_trial(struct work *w, const struct state *now, int k) {
     }
 }
 
-void floors_account_to(struct work *w, struct energy_account *energy, struct results *results) {
+void floors_account_to(struct work *w, struct energy_account *energy, struct results *results,
+                       struct force_peaks *forces) {
     w->floors.account = (struct floors_account){
         .energy = energy,
         .results = results,
+        .forces = forces && force_peaks_due(forces) ? forces : NULL,
         .defers = state_is_uniform(w->model) && !w->model->adaptive,
     };
-}
-
-void floors_forces_to(struct work *w, struct force_peaks *forces) {
-    w->floors.account.forces = forces;
 }
 
 // The steps with the widest vectors for which the processor has registers.
@@ -154,13 +152,13 @@ void floors_account(struct work *w, const struct state *now, const struct state 
 
 bool floors_move(struct work *w, const struct state *now, struct state *next, const double *shear) {
     const bool finite = steps()->move(w, now, next, shear);
-    gaps_update(&w->gaps, next);
+    gaps_update(&w->gaps, next, NULL);
     return finite;
 }
 
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {
     steps()->correct(w, now, next);
-    gaps_update_touched(&w->gaps, next);
+    gaps_update(&w->gaps, next, w->gaps.is_touched);
 }
 
 long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end) {

@@ -44,11 +44,10 @@ struct floors {
 // Room for the floors of a model, and its blocks, when there is room for trials; false: no memory.
 bool floors_alloc(struct work *w, struct arena *a);
 
-// Sets where works and peaks of the floors go.
-void floors_account_to(struct work *w, struct energy_account *energy, struct results *results);
-
-// Sets where the steps in free flight take their states for forces.
-void floors_forces_to(struct work *w, struct force_peaks *forces);
+// Sets where works and peaks of the floors go, and the states of steps in free flight for forces;
+// `forces` NULL: nowhere.
+void floors_account_to(struct work *w, struct energy_account *energy, struct results *results,
+                       struct force_peaks *forces);
 
 // Computes displacements, velocities, accelerations and penetrations of `next` under the forces of
 // its live links, with the trial of their buildings and all corrections in `w`; and takes what

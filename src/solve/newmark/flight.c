@@ -210,7 +210,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     if (f->on_lines) {
         floors_catch_up(w, *next, s);
     }
-    gaps_update(&w->gaps, s);
+    gaps_update(&w->gaps, s, NULL);
     gaps_peaks(&w->gaps, s);
     w->totals->steps += n - first;
     w->totals->iterations += n - first;

@@ -204,8 +204,7 @@ static int newmark_solve_links(struct work *w, const struct state *now, struct s
 }
 
 static int newmark_not_finite(const struct model *m, const struct state *s, struct error *e) {
-    for (int k = 0; k < m->n_body; k++) {
-        const struct building *g = &m->building[k];
+    for (const struct building *g = m->building; g < m->building + m->n_body; g++) {
         for (int i = 0; i < g->n_dof; i++) {
             int j = g->first + i;
             if (!isfinite(s->u[j]) || !isfinite(s->v[j]) || !isfinite(s->a[j])) {
@@ -287,7 +286,7 @@ static int newmark_solve(struct work *w, const struct state *now, struct state *
             return status;
         }
         bool agree;
-        state_reach(next, m, now->storey_history);
+        state_forces(next, m, now->storey_history, next->storey_history);
         status = newmark_relinearise(w, now, next, &agree);
         if (status != STATUS_OK || agree) {
             return status;
@@ -301,7 +300,7 @@ static int newmark_solve(struct work *w, const struct state *now, struct state *
 // histories of the links' laws.
 static void newmark_finish(struct work *w, struct state *next) {
     if (w->model->elastic && !state_is_linear(w->model)) {
-        state_internal_forces(next, w->model);
+        state_forces(next, w->model, next->storey_history, NULL);
     }
     contact_finish(w, next);
 }

@@ -60,8 +60,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
         !work_alloc(&r->work, m, r->results, &r->memory, a)) {
         return false;
     }
-    floors_account_to(&r->work, &r->energy, r->results);
-    floors_forces_to(&r->work, force_peaks_due(&r->forces) ? &r->forces : NULL);
+    floors_account_to(&r->work, &r->energy, r->results, &r->forces);
     return true;
 }
 
@@ -104,9 +103,7 @@ static int run_step_commit(struct run *r) {
     r->now = r->next;
     r->next = old;
     r->results->totals.steps++;
-    if (force_peaks_due(&r->forces)) {
-        force_peaks_note(&r->forces, r->now);
-    }
+    force_peaks_note(&r->forces, r->now);
     if (status == STATUS_OK && r->results->collapse.happened) {
         return STATUS_COLLAPSE;
     }
@@ -127,30 +124,22 @@ static bool event_splits(const struct work *w, const struct state *now, const st
            (jumps || w->model->adaptive);
 }
 
-static struct path event_path_of(const struct model *m, const struct state *now,
-                                 const struct state *next, double h, int k) {
-    return (struct path){now->delta[k], state_rate(now, m, k), next->delta[k],
-                         state_rate(next, m, k), h};
-}
-
 // Time from the start of the step at which the force of link k jumps.
 static double event_jump_time(const struct model *m, const struct state *now,
                               const struct state *next, double h, int k) {
     if (next->link[k].closed) {
         return next->link[k].t_close - now->time;
     }
-    struct path path = event_path_of(m, now, next, h, k);
-    path.d0 = fmax(path.d0, 0.0);
-    path.d1 = fmin(path.d1, 0.0);
     double rate;
-    return hermite_crossing(&path, &rate);
+    return impacts_opening(m, now, next, h, k, &rate);
 }
 
 // Time from the start of the step at which the bodies of rigid contact k meet; infinite if they do
 // not, but for rounding.
 static double event_meeting_time(const struct model *m, const struct state *now,
                                  const struct state *next, double h, int k) {
-    struct path path = event_path_of(m, now, next, h, k);
+    struct path path = {now->delta[k], state_rate(now, m, k), next->delta[k],
+                        state_rate(next, m, k), h};
     double inside = fmax(path.d0, 0.0);  // by an error of rounding or integration
     double rate;
     path.d0 -= inside;
