@@ -100,6 +100,7 @@ study ida whole.h5 drift-ratio "wide=0 0.5 2" --at wide=0 --limit 0.5%,2%
 study ida failed.h5 force "wide=0" --at wide=0
 study response whole.h5 impacts ""
 study response failed.h5 drift-ratio:B "wide=0" --at wide=0
+study cloud whole.h5 drift-ratio:A "wide=0" --at wide=0
 study fragility whole.h5 acceleration:B "3 9" --limit 3,9
 study fragility failed.h5 drift-ratio "wide=0 1.5" --at wide=0 --limit 1.5%
 

@@ -96,6 +96,20 @@ def response(s, _):
     return [Panel(s.axis, s.demand_axis, curves)]
 
 
+def cloud(s, _):
+    """The runs, the regression of their logarithms, and the scatter about it."""
+    y = s.value[0].T.ravel()
+    x = np.repeat(s.point, len(s.value[0]))
+    slope, offset = np.polyfit(np.log(x), np.log(y), 1)
+    rest = np.log(y) - offset - slope * np.log(x)
+    scatter = np.sqrt(np.sum(rest ** 2) / (len(x) - 2))
+    at = np.geomspace(x[0], x[-1], 101)
+    line = np.exp(offset + slope * np.log(at))
+    return [Panel(s.axis, s.demand_axis,
+                  [Curve(x, y), Curve(at, line, legend="regression"),
+                   Curve(at, line * np.exp(-scatter)), Curve(at, line * np.exp(scatter))])]
+
+
 def fragility(s, limits):
     """Shares only; check_curve looks at the curves."""
     curves = [Curve(s.point, np.mean(s.value[g] > limit, axis=0))
@@ -143,7 +157,7 @@ def main(script, path, edp, abscissa, *words):
     failed = np.isinf(s.value).sum()
     if failed:
         check_text(picture.texts[1], "{} of {} runs failed", [failed, s.value.size])
-    panels = {"ida": ida, "response": response, "fragility": fragility}
+    panels = {"ida": ida, "response": response, "fragility": fragility, "cloud": cloud}
     check_panels(picture, panels[kind](s, limits))
 
 
