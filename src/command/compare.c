@@ -133,8 +133,7 @@ static int compare_run(struct comparing *c, const struct options *o, const struc
 }
 
 static int compare_use_studies(const struct options *o, const struct words *operand) {
-    const struct compare_studies q = {
-        {operand->word[0], operand->word[1]}, o->edp, o->limit, o->form};
+    struct compare_studies q = {{operand->word[0], operand->word[1]}, o->edp, o->limit, o->form};
     struct error e;
     if (o->measured || o->quantity || !isnan(o->tolerance) || picture_is_wanted(&o->picture)) {
         return command_usage(&command_compare,

@@ -7,6 +7,7 @@
 #include "core/arena.h"
 #include "jostle/result.h"
 #include "study/comparison.h"
+#include "study/run_pairs.h"
 
 extern const struct command command_compare;
 
@@ -41,6 +42,12 @@ struct compare_studies {
     const char *edp, *limit;  // NULL: all demands; no fragilities
     enum printer_form form;
 };
-int compare_studies(const struct compare_studies *q, struct error *e);
+int compare_studies(struct compare_studies *q, struct error *e);
+
+// Opens two studies, finds their pairs of runs and uses them. Errors: STATUS_INPUT, STATUS_SYSTEM,
+// those of `use`.
+typedef int compare_pairs_use(void *context, const struct run_pairs *p, struct error *e);
+int compare_pairs(const char *const path[2], compare_pairs_use *use, void *context,
+                  struct error *e);
 
 #endif

@@ -12,7 +12,7 @@
 
 struct comparison_of_studies {
     const struct compare_studies *request;
-    struct run_pairs pairs;
+    const struct run_pairs *pairs;
     struct printer table;
 };
 
@@ -28,7 +28,7 @@ static void describe(const struct run_pairs *p, FILE *to) {
 }
 
 static void print_ratios(struct comparison_of_studies *c, const struct run_ratios *r) {
-    const struct run_pairs *p = &c->pairs;
+    const struct run_pairs *p = c->pairs;
     struct printer *t = &c->table;
     const double ratio[] = {r->median, r->dispersion, r->smallest, r->largest};
     printer_text(t, r->text);
@@ -47,12 +47,12 @@ static int add_demand(struct comparison_of_studies *c, const char *text, struct 
     struct run_ratios r;
     struct edp edp;
     for (int side = 0; side < 2; side++) {
-        const int status = edp_parse(c->pairs.view[side], text, c->pairs.arena, &edp, e);
+        const int status = edp_parse(c->pairs->view[side], text, c->pairs->arena, &edp, e);
         if (status != STATUS_OK) {
             return status == STATUS_INPUT ? STATUS_OK : status;
         }
     }
-    const int status = run_pairs_read(&c->pairs, text, &r, e);
+    const int status = run_pairs_read(c->pairs, text, &r, e);
     if (status == STATUS_OK && r.n > 0) {
         print_ratios(c, &r);
     }
@@ -61,7 +61,7 @@ static int add_demand(struct comparison_of_studies *c, const char *text, struct 
 
 // All demands that both studies have, those of buildings for each building.
 static int add_all(struct comparison_of_studies *c, struct error *e) {
-    const struct study_view *v = c->pairs.view[0];
+    const struct study_view *v = c->pairs->view[0];
     int status = STATUS_OK;
     for (int i = 0; i < n_edp_quantity && status == STATUS_OK; i++) {
         const struct edp_quantity *q = &edp_quantities[i];
@@ -70,7 +70,7 @@ static int add_all(struct comparison_of_studies *c, struct error *e) {
             const char *text =
                 q->owner != EDP_OF_BUILDING
                     ? q->name
-                    : arena_format(c->pairs.arena, "%s:%s", q->name, v->building[k].name);
+                    : arena_format(c->pairs->arena, "%s:%s", q->name, v->building[k].name);
             status = text ? add_demand(c, text, e) : error_no_memory(e);
         }
     }
@@ -92,7 +92,7 @@ static int print_table(struct comparison_of_studies *c, struct error *e) {
         {NULL, "unit", NULL, NULL, 0, 0, LOOK_WHOLE}};
     const char *edp = c->request->edp;
     struct run_ratios r = {.n = 0};
-    int status = edp ? run_pairs_read(&c->pairs, edp, &r, e) : STATUS_OK;
+    int status = edp ? run_pairs_read(c->pairs, edp, &r, e) : STATUS_OK;
     if (status == STATUS_OK && edp && r.n == 0) {
         status = error_set(e, STATUS_INPUT, "no pair of runs has positive values of %s", edp);
     }
@@ -100,7 +100,7 @@ static int print_table(struct comparison_of_studies *c, struct error *e) {
         return status;
     }
     c->table =
-        (struct printer){.to = stdout, .form = c->request->form, .units = &c->pairs.view[0]->units};
+        (struct printer){.to = stdout, .form = c->request->form, .units = &c->pairs->view[0]->units};
     PRINTER_ADD(&c->table, columns);
     printer_head(&c->table);
     if (edp) {
@@ -180,7 +180,7 @@ static int print_fragilities(struct comparison_of_studies *c, struct error *e) {
     double limit = 0.0;
     int status = STATUS_OK;
     for (int side = 0; side < 2 && status == STATUS_OK; side++) {
-        status = suite_create(c->pairs.file[side], &request, &s[side], e);
+        status = suite_create(c->pairs->file[side], &request, &s[side], e);
     }
     if (status == STATUS_OK) {
         status = edp_limit(&s[0]->edp, &s[0]->view->units, q->limit, &limit, e);
@@ -208,7 +208,7 @@ static int print_fragilities(struct comparison_of_studies *c, struct error *e) {
 
 static int compare(struct comparison_of_studies *c, struct error *e) {
     const bool text = c->request->form == FORM_TEXT;
-    describe(&c->pairs, text ? stdout : stderr);
+    describe(c->pairs, text ? stdout : stderr);
     if (text) {
         puts("");
     }
@@ -217,18 +217,28 @@ static int compare(struct comparison_of_studies *c, struct error *e) {
     return status == STATUS_OK && c->request->limit ? print_fragilities(c, e) : status;
 }
 
-int compare_studies(const struct compare_studies *q, struct error *e) {
-    struct comparison_of_studies c = {.request = q};
+static int use_pairs(void *context, const struct run_pairs *p, struct error *e) {
+    struct comparison_of_studies c = {.request = context, .pairs = p};
+    return compare(&c, e);
+}
+
+int compare_studies(struct compare_studies *q, struct error *e) {
+    return compare_pairs(q->path, use_pairs, q, e);
+}
+
+int compare_pairs(const char *const path[2], compare_pairs_use *use, void *context,
+                  struct error *e) {
     struct study_file *f[2] = {NULL, NULL};
+    struct run_pairs pairs;
     int status = STATUS_OK;
     for (int side = 0; side < 2 && status == STATUS_OK; side++) {
-        crash_reading(NULL, q->path[side]);
-        status = study_file_open(q->path[side], &f[side], e);
+        crash_reading(NULL, path[side]);
+        status = study_file_open(path[side], &f[side], e);
     }
     if (status == STATUS_OK) {
-        status = run_pairs_open(&c.pairs, f[0], f[1], e);
-        status = status == STATUS_OK ? compare(&c, e) : status;
-        run_pairs_close(&c.pairs);
+        status = run_pairs_open(&pairs, f[0], f[1], e);
+        status = status == STATUS_OK ? use(context, &pairs, e) : status;
+        run_pairs_close(&pairs);
     }
     study_file_close(f[0]);
     study_file_close(f[1]);

@@ -6,6 +6,7 @@
 #include "command/deck_command.h"
 #include "command/option.h"
 #include "command/picture.h"
+#include "command/plot_pairs.h"
 #include "command/progress.h"
 #include "command/study_deck.h"
 #include "command/suite_options.h"
@@ -13,7 +14,6 @@
 #include "core/text.h"
 #include "plot/figure.h"
 #include "plot/pictures.h"
-#include "study/run_pairs.h"
 
 static int plot_command(int argc, char **argv);
 
@@ -156,91 +156,6 @@ static int plot_suite(struct request *q) {
     return status;
 }
 
-// A sweep of the first study that is an intensity; NULL: there is none.
-static const struct sweep *find_intensity(const struct study_view *v, int *dimension) {
-    static const char *const names[] = {"im", "sa", "pga", "intensity", "scale"};
-    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
-        for (int i = 0; i < v->n_sweep; i++) {
-            if (strcmp(v->sweep[i]->name, names[k]) == 0 && v->sweep[i]->number &&
-                v->sweep[i]->n > 1) {
-                *dimension = i;
-                return v->sweep[i];
-            }
-        }
-    }
-    return NULL;
-}
-
-// The name of a file without its folders.
-static const char *file_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
-static int write_pairs(void *context, const struct figure_files *to, struct error *e) {
-    return pairs_figure_write(context, to, e);
-}
-
-static int draw_pairs(struct request *q, const struct run_pairs *p, struct error *e) {
-    const struct study_view *v = p->view[0];
-    struct run_ratios r;
-    int dimension = 0, status = run_pairs_read(p, q->study.request.edp, &r, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    const struct sweep *sweep = find_intensity(v, &dimension);
-    double *at = arena_alloc(p->arena, (size_t)p->n, sizeof *at);
-    for (long i = 0; at && sweep && i < p->n; i++) {
-        const long run = study_view_run(v, p->pair[i].row[0]);
-        at[i] = sweep->number[study_view_choice(v, run, dimension)];
-    }
-    struct pairs_figure figure = {
-        .title = v->title[0] ? v->title : v->path,
-        .subtitle = arena_format(p->arena, "%ld pairs of runs; ratio: median %.4g, dispersion %.3g",
-                                 p->n, r.median, r.dispersion),
-        .version = JOSTLE_VERSION,
-        .study = {file_of(q->result), file_of(q->other)},
-        .units = &v->units,
-        .edp = &r.edp[0],
-        .n = p->n,
-        .value = {r.value[0], r.value[1]},
-        .at = sweep ? at : NULL,
-        .at_name = sweep ? sweep->name : NULL,
-        .at_dimension =
-            sweep ? edp_units(sweep->units, v->units.gravity, &(double){0}) : dimension_none};
-    if (!at || !figure.subtitle) {
-        return error_no_memory(e);
-    }
-    if (!picture_is_wanted(&q->picture)) {
-        q->picture.output = name_output(q->result, "compare", q->default_output);
-    }
-    const struct picture_request picture = {
-        .options = q->picture, .name = "compare", .write = write_pairs, .context = &figure};
-    status = picture_make(&picture, e);
-    if (status == STATUS_OK && q->picture.output) {
-        safe_line(stdout, "%s", q->picture.output);
-    }
-    return status;
-}
-
-// A study against another one.
-static int plot_pairs(struct request *q, struct error *e) {
-    const char *const path[] = {q->result, q->other};
-    struct study_file *f[2] = {NULL, NULL};
-    struct run_pairs pairs = {.arena = NULL};
-    int status = STATUS_OK;
-    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
-        crash_reading(NULL, path[i]);
-        status = study_file_open(path[i], &f[i], e);
-    }
-    status = status == STATUS_OK ? run_pairs_open(&pairs, f[0], f[1], e) : status;
-    status = status == STATUS_OK ? draw_pairs(q, &pairs, e) : status;
-    run_pairs_close(&pairs);
-    study_file_close(f[0]);
-    study_file_close(f[1]);
-    return status;
-}
-
 static int plot_deck(struct request *q) {
     struct model *m;
     struct error e;
@@ -358,7 +273,15 @@ static int use(void *request, struct arena *a, const struct words *operand) {
     if (study && !q->other) {
         return plot_suite(q);
     }
-    status = study ? plot_pairs(q, &e) : plot_runs(q, &e);
+    if (study) {
+        if (!picture_is_wanted(&q->picture)) {
+            q->picture.output = name_output(q->result, "compare", q->default_output);
+        }
+        status = plot_pairs(
+            &(struct plot_pairs){{q->result, q->other}, q->study.request.edp, q->picture}, &e);
+    } else {
+        status = plot_runs(q, &e);
+    }
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 

@@ -239,6 +239,12 @@ static bool is_intensity(const struct sweep *s) {
     return *name;
 }
 
+int roles_intensity(const struct study_view *v) {
+    const struct roles none = {.abscissa = 0};
+    const int i = guess(v, &none, intensities, VALUES_NUMBER);
+    return i >= 0 && is_intensity(v->sweep[i]) && v->sweep[i]->n > 1 ? i : -1;
+}
+
 // The first paired sweep of numbers that is free and has the name of an intensity; NULL.
 static const struct sweep *find_paired(const struct study_view *v, const struct roles *r, int *i) {
     for (*i = 0; *i < v->n_sweep; ++*i) {

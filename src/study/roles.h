@@ -24,6 +24,9 @@ int roles_find(const struct study_view *v, const struct suite_request *q, struct
 const struct sweep *roles_find_name(const struct study_view *v, const char *name, size_t n,
                                     int *sweep);
 
+// The sweep of several numbers that has the name of an intensity; -1: there is none.
+int roles_intensity(const struct study_view *v);
+
 // How many runs there are for all values of the sweeps of this role.
 int roles_count(const struct study_view *v, const struct roles *r, enum role role);
 
