@@ -99,8 +99,8 @@ static int print_table(struct comparison_of_studies *c, struct error *e) {
     if (status != STATUS_OK) {
         return status;
     }
-    c->table =
-        (struct printer){.to = stdout, .form = c->request->form, .units = &c->pairs->view[0]->units};
+    c->table = (struct printer){
+        .to = stdout, .form = c->request->form, .units = &c->pairs->view[0]->units};
     PRINTER_ADD(&c->table, columns);
     printer_head(&c->table);
     if (edp) {
