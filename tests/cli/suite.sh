@@ -240,6 +240,8 @@ run "$jostle" plot whole.h5 response --against im --im wide -o twice.png
 expect "one sweep is gone along" '[ $status -eq 2 ] && said "given twice" && [ ! -e twice.png ]'
 run "$jostle" plot whole.h5 energy
 expect "a study has its own kinds" '[ $status -eq 2 ] && said "energy is for single runs; whole.h5 is a study"'
+run "$jostle" plot whole.h5 --compare scaled.h5
+expect "a study is not compared with one run" '[ $status -eq 2 ] && said "--compare takes two runs or two studies; whole.h5 is a study"'
 run "$jostle" plot scaled.h5 --edp drift
 expect "options of studies are refused for one run" '[ $status -eq 2 ] && said "--edp is for studies"'
 run "$jostle" plot scaled.h5 --against gap
