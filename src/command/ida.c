@@ -197,6 +197,11 @@ static int use_plan(void *options, const struct plan *plan) {
                                  .n_run = o->n_run,
                                  .curve = o->curve,
                                  .n_thread = o->n_thread};
+    if (o->collapse && !plan->first->collapse) {
+        error_set(&e, STATUS_INPUT,
+                  "the deck has no statement 'collapse', and without it no run collapses");
+        return command_fail(&e);
+    }
     int status = suite_options_edp_limit(
         &command_ida, plan, o->collapse ? EDP_COLLAPSE "=0" : o->limit, &q.edp, &q.limit);
     if (status == EXIT_DONE && o->n_curve && !(q.limit > 0.0)) {

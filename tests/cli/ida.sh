@@ -116,6 +116,8 @@ run "$jostle" ida used.deck --limit drift=0.07 --over pair --tolerance 0.1% --ts
 expect "sweeps may use parameters, and may be paired" '[ $status -eq 0 ] && [ "$(awk -F "\t" "NR == 1 { for (i = 1; i <= NF; i++) at[\$i] = i; next } { low = \$at[\"below [m/s]\"] / sqrt(\$at[\"k\"]); high = \$at[\"above [m/s]\"] / sqrt(\$at[\"k\"]); n += low < 0.07001 && high > 0.06999 } END { print n }" "$out")" = 3 ]'
 run "$jostle" ida linear.deck
 expect "a limit or a collapse is needed" '[ $status -eq 2 ] && said "give --limit EDP=VALUE or --collapse"'
+run "$jostle" ida "$root/input/ida.deck" --collapse
+expect "without the statement collapse no run collapses" '[ $status -eq 2 ] && said "the deck has no statement '"'collapse'"', and without it no run collapses"'
 run "$jostle" ida linear.deck --limit drift
 expect "a limit has a value" '[ $status -eq 2 ] && said "--limit takes EDP=VALUE, not '"'drift'"'"'
 run "$jostle" ida pair.deck --limit drift=1 --im record

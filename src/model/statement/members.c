@@ -88,8 +88,8 @@ static bool check_area(struct builder *b, const struct statement *s, const struc
     }
     if (!area->given && !d->frame->inextensible) {
         deck_warning(b->deck, &s->word[0],
-                     "columns without -A keep their lengths; frame %s -columns-inextensible says "
-                     "so",
+                     "columns without -A do not change their lengths; to say so, give frame %s "
+                     "-columns-inextensible",
                      d->name);
     }
     return true;
