@@ -169,6 +169,14 @@ static int search(const struct options *o, const struct plan *plan, const struct
     return status;
 }
 
+static int check_plan(const struct options *o, const struct plan *plan, struct error *e) {
+    if (o->collapse && !plan->first->collapse) {
+        return error_set(e, STATUS_INPUT,
+                         "the deck has no statement 'collapse', and without it no run collapses");
+    }
+    return deck_command_check_study(plan->first, e);
+}
+
 static int use_plan(void *options, const struct plan *plan) {
     const struct options *o = options;
     const struct study_view view = plan_view(plan);
@@ -177,7 +185,7 @@ static int use_plan(void *options, const struct plan *plan) {
     struct hazard hazard;
     struct error e;
     char unit[64] = "";
-    if (deck_command_check_study(plan->first, &e) != STATUS_OK ||
+    if (check_plan(o, plan, &e) != STATUS_OK ||
         roles_find(&view, &wanted, &roles, &e) != STATUS_OK) {
         return command_fail(&e);
     }
@@ -197,11 +205,6 @@ static int use_plan(void *options, const struct plan *plan) {
                                  .n_run = o->n_run,
                                  .curve = o->curve,
                                  .n_thread = o->n_thread};
-    if (o->collapse && !plan->first->collapse) {
-        error_set(&e, STATUS_INPUT,
-                  "the deck has no statement 'collapse', and without it no run collapses");
-        return command_fail(&e);
-    }
     int status = suite_options_edp_limit(
         &command_ida, plan, o->collapse ? EDP_COLLAPSE "=0" : o->limit, &q.edp, &q.limit);
     if (status == EXIT_DONE && o->n_curve && !(q.limit > 0.0)) {

@@ -56,9 +56,9 @@ bool storey_choice_read(struct deck *d, const struct statement *s, const struct 
                         const struct row_set *own, const bool *found, struct storey_choice *out) {
     *out = (struct storey_choice){.word = &s->word[0]};
     struct row row[LOOP_ROWS_MAX];
-    memcpy(row, of, (size_t)n_row * sizeof *row);
-    for (int r = 0; found && r < n_row; r++) {
-        row[r].flags &= found[r] ? ~(unsigned)ROW_REQUIRED : ~0u;
+    for (int r = 0; r < n_row; r++) {
+        row[r] = of[r];
+        row[r].flags &= found && found[r] ? ~(unsigned)ROW_REQUIRED : ~0u;
     }
     struct row_set set[] = {*own, {row, n_row, out->given}};
     if (!deck_options(d, s, set, 2)) {

@@ -33,6 +33,7 @@ ONE_RUN = {
                 "C=2MN*s^0.6/m^0.6"],
     "separation": ["record=records/ELCENTRO_1940_NS.AT2"],
     "shaking_table": ["f=2.5Hz"],
+    "stripes": ["motion=1"],
 }
 
 # Linear contacts of bodies that are too light for that of `linear`.
@@ -82,6 +83,7 @@ def compare(path, text, label):
         deck = deck_of(path, text, scratch)
         define = [word for value in ONE_RUN.get(path.stem, [])
                   if re.search(rf"[${{ ]{value.split('=')[0]}\b", re.sub(r"(?m)^sweep.*$", "", text))
+                  or f"-as {value.split('=')[0]}" in text
                   for word in ("-D", value.replace("records/", f"{path.parent.resolve()}/records/"))]
         jostle = pathlib.Path(JOSTLE).resolve()
         export, _ = run([jostle, "export", deck, "--opensees", "py", *define])

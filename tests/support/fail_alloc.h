@@ -15,7 +15,7 @@ long fail_alloc_stop(void);
 
 // Makes an attempt, which must succeed, and then one with each of its allocations failing in its
 // turn, `least` or more of them: each must end in STATUS_SYSTEM with "out of memory" in its
-// message.
+// message. With JOSTLE_SANITIZED in the environment, every third allocation.
 void fail_alloc_each(int (*attempt)(void *context, struct error *e), void *context, long least);
 
 #endif
