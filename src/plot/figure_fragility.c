@@ -51,6 +51,7 @@ static void write_counts(struct view *v, struct canvas *c) {
     struct fragility_level *level = arena_alloc(s->arena, (size_t)runs.n, sizeof *level);
     if (!level) {
         c->status = error_no_memory(c->e);
+        return;
     }
     for (int i = 0; i < v->n && c->status == STATUS_OK; i++) {
         fragility_runs_take(&runs, s, i % s->n_group);

@@ -286,14 +286,14 @@ LANES_INLINE long floors_fly_from(const struct flight *f, const struct floors_li
 
 // The number of floors in whole lanes, where they are few and one ground moves them all; else 0.
 LANES_INLINE ptrdiff_t floors_few(const struct model *m) {
-    return state_is_uniform(m) && m->chain.n <= 2 * LANES_WIDTH ? m->chain.n : 0;
+    return state_is_uniform(m) && m->chain.n <= 2L * LANES_WIDTH ? m->chain.n : 0;
 }
 
 // A function for each number of few floors, which is a constant there, and for all others.
 #define FLOORS_BY_FEW(m, function, ...)                                                            \
-    (floors_few(m) == LANES_WIDTH       ? function(__VA_ARGS__, LANES_WIDTH)                       \
-     : floors_few(m) == 2 * LANES_WIDTH ? function(__VA_ARGS__, 2L * LANES_WIDTH)                  \
-                                        : function(__VA_ARGS__, 0))
+    (floors_few(m) == LANES_WIDTH        ? function(__VA_ARGS__, LANES_WIDTH)                      \
+     : floors_few(m) == 2L * LANES_WIDTH ? function(__VA_ARGS__, 2L * LANES_WIDTH)                 \
+                                         : function(__VA_ARGS__, 0))
 
 static const struct floors_lines elastic = {0};
 
