@@ -266,6 +266,12 @@ static int run_study(const struct model *first, const struct run_options *o,
     return study_display_status(p.n_failed, p.n_run, result->path, p.failure);
 }
 
+// Is an option given that has no meaning for a single analysis?
+static bool wants_study(const struct run_options *o) {
+    return o->shard.n > 0 || o->take.n > 0 || o->retry || o->histories || o->steps_max > 0 ||
+           o->seconds_max > 0.0;
+}
+
 static int run_model(void *options, const struct model *m) {
     const struct run_options *o = options;
     assert(o->load.path);
@@ -280,7 +286,7 @@ static int run_model(void *options, const struct model *m) {
         return command_no_memory();
     }
     if (check_output(m, o, result.path, &e) != STATUS_OK ||
-        (o->shard.n > 0 && deck_command_check_study(m, &e) != STATUS_OK)) {
+        (wants_study(o) && deck_command_check_study(m, &e) != STATUS_OK)) {
         return command_fail(&e);
     }
     interrupt_catch();

@@ -26,6 +26,11 @@ done
 two_buildings one.deck
 run "$jostle" run one.deck --shard 1/2
 expect "an analysis has no parts" '[ $status -eq 2 ] && said "one.deck is not a study" && [ ! -e one.1-of-2.h5 ]'
+for option in '--histories 1' '--retry' '--take two.h5' '--steps 9' '--seconds 9'; do
+    # shellcheck disable=SC2086  # an option and its value
+    run "$jostle" run one.deck $option
+    expect "nor does it take $option" '[ $status -eq 2 ] && said "one.deck is not a study" && [ ! -e one.h5 ]'
+done
 run "$jostle" run study.deck --shard 1/4 --shard 2/4
 expect "one part is named" '[ $status -eq 2 ] && said "--shard is given twice" && [ ! -s "$out" ]'
 run "$jostle" run study.deck --shard 2/4
