@@ -55,8 +55,11 @@ static int parse_factor(const struct model *m, const char *word, double *factor)
         only = n == (size_t)(equals - word) && memcmp(name, word, n) == 0 ? i : only;
     }
     double value;
-    if ((equals && only < 0) || !quantity_whole(number, &dimension_none, BARE_ALLOWED, &value) ||
-        !(value > 0.0)) {
+    if (equals && only < 0) {
+        return command_usage(&command_gap, "--factor %s: the deck has no building of this name",
+                             word);
+    }
+    if (!quantity_whole(number, &dimension_none, BARE_ALLOWED, &value) || !(value > 0.0)) {
         return command_usage(&command_gap,
                              "--factor takes a number > 0 or BUILDING=NUMBER, not '%s'", word);
     }
