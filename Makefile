@@ -184,7 +184,7 @@ PAGES = docs_current docs_examples input_decks picture_numbers suites link layer
 asan: setup  ## the tests under the address and undefined-behaviour sanitizers
 	@ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/support/lsan.supp:print_suppressions=0 \
-	    JOSTLE_SANITIZED=1 $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g' \
+	    JOSTLE_SANITIZED=1 $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g1' \
 	    EXCEPT='$(PAGES:%=tests/cli/%.sh)'
 
 coverage: setup  ## the tests, and the share of lines of each file that they run
@@ -194,7 +194,7 @@ coverage: setup  ## the tests, and the share of lines of each file that they run
 
 fuzz:  ## random input to every reader, FUZZ_SECONDS each, by clang's libFuzzer
 	$(SETUP) build fuzz
-	@$(MAKE) fuzz-run BUILD=build/fuzz CC=clang CFLAGS='-O1 -g' \
+	@$(MAKE) fuzz-run BUILD=build/fuzz CC=clang CFLAGS='-O1 -g1' \
 	    SANITIZE=fuzzer-no-link,address,undefined
 
 .PHONY: fuzz-run
