@@ -126,6 +126,7 @@
 #define result_verify jostle_result_verify
 #define results_free jostle_results_free
 #define row_dimension jostle_row_dimension
+#define row_find jostle_row_find
 #define signal_add_values jostle_signal_add_values
 #define signal_init_samples jostle_signal_init_samples
 #define signal_integrals jostle_signal_integrals

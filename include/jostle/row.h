@@ -59,6 +59,9 @@ struct row {
 #define ROW_OF(key, kind, flags, of, range, fallback, doc)                                         \
     { key, kind, flags, of, range, fallback, doc }
 
+// The place of the row with this key among n; -1: none.
+int row_find(const struct row *row, int n, const char *key);
+
 // The dimension of the row where the exponent is `power`.
 struct dimension row_dimension(const struct row *row, double power);
 

@@ -31,7 +31,7 @@ enum { PARTS = 60, STEPS = 100, SAMPLE_STEPS = 20 };
 
 static bool has_key(const void *of, const char *key) {
     const struct loop_law *law = of;
-    return storey_loop_row(law->row, law->n_row, key) >= 0 || strcmp(key, rows[STIFFNESS].key) == 0;
+    return row_find(law->row, law->n_row, key) >= 0 || strcmp(key, rows[STIFFNESS].key) == 0;
 }
 
 // Which rows a fit finds: the stiffness and required numbers that are not given, and those of
@@ -49,7 +49,7 @@ static bool choose_found(struct deck *d, const struct statement *s, bool *found,
         found[r] = required && !deck_option(s, law->row[r].key, &n);
     }
     for (int i = 0; find && i < n_find; i++) {
-        const int r = storey_loop_row(law->row, law->n_row, find[i].text);
+        const int r = row_find(law->row, law->n_row, find[i].text);
         const enum row_kind kind = r >= 0 ? law->row[r].kind : ROW_TEXT;
         if (kind != ROW_NUMBER && kind != ROW_LIST) {
             return deck_error(d, &find[i], "%s has no number -%s that could be found", law->name,

@@ -30,12 +30,7 @@ const struct contact_law *contact_law_find(const char *name) {
 
 int contact_law_row(const struct contact_law *law, const char *key) {
     assert(law && key);
-    for (int i = 0; i < law->n_row; i++) {
-        if (strcmp(law->row[i].key, key) == 0) {
-            return i;
-        }
-    }
-    return -1;
+    return row_find(law->row, law->n_row, key);
 }
 
 int contact_law_curve(const struct contact_law *law) {

@@ -97,11 +97,8 @@ struct link_law link_law_at(int i) {
 }
 
 bool link_law_has(const struct link_law *law, int row) {
-    bool has = law->only == 0 || row < LINK_ROW_TENSION_ONLY;
-    for (int r = 0; r < law->n_row; r++) {
-        has = has && strcmp(law->row[r].key, link_law_rows[row].key) != 0;
-    }
-    return has;
+    return (law->only == 0 || row < LINK_ROW_TENSION_ONLY) &&
+           row_find(law->row, law->n_row, link_law_rows[row].key) < 0;
 }
 
 static const struct storey_law *link_law_of(const double *constant) {

@@ -3,7 +3,6 @@
 
 #include <assert.h>
 #include <gsl/gsl_math.h>
-#include <string.h>
 
 #include "law/bilateral.h"
 #include "law/maxwell.h"
@@ -43,14 +42,6 @@ void storey_loop_of_link(const struct link_law *from, struct loop_law *out) {
     for (int r = from->law ? 1 : 0; r < from->n_row; r++) {
         storey_loop_add_row(out, &from->row[r], from->law ? r : LINK_ROWS + r);
     }
-}
-
-int storey_loop_row(const struct row *row, int n, const char *key) {
-    int r = n - 1;
-    while (r >= 0 && strcmp(row[r].key, key) != 0) {
-        r--;
-    }
-    return r;
 }
 
 int storey_loop_prepare(const struct loop_law *law, const double *value, double stiffness,

@@ -30,9 +30,6 @@ struct loop_law {
 void storey_loop_of_storey(const struct storey_law *from, struct loop_law *out);
 void storey_loop_of_link(const struct link_law *from, struct loop_law *out);
 
-// The place of the row with this key among n; -1: none.
-int storey_loop_row(const struct row *row, int n, const char *key);
-
 // Computes the constants from the values of the rows (NAN: not given) and the initial stiffness
 // (NAN: 0, for a law that does not need one).
 int storey_loop_prepare(const struct loop_law *law, const double *value, double stiffness,

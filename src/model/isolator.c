@@ -39,7 +39,7 @@ static void isolator_set(struct builder *b, struct building_draft *d,
         value[r] = law->row[r].fallback;
     }
     for (int i = 0; i < n; i++) {
-        const int row = storey_loop_row(law->row, law->n_row, of[i].key);
+        const int row = row_find(law->row, law->n_row, of[i].key);
         assert(row >= 0);
         value[row] = of[i].value;
     }

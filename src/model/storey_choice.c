@@ -106,7 +106,7 @@ bool storey_choices_spread(struct builder *b, struct storey_choices *c, int n, c
     const bool good =
         storey_choices_rows(b, law->row, law->n_row, c->given, n, owner, c->value) &&
         storey_choices_rows(b, damage, STOREY_DAMAGE_COUNT, c->damage, n, owner, c->damage_value);
-    const int yield = storey_loop_row(law->row, law->n_row, "yield");
+    const int yield = row_find(law->row, law->n_row, "yield");
     if (yield >= 0 && c->value[yield]) {
         c->yield = c->value[yield];
         c->yield_row = yield;

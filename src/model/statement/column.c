@@ -112,7 +112,7 @@ static bool read_options(struct builder *b, const struct statement *s, struct ar
     }
     const struct storey_law *law = storey_choice_find_rateless(b->deck, &s->word[2]);
     for (int i = 0; law && i < N_ROW; i++) {
-        if (storey_loop_row(law->row, law->n_row, rows[i].key) >= 0) {
+        if (row_find(law->row, law->n_row, rows[i].key) >= 0) {
             return deck_error(b->deck, &s->word[2],
                               "law %s has the option -%s, which column has, too; give another law",
                               law->name, rows[i].key);
