@@ -41,7 +41,7 @@ static int find_velocities(const struct model *m, int n_contact, double *velocit
         }
     }
     for (int i = 0; i < m->n_column; i++) {
-        const struct link *spring = &m->link[m->n_link - m->n_column + i];
+        const struct link *spring = &m->link[struck_column_spring(m, i)];
         velocity[m->column[i].dof[0]] = link_at(spring, 0, velocity);
     }
     return STATUS_OK;

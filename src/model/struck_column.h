@@ -44,6 +44,11 @@ int struck_column_points(const struct builder *b, int building);
 // first one of its building.
 struct struck_column struck_column_place(struct builder *b, int i, int point, int first);
 
+// The link that is the spring of column i.
+static inline int struck_column_spring(const struct model *m, int i) {
+    return m->n_link - m->n_column + i;
+}
+
 // A force in the column at displacements u (n_dof), and the force of its spring.
 static inline double struck_column_force(const struct struck_column *c, enum column_force force,
                                          const double *u, double spring) {

@@ -197,7 +197,7 @@ double state_rate(const struct state *s, const struct model *m, int k) {
 
 void state_struck(const struct state *s, const struct model *m, double *u) {
     for (int i = 0; i < m->n_column; i++) {
-        const int spring = m->n_link - m->n_column + i, point = m->column[i].dof[0];
+        const int spring = struck_column_spring(m, i), point = m->column[i].dof[0];
         if (m->column[i].yields) {
             u[point] = struck_column_elastic(
                 &m->column[i], s->u[point], state_penetration(s, m, spring), s->link[spring].force);

@@ -54,7 +54,7 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
 
 void peaks_columns(struct results *r, const struct model *m, const struct state *s) {
     for (int i = 0; i < m->n_column; i++) {
-        const double spring = s->link[m->n_link - m->n_column + i].force;
+        const double spring = s->link[struck_column_spring(m, i)].force;
         for (enum column_force q = 0; q < COLUMN_FORCE_COUNT; q++) {
             peaks_column(&r->column[i][q], struck_column_force(&m->column[i], q, s->u, spring),
                          s->time);

@@ -237,23 +237,24 @@ static void dp_part_shears(struct dp *p, const struct building *g) {
 
 // The force of the spring of column i, which has a law, at the end of the step.
 static double dp_column_spring(const struct dp *p, int i) {
-    const int k = p->model->n_link - p->model->n_column + i;
+    const int k = struck_column_spring(p->model, i);
     return dp_rates_response(p, k, p->next.delta[k], 0.0).force;
 }
 
-// The displacement x of a struck point, in the forces of members. *linear becomes false if its
-// column has a law: then they are known at the end of the step only.
-static double dp_struck(const struct dp *p, int point, const double *x, bool *linear) {
+// The number of the column with this struck point, which is a body behind the buildings.
+static int dp_column_at(const struct dp *p, int point) {
+    return p->system.building[point] - p->model->n_building;
+}
+
+// The displacement of a struck point at displacements x, in the forces of members. That of a column
+// with a law is right at the end of the step only.
+static double dp_struck(const struct dp *p, int point, const double *x) {
     const struct model *m = p->model;
-    int i = 0;
-    while (m->column[i].dof[0] != point) {
-        i++;
-    }
-    *linear &= !m->column[i].yields;
-    return m->column[i].yields ? struck_column_elastic(&m->column[i], x[point],
-                                                       p->next.delta[m->n_link - m->n_column + i],
-                                                       dp_column_spring(p, i))
-                               : x[point];
+    const int i = dp_column_at(p, point);
+    const struct struck_column *c = &m->column[i];
+    return c->yields ? struck_column_elastic(c, x[point], p->next.delta[struck_column_spring(m, i)],
+                                             dp_column_spring(p, i))
+                     : x[point];
 }
 
 // The forces that follow from the drifts of a building. They are linear in the displacements, but
@@ -262,14 +263,17 @@ static double dp_struck(const struct dp *p, int point, const double *x, bool *li
 static void dp_members(struct dp *p, const struct building *g) {
     const struct state *now = &p->now, *next = &p->next;
     const double *const x[DP_FORCES] = {next->u, now->u, now->v, next->v, now->a, next->a};
-    bool linear = g->n_hinge == 0;
     double *drift = p->system.drift, *const *f = p->force;
+    bool linear = g->n_hinge == 0;
+    for (int i = 0; i < g->n_struck; i++) {
+        linear &= !p->model->column[dp_column_at(p, g->struck[i])].yields;
+    }
     for (int k = 0; k < (linear ? DP_FORCES : 1); k++) {
         for (int i = g->first; i < g->first + g->n_dof; i++) {
             drift[i] = dp_drift(p, 0, i, x[k]);
         }
         for (int i = 0; i < g->n_struck; i++) {
-            drift[g->struck[i]] = dp_struck(p, g->struck[i], x[k], &linear);
+            drift[g->struck[i]] = dp_struck(p, g->struck[i], x[k]);
         }
         forces_at(g, drift + g->first, next->storey_history, drift, f[k]);
     }
