@@ -26,19 +26,19 @@
 
 enum { LINE_POINTS = 10, LINE_NAME = 13, LINE_PEAK = 14, LINE_COUNTS = 20, LINE_FACTOR = 21 };
 enum { LINE_STEP = 23, HEADER_LINES = 26, ROW = 10 };
-enum { ACCELERATIONS, VELOCITIES, DISPLACEMENTS, N_KIND };
+enum { VELOCITIES, DISPLACEMENTS, N_OTHER };
 
 static const struct fixed_format columns = {.n = ROW, .width = 8};
 static const char none[] =
     "the file has no line 'Corrected accelerogram' or 'Uncorrected accelerogram' of 'GNS Science'";
 static const double DURATION_ROUNDING = 0.01;  // [s]
 
-// A component: its first line, and the numbers of its values.
+// A component: its first line, and the numbers of its other values.
 struct component {
     struct piece name;
     struct lines title;
     const struct record_reader *reading;
-    double count[N_KIND];
+    double other[N_OTHER];
 };
 
 static bool is_title(struct piece line) {
@@ -81,28 +81,29 @@ static struct header_entry number(const struct component *c, const char *key, in
 }
 
 static bool read_counts(struct component *c) {
-    static const char *const names[] = {"number of accelerations", "number of velocities",
-                                        "number of displacements"};
-    const struct header_entry told =
-        word_behind(c, LINE_POINTS, "Number of points", "NUMBER OF POINTS");
+    static const char *const names[] = {"number of velocities", "number of displacements"};
+    const struct record_content *out = c->reading->out;
+    const struct header_entry count = number(c, "number of accelerations", LINE_COUNTS, 4),
+                              told = word_behind(c, LINE_POINTS, "Number of points",
+                                                 "NUMBER OF POINTS");
     double points;
-    for (int i = 0; i < N_KIND; i++) {
-        const struct header_entry entry = number(c, names[i], LINE_COUNTS, 4 + (size_t)i);
-        double *n = &c->count[i];
-        if (i == ACCELERATIONS ? !header_take(c->reading, HEADER_COUNT, &entry)
-                               : !header_number(c->reading, &entry, n)) {
+    if (!header_take(c->reading, HEADER_COUNT, &count)) {
+        return false;
+    }
+    for (int i = 0; i < N_OTHER; i++) {
+        const struct header_entry entry = number(c, names[i], LINE_COUNTS, 5 + (size_t)i);
+        double *n = &c->other[i];
+        if (!header_number(c->reading, &entry, n)) {
             return false;
         }
-        *n = i == ACCELERATIONS ? c->reading->out->npts : *n;
         if (*n != floor(*n) || *n < 0 || *n > 1e9) {
             return record_fail(c->reading, entry.line, "%s is %g; it must be a whole number >= 0",
                                names[i], *n);
         }
     }
-    return (lines_number(told.value, &points) == NUMBER_OK && points == c->count[ACCELERATIONS]) ||
+    return (lines_number(told.value, &points) == NUMBER_OK && points == out->npts) ||
            record_fail(c->reading, told.line, "Number of points '%s'; line %d says %.0f",
-                       lines_excerpt(told.value).text, c->reading->out->count_line,
-                       c->count[ACCELERATIONS]);
+                       lines_excerpt(told.value).text, out->count_line, out->npts);
 }
 
 // Reads the time step and checks the duration. The duration is n - 1 steps; n steps are accepted
@@ -149,7 +150,7 @@ static bool read_acceleration(const struct component *c) {
 
 // Checks that the lines of velocities and displacements follow, and no further accelerations.
 static bool check_end(const struct component *c, struct lines l) {
-    const double rows = ceil(c->count[VELOCITIES] / ROW) + ceil(c->count[DISPLACEMENTS] / ROW);
+    const double rows = ceil(c->other[VELOCITIES] / ROW) + ceil(c->other[DISPLACEMENTS] / ROW);
     double n = 0;
     while (lines_next(&l) && !is_title(l.line)) {
         n += l.line.n > 0;
@@ -157,7 +158,7 @@ static bool check_end(const struct component *c, struct lines l) {
     return n == rows || record_fail(c->reading, c->reading->out->count_line,
                                     "%.0f lines follow the accelerations; %.0f velocities and "
                                     "%.0f displacements fill %.0f",
-                                    n, c->count[VELOCITIES], c->count[DISPLACEMENTS], rows);
+                                    n, c->other[VELOCITIES], c->other[DISPLACEMENTS], rows);
 }
 
 static bool geonet_read(const struct record_reader *r) {
