@@ -180,24 +180,27 @@ static bool mix(const struct random_values *r, size_t *order, double *other, dou
         z[i] = r->weight[r->n_before] * gsl_cdf_ugaussian_Pinv(u[i]);
     }
     for (int k = r->n_before - 1; k >= 0; k--, from = from->before) {
-        if (r->weight[k] != 0.0 && !draw_alone(from, order, other)) {
+        if (r->weight[k] == 0.0) {
+            continue;
+        }
+        if (!draw_alone(from, order, other)) {
             return false;
         }
-        for (size_t i = 0; r->weight[k] != 0.0 && i < n; i++) {
+        for (size_t i = 0; i < n; i++) {
             z[i] += r->weight[k] * gsl_cdf_ugaussian_Pinv(other[i]);
         }
     }
     if (r->plan == RANDOM_LATIN) {
         gsl_sort_index(order, z, 1, n);
-        gsl_sort(u, 1, n);
         memcpy(other, u, n * sizeof *u);
+        gsl_sort(other, 1, n);
+        for (size_t i = 0; i < n; i++) {
+            u[order[i]] = other[i];
+        }
+        return true;
     }
     for (size_t i = 0; i < n; i++) {
-        if (r->plan == RANDOM_LATIN) {
-            u[order[i]] = other[i];
-        } else {
-            u[i] = gsl_cdf_ugaussian_P(z[i]);
-        }
+        u[i] = gsl_cdf_ugaussian_P(z[i]);
     }
     return true;
 }

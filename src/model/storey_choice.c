@@ -58,7 +58,9 @@ bool storey_choice_read(struct deck *d, const struct statement *s, const struct 
     struct row row[LOOP_ROWS_MAX];
     for (int r = 0; r < n_row; r++) {
         row[r] = of[r];
-        row[r].flags &= found && found[r] ? ~(unsigned)ROW_REQUIRED : ~0u;
+        if (found && found[r]) {
+            row[r].flags &= ~(unsigned)ROW_REQUIRED;
+        }
     }
     struct row_set set[] = {*own, {row, n_row, out->given}};
     if (!deck_options(d, s, set, 2)) {
