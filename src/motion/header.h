@@ -32,10 +32,9 @@ enum header_kind {
 struct header_row {
     enum header_kind kind;
     const char *key;
-    const char
-        *until;  // the value ends before one of these characters; NULL: at the end of the line
-    const char *unit;  // which the file may write behind the number; NULL: none
-    bool channels;     // a slash and a value for each channel
+    const char *until;  // characters that end the value; NULL: it ends with the line
+    const char *unit;   // which the file may write behind the number; NULL: none
+    bool channels;      // a slash and a value for each channel
     bool optional;
 };
 

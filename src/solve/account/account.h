@@ -82,7 +82,8 @@ int impacts_start(struct impact_log *log, const struct state *s, struct error *e
 int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
                  struct error *e);
 
-// Time from the start of the step of length h at which link k opens, and how fast it grows then.
+// Time from the start of the step of length h at which link k opens, and in *rate the velocity of
+// its penetration then [L/T].
 double impacts_opening(const struct model *m, const struct state *now, const struct state *next,
                        double h, int k, double *rate);
 
@@ -163,6 +164,13 @@ static inline void peaks_force(struct results *r, int k, double force, double ti
     peak_larger(force, time, &r->link[k].force, &r->link[k].force_time);
 }
 
+// Raises both to those of live link k in state `s`.
+static inline void peaks_link(struct results *r, const struct model *m, const struct state *s,
+                              int k) {
+    peaks_force(r, k, peaks_size(m, k, s->link[k].force), s->time);
+    peaks_penetration(r, k, peaks_size(m, k, s->delta[k]), s->time);
+}
+
 // Take a value of a force in a struck column, and of force i of those that follow from drifts.
 static inline void peaks_column(struct column_peak *p, double x, double time) {
     peak_larger(x, time, &p->max, &p->max_time);
@@ -182,13 +190,6 @@ static inline void peaks_member(struct results *r, int i, double x, double time)
 static inline void peaks_storey(struct results *r, enum peak q, int i, double x, double time) {
     const int k = q == PEAK_SHEAR;
     peak_larger(fabs(x), time, &r->founded_peak[k][i], &r->founded_time[k][i]);
-}
-
-// The same from state `s`, of a live link.
-static inline void peaks_link(struct results *r, const struct model *m, const struct state *s,
-                              int k) {
-    peaks_force(r, k, peaks_size(m, k, s->link[k].force), s->time);
-    peaks_penetration(r, k, peaks_size(m, k, s->delta[k]), s->time);
 }
 
 // What storeys and hinges that yield have gone through: energies, ductilities, and how far they

@@ -199,8 +199,7 @@ double exact_solve(struct work *w, const struct state *now, struct state *next, 
 void exact_visit(struct work *w, const struct state *now, struct state *next,
                  struct link_scratch *p, struct progress *progress);
 
-// The links in a step: which act (contact_step.c), and their forces at its end, with the buildings
-// linear about their trial state.
+// Which links act (contact_step.c), and the forces of all of them together (contact.c).
 
 // Makes the links that are closed in `now` live in `next`, with a guess of their forces; the others
 // are open.
