@@ -220,7 +220,7 @@ static int write_loops(void *context, const struct figure_files *to, struct erro
                                        .shears = l->kind->force,
                                        .turns = l->kind->turns,
                                        .progress = l->shear ? "sample" : "turn",
-                                       .n_sample = l->n_sample,
+                                       .n_sample = l->shear ? l->n_target : 0,
                                        .drift = l->target,
                                        .shear = l->shear};
     return loop_figure_write(&figure, to, e);

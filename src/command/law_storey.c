@@ -189,11 +189,10 @@ static int read_loop(struct law_storeys *l, const char *path, struct error *e) {
         {.name = "force", .dimension = l->kind->of_force, .unit = 1.0},
     };
     const double *value[2] = {0};
-    const int status = time_series_columns(l->deck->arena, path, column, 2, value, &l->n_sample, e);
+    const int status = time_series_columns(l->deck->arena, path, column, 2, value, &l->n_target, e);
     l->protocol = path;
     l->target = value[0];
     l->shear = value[1];
-    l->n_target = l->n_sample;
     return status;
 }
 
@@ -203,7 +202,7 @@ static int fit(struct law_storeys *l, struct law_storey *s, struct error *e) {
                                          .stiffness = s->stiffness,
                                          .row = s->found,
                                          .n_row = s->n_found,
-                                         .n = l->n_sample,
+                                         .n = l->n_target,
                                          .drift = l->target,
                                          .shear = l->shear};
     const int status = storey_fit_run(&q, &s->fit, e);

@@ -50,10 +50,9 @@ struct law_storeys {
     double period;         // [T] of a cycle; 0: slowly
     const double *target;  // (n_target) deformations
     size_t n_target;
-    int n_part;      // points from one target to the next
-    size_t n_point;  // n_target n_part + 1
-    size_t n_sample;
-    const double *shear;  // (n_sample) measured at the targets; NULL: none were
+    int n_part;           // points from one target to the next
+    size_t n_point;       // n_target n_part + 1
+    const double *shear;  // (n_target) measured at the targets; NULL: none were
 };
 
 // Reads the laws and runs them. Returns EXIT_DONE or, after a message, the exit status.
