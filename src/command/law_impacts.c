@@ -24,9 +24,7 @@ static const struct row rows[N_ROW] = {
 static bool estimates(const char *key) {
     bool found = strcmp(key, law_choice_rows[LAW_CHOICE_K_FROM].key) == 0;
     for (int i = 0; i < n_stiffness_estimate; i++) {
-        for (int r = 0; r < stiffness_estimates[i].n_row; r++) {
-            found |= strcmp(key, stiffness_estimates[i].row[r].key) == 0;
-        }
+        found |= row_find(stiffness_estimates[i].row, stiffness_estimates[i].n_row, key) >= 0;
     }
     return found;
 }
