@@ -10,7 +10,7 @@
 #include "law/storey_loop.h"
 #include "model/storey_choice.h"
 
-// Laws of storeys, those of hinges, which are the same of other quantities, or those of links.
+// Laws of storeys; laws of hinges, which are storey laws of moment and rotation; laws of links.
 struct law_storey_kind {
     const char *name;                 // behind `jostle law`
     const char *deformation, *force;  // what its quantities are called

@@ -45,7 +45,7 @@ struct link_law {
 extern const int n_link_law;
 struct link_law link_law_at(int i);
 
-// That of a storey law, which must not depend on the velocity.
+// The law of a link with this storey law, which must not depend on the velocity.
 struct link_law link_law_of_storey(const struct storey_law *law);
 
 // Rows of links with a storey law (LINK_ROWS).

@@ -64,8 +64,8 @@ int storey_loop_prepare(const struct loop_law *law, const double *value, double 
                          : link_law_prepare(&law->link, all, constant, e);
 }
 
-// Goes to this deformation in a step of length `dt`, and brings the history there. The tangent is
-// that by the deformation. The velocity is that at the end.
+// Goes to this deformation in a step of length `dt`, and brings the history there. `velocity` is
+// that at the end of the step. The tangent is the derivative of the force by the deformation.
 static struct storey_response storey_loop_advance(const struct loop_law *law,
                                                   const double *constant, double *history,
                                                   double deformation, double velocity, double dt) {

@@ -40,7 +40,7 @@ static inline struct wear wear_at(const double *c, const struct worn *at) {
     return w;
 }
 
-// dz/ds and its derivatives by z and by e. At z = 0 that by z is of the side ahead.
+// dz/ds and its derivatives by z and by e. At z = 0 the derivative by z is that of the side ahead.
 struct worn_rates {
     double rate, by_z, by_e;
 };

@@ -46,8 +46,8 @@ struct foundation_row {
 struct foundation_row foundation_row(const struct building *g, int i);
 
 // The drift of the storey below floor `dof` of building `g` at the displacements x (n_dof of the
-// model), an array of core/lanes.h, or the same difference of others: with a foundation, that of
-// the storey alone. The second function finds the building.
+// model), an array of core/lanes.h. x may also be velocities or accelerations. With a foundation it
+// is the drift of the storey alone. The second function finds the building.
 double foundation_drift(const struct model *m, const struct building *g, int dof, const double *x);
 double foundation_across(const struct model *m, int dof, const double *x);
 

@@ -23,8 +23,8 @@ const struct storey_law *storey_choice_find_rateless(struct deck *d, const struc
 // The law of a link that the word names; false after a report that there is none.
 bool storey_choice_find_link(struct deck *d, const struct word *name, struct link_law *out);
 
-// n rows of a law as those of one of moment and rotation: forces become moments, and lengths become
-// angles.
+// The n rows `from` of a law, for a law of moment and rotation: forces become moments, and lengths
+// become angles.
 void storey_choice_turn(const struct row *from, int n, struct row *row);
 
 // Reads the options of `s`, those of `own` and the n_row rows `of` of the law, and sets the values.

@@ -26,9 +26,9 @@ struct storeys {
 struct link_scratch;
 
 // Clusters: live links that are connected by buildings that they share. Newton steps on all links
-// of a cluster at once speed up the sweeps of contact.c. Here they are found, and the scratch of
-// their steps is. A cluster has the number of one of its buildings. Arrays (n_building) but where
-// another shape is given.
+// of a cluster at once speed up the sweeps of contact.c. This struct lists the clusters, and has
+// the scratch of these steps. A cluster has the number of one of its buildings. Arrays are
+// (n_building) if no other shape is given.
 struct clusters {
     int *leader;      // of each building, towards the one whose number its cluster has
     int *first;       // of each cluster, its first live link; -1: it has none

@@ -150,7 +150,8 @@ static inline void peak_smaller(double x, double time, double *peak, double *pea
     *peak = x < *peak ? x : *peak;
 }
 
-// What counts of a force or penetration x of link k: of a bilateral one its size.
+// The value that peaks take of a force or penetration x of link k: its size, if the link is
+// bilateral.
 static inline double peaks_size(const struct model *m, int k, double x) {
     return k >= m->n_contact ? fabs(x) : x;
 }
