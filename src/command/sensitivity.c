@@ -7,9 +7,9 @@
 #include "command/deck_command.h"
 #include "command/printer.h"
 #include "command/progress.h"
-#include "command/quantity_word.h"
 #include "command/suite_options.h"
 #include "core/arena.h"
+#include "core/quantity.h"
 #include "core/safe.h"
 
 static int sensitivity_command(int argc, char **argv);

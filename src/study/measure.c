@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/quantity.h"
 #include "core/text.h"
 #include "jostle/intensity.h"
 #include "jostle/spectrum.h"
@@ -66,35 +67,19 @@ bool measure_is_named(const char *text) {
            begins(text, "Sa_avg(", NULL);
 }
 
-// A number at the start of a text in units of the size `own`, which it has without a unit. Returns
-// what follows; NULL: it is none.
-static const char *read_number(const char *text, const struct unit_system *u,
-                               struct dimension dimension, double own, double *out) {
-    const char *end, *behind;
-    struct dimension found;
-    double size;
-    if (text_number(text, &end, out) != TEXT_NUMBER_OK) {
-        return NULL;
-    }
-    if (!unit_parse(end, u->gravity, &behind, &found, &size)) {
-        return end;
-    }
-    *out = unit_convert(*out, size, own);
-    return dimension_equal(found, dimension) ? behind : NULL;
-}
-
 // What stands in brackets: a period or two, and a damping ratio. Returns what follows; NULL: it is
 // something else.
 static const char *read_periods(const struct unit_system *u, const char *at, struct measure *m) {
     const int n = m->kind == MEASURE_SA_AVG ? 2 : 1;
     for (int i = 0; i < n && at; i++) {
         at = *at == (i == 0 ? '(' : ':')
-                 ? read_number(at + 1, u, dimension_time, u->time, &m->period[i])
+                 ? quantity_word(at + 1, u, &dimension_time, BARE_ALLOWED, &m->period[i])
                  : NULL;
     }
     m->damping = DAMPING;
     if (at && *at == ',') {
-        at = read_number(at + 1 + strspn(at + 1, " "), u, dimension_none, 1.0, &m->damping);
+        at = quantity_word(at + 1 + strspn(at + 1, " "), u, &dimension_none, BARE_ALLOWED,
+                           &m->damping);
     }
     const bool sound = at && *at == ')' && m->period[0] > 0.0 && isfinite(m->period[0]) &&
                        (n == 1 || (m->period[1] > m->period[0] && isfinite(m->period[1]))) &&
