@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/run_pairs.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,11 +58,6 @@ static int compare_pairs(const void *a, const void *b) {
     const struct run_pair *p = a, *q = b;
     return p->row[0] != q->row[0] ? (p->row[0] > q->row[0]) - (p->row[0] < q->row[0])
                                   : (p->row[1] > q->row[1]) - (p->row[1] < q->row[1]);
-}
-
-static int compare_numbers(const void *a, const void *b) {
-    const double *p = a, *q = b;
-    return (*p > *q) - (*p < *q);
 }
 
 static double in_si(const struct study_view *v, const struct sweep *s, int i) {
@@ -260,7 +256,7 @@ static int summarise(const struct run_pairs *p, struct run_ratios *r, struct err
     for (long i = 0; i < r->n; i++) {
         square += (log(ratio[i]) - mean) * (log(ratio[i]) - mean);
     }
-    qsort(ratio, (size_t)r->n, sizeof *ratio, compare_numbers);
+    gsl_sort(ratio, 1, (size_t)r->n);
     r->median = r->n > 0 ? percentile_sorted(ratio, (size_t)r->n, 0.5) : NAN;
     r->dispersion = r->n > 1 ? sqrt(square / (n - 1.0)) : NAN;
     free(ratio);
