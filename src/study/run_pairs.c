@@ -8,6 +8,7 @@
 
 #include "study/demands.h"
 #include "study/percentile.h"
+#include "study/roles.h"
 
 // Numbers that differ by less are the same, as those of a range have rounding errors.
 static const double SAME = 1e-9;
@@ -91,16 +92,9 @@ static int number_values(struct run_pairs *p, struct common *c, struct error *e)
 // The parameter of this name; NULL: there is none. The number of a dimension of paired sweeps is
 // not a parameter.
 static const struct sweep *find(const struct study_view *v, const char *name, int *dimension) {
-    for (int i = 0; i < v->n_sweep; i++) {
-        const struct sweep *s = v->sweep[i]->along ? v->sweep[i]->along : v->sweep[i];
-        for (; s; s = s->along) {
-            if (strcmp(s->name, name) == 0) {
-                *dimension = i;
-                return s;
-            }
-        }
-    }
-    return NULL;
+    const struct sweep *s = roles_find_name(v, name, strlen(name), dimension);
+    const bool counts = s && s == v->sweep[*dimension] && s->along;
+    return counts ? NULL : s;
 }
 
 // Multiplies the ranks by the values of a parameter.
