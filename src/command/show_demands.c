@@ -63,12 +63,10 @@ static int add_columns(struct show *p, const struct edp *edp, struct arena *a, s
     const int n = p->form == DEMAND_EVERYWHERE ? edp->n_term : 1;
     for (int i = 0; i < n; i++) {
         const char *name = edp->quantity->name, *location = edp->term[i].location;
-        const size_t size = strlen(name) + strlen(location) + 2;
-        char *head = arena_alloc(a, size, 1);
+        const char *head = arena_format(a, "%s%s%s", name, location[0] ? ":" : "", location);
         if (!head) {
             return error_no_memory(e);
         }
-        snprintf(head, size, "%s%s%s", name, location[0] ? ":" : "", location);
         printer_add(
             &p->table,
             &(struct printer_column){.key = p->form == DEMAND_EVERYWHERE ? head : edp->text,
