@@ -44,14 +44,14 @@ static const struct {
 };
 enum { N_OF_RECORD = sizeof of_record / sizeof of_record[0] };
 
-// Whether a text begins with the name, in letters of either case, and one of `ends` is behind it;
-// NULL: whatever is.
+// Whether a text begins with the name, in letters of either case, and either ends behind it or goes
+// on with one of `ends`. NULL: the text may go on with any character.
 static bool begins(const char *text, const char *name, const char *ends) {
     while (*name && tolower((unsigned char)*text) == tolower((unsigned char)*name)) {
         text++;
         name++;
     }
-    return !*name && (!ends || strchr(ends, *text));  // the end of the text is one, too
+    return !*name && (!ends || strchr(ends, *text));  // strchr also finds the final 0
 }
 
 static int find_of_record(const char *text) {
@@ -67,8 +67,8 @@ bool measure_is_named(const char *text) {
            begins(text, "Sa_avg(", NULL);
 }
 
-// What stands in brackets: a period or two, and a damping ratio. Returns what follows; NULL: it is
-// something else.
+// Reads the brackets: a period or two, and a damping ratio. Returns the text behind them; NULL:
+// they have something else.
 static const char *read_periods(const struct unit_system *u, const char *at, struct measure *m) {
     const int n = m->kind == MEASURE_SA_AVG ? 2 : 1;
     for (int i = 0; i < n && at; i++) {
@@ -116,7 +116,7 @@ int measure_parse(const struct unit_system *u, const char *text, struct arena *a
     return arena_failed(a) ? error_no_memory(e) : STATUS_OK;
 }
 
-// The ground of the building that is named, or of all; NULL after an error.
+// The ground of the building that the measure names, or the only ground; NULL after an error.
 static const struct ground *find_ground(const struct measure *m, const struct model *model,
                                         struct error *e) {
     for (int i = 0; m->building && i < model->n_building; i++) {
