@@ -231,18 +231,16 @@ static int poll(void *context, struct workers *w, long n_done, struct error *e) 
 }
 
 static int measure_all(struct measuring *s, struct error *e) {
-    const long n = s->view->n_run;
-    const struct workers_request request = {
-        .n_thread = n < s->request->n_thread ? (int)n : s->request->n_thread,
-        .scratch = 1,
-        .n_job = n,
-        .work = work,
-        .poll = poll,
-        .context = s};
+    const struct workers_request request = {.n_thread = s->request->n_thread,
+                                            .scratch = 1,
+                                            .n_job = s->view->n_run,
+                                            .work = work,
+                                            .poll = poll,
+                                            .context = s};
     int status = origin_check(&s->manifest, &s->plan, s->view, e);
     s->records = record_cache_create(RECORD_CACHE_BYTES);
     status = status == STATUS_OK && !s->records ? error_no_memory(e) : status;
-    return status == STATUS_OK && n > 0 ? workers_run(&request, e) : status;
+    return status == STATUS_OK ? workers_run(&request, e) : status;
 }
 
 int measure_runs(const struct study_view *v, const struct measure_request *q,
