@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle fragility: lognormal fragility curves of a study, with the counts they follow from.
-#include <limits.h>
 #include <math.h>
 
 #include "command/crash.h"
@@ -251,15 +250,9 @@ static const struct option_row form_rows[] = {
     {"method", 0, "counts|ida|cloud", OPTION_CHOICE, 0, AT(method),
      .doc = "fits the counts at each intensity (the default), the intensity at which each sample "
             "first exceeds the limit, or the regression of the demand on the intensity"},
-    {"bootstrap", 0, "N", OPTION_WHOLE, 0, AT(n_bootstrap), 1, BOOTSTRAP_MAX,
-     .what = "a number of bootstraps",
-     .doc = "fits N times again, with samples drawn at random, and prints between which values "
-            "95 % of the medians and dispersions are"},
-    {"seed", 0, "S", OPTION_WHOLE, 0, AT(seed), 1, INT_MAX,
-     .doc = "seed of these draws, a whole number from 1; default: 1"},
-    {"hazard", 0, "FILE", OPTION_TEXT, 0, AT(hazard),
-     .doc = "rows of intensity and mean annual rate of exceedance at the site: prints how often in "
-            "a year the limit is exceeded"},
+    STUDY_PRINT_BOOTSTRAP_ROW(AT(n_bootstrap), "samples"),
+    STUDY_PRINT_SEED_ROW(AT(seed)),
+    STUDY_PRINT_HAZARD_ROW(AT(hazard)),
     {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
      .doc = "a line for each limit and intensity, separated by tabs"},
     {0}};

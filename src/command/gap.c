@@ -8,8 +8,8 @@
 #include "command/deck_command.h"
 #include "command/gap_print.h"
 #include "command/progress.h"
-#include "command/quantity_word.h"
 #include "command/suite_options.h"
+#include "core/quantity.h"
 
 static int gap_command(int argc, char **argv);
 

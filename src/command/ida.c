@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle ida: the intensity at which each record first brings a demand beyond a limit, or a
 // building down, by as few runs as the tolerance needs.
-#include <limits.h>
 #include <math.h>
 
 #include "command/deck_command.h"
 #include "command/ida_print.h"
 #include "command/progress.h"
-#include "command/quantity_word.h"
+#include "command/study_print.h"
 #include "command/suite_options.h"
+#include "core/quantity.h"
 
 static int ida_command(int argc, char **argv);
 
@@ -279,16 +279,9 @@ static int ida_command(int argc, char **argv) {
         {"curve", 0, "spline|line|middle", OPTION_CHOICE, 0, AT(curve),
          .doc = "where the limit is crossed between two intensities: on a natural cubic spline "
                 "through all runs (the default), on a line, or at their geometric mean"},
-        {"bootstrap", 0, "N", OPTION_WHOLE, 0, AT(n_bootstrap), 1, BOOTSTRAP_MAX,
-         .what = "a number of bootstraps",
-         .doc = "fits N times again, with records drawn at random, and prints between which values "
-                "95 % of the medians and dispersions are"},
-        {"seed", 0, "S", OPTION_WHOLE, 0, AT(seed), 1, INT_MAX,
-         .doc = "seed of these draws, a whole number from 1; default: 1"},
-        {"hazard", 0, "FILE", OPTION_TEXT, 0, AT(hazard),
-         .doc =
-             "rows of intensity and mean annual rate of exceedance at the site: prints how often "
-             "in a year the limit is exceeded"},
+        STUDY_PRINT_BOOTSTRAP_ROW(AT(n_bootstrap), "records"),
+        STUDY_PRINT_SEED_ROW(AT(seed)),
+        STUDY_PRINT_HAZARD_ROW(AT(hazard)),
         {"curves", 0, "N", OPTION_WHOLE, 0, AT(n_curve), 1, DEMANDS_MAX,
          .what = "a number of demands",
          .doc = "prints the intensities at which 16, 50 and 84 % of the records reach N demands"},

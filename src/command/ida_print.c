@@ -4,7 +4,6 @@
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "command/study_print.h"
 #include "core/safe.h"
@@ -149,8 +148,7 @@ static void print_fit(const struct ida_print *p, int group, const struct group_c
 static int print_groups(struct ida_print *p, int n_group, struct group_curve *curve,
                         struct error *e) {
     const char *im = p->view->sweep[p->roles->abscissa]->name;
-    const char *unit = p->request->unit[0] ? p->request->unit : NULL;
-    const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
+    const char *unit = p->request->unit, *edp_unit = unit_suffix(p->request->edp.units);
     const int n_sample = roles_count(p->view, p->roles, ROLE_SAMPLE);
     struct printer_column columns[] = {
         {.head = "below", .key = "below", .unit = unit, .width = 12, .digits = 5},
@@ -202,8 +200,7 @@ int ida_print_samples(struct ida_print *p, struct error *e) {
 }
 
 int ida_print_points(struct ida_print *p, struct error *e) {
-    const char *unit = p->request->unit[0] ? p->request->unit : NULL;
-    const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
+    const char *unit = p->request->unit, *edp_unit = unit_suffix(p->request->edp.units);
     struct printer_column columns[] = {
         {.head = p->request->intensity,
          .key = p->request->intensity,
@@ -266,8 +263,7 @@ static void print_curve(struct ida_print *p, int group, int n_demand, double *in
 }
 
 int ida_print_curves(struct ida_print *p, int n, struct error *e) {
-    const char *unit = p->request->unit[0] ? p->request->unit : NULL;
-    const char *edp_unit = strcmp(p->request->edp.units, "1") ? p->request->edp.units : NULL;
+    const char *unit = p->request->unit, *edp_unit = unit_suffix(p->request->edp.units);
     const int n_group = roles_count(p->view, p->roles, ROLE_GROUP);
     const size_t n_sample = (size_t)roles_count(p->view, p->roles, ROLE_SAMPLE);
     double *intensity = malloc(n_sample * sizeof *intensity);

@@ -8,7 +8,7 @@
 #include "command/law_storey.h"
 #include "command/option.h"
 #include "command/picture.h"
-#include "command/quantity_word.h"
+#include "core/quantity.h"
 #include "plot/figure.h"
 #include "plot/pictures.h"
 #include "result/partial_file.h"

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/quantity_word.h"
 #include "core/arena.h"
+#include "core/quantity.h"
 
 enum { PERIODS_MAX = 100000 };
 static const double PERIOD_MIN = 1e-3, PERIOD_MAX = 1e3;  // [s]

@@ -21,7 +21,7 @@ enum printer_look { LOOK_G, LOOK_F, LOOK_E, LOOK_READ, LOOK_TAIL, LOOK_WHOLE = 0
 struct printer_column {
     const char *head;                   // over the column of text; NULL: it is not in text
     const char *key;                    // its name in data; NULL: it is not in data
-    const char *unit;                   // stands with the name; NULL: that of `dimension`
+    const char *unit;                   // stands with the name; "": none; NULL: that of `dimension`
     const struct dimension *dimension;  // NULL: none
     int width;  // of text; 0 and below: aligned at the left, with two blanks before it
     int digits;

@@ -7,9 +7,9 @@
 #include "command/deck_command.h"
 #include "command/printer.h"
 #include "command/progress.h"
-#include "command/quantity_word.h"
 #include "command/suite_options.h"
 #include "core/arena.h"
+#include "core/quantity.h"
 #include "core/safe.h"
 
 static int sensitivity_command(int argc, char **argv);
@@ -60,8 +60,7 @@ struct page {
 };
 
 static void add_columns(struct page *p) {
-    const char *unit = unit_suffix(p->request->edp.units);
-    const char *of = unit[0] ? unit : NULL;
+    const char *of = unit_suffix(p->request->edp.units);
     const struct printer_column swing[] = {
         {.head = "low", .key = "low", .width = 12, .digits = 6},
         {.head = "high", .key = "high", .width = 12, .digits = 6},

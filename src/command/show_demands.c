@@ -7,7 +7,6 @@
 #include "command/show.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "command/study_deck.h"
 #include "command/study_print.h"
@@ -63,17 +62,14 @@ static int add_columns(struct show *p, const struct edp *edp, struct arena *a, s
     const int n = p->form == DEMAND_EVERYWHERE ? edp->n_term : 1;
     for (int i = 0; i < n; i++) {
         const char *name = edp->quantity->name, *location = edp->term[i].location;
-        const size_t size = strlen(name) + strlen(location) + 2;
-        char *head = arena_alloc(a, size, 1);
+        const char *head = arena_format(a, "%s%s%s", name, location[0] ? ":" : "", location);
         if (!head) {
             return error_no_memory(e);
         }
-        snprintf(head, size, "%s%s%s", name, location[0] ? ":" : "", location);
-        printer_add(
-            &p->table,
-            &(struct printer_column){.key = p->form == DEMAND_EVERYWHERE ? head : edp->text,
-                                     .unit = strcmp(edp->units, "1") != 0 ? edp->units : NULL},
-            1);
+        printer_add(&p->table,
+                    &(struct printer_column){.key = p->form == DEMAND_EVERYWHERE ? head : edp->text,
+                                             .unit = unit_suffix(edp->units)},
+                    1);
     }
     return STATUS_OK;
 }
@@ -147,9 +143,7 @@ static int add_head(struct show *p, struct arena *a, struct error *e) {
     for (int i = 0; i < p->n_measure; i++) {
         const struct measure *m = &p->measure[i];
         printer_add(&p->table,
-                    &(struct printer_column){.key = m->text,
-                                             .unit = strcmp(m->units, "1") != 0 ? m->units : NULL},
-                    1);
+                    &(struct printer_column){.key = m->text, .unit = unit_suffix(m->units)}, 1);
     }
     if (p->wide) {
         PRINTER_ADD(&p->table, outcome);

@@ -5,9 +5,9 @@
 #include <math.h>
 
 #include "command/deck_command.h"
-#include "command/quantity_word.h"
 #include "command/spectrum.h"
 #include "core/arena.h"
+#include "core/quantity.h"
 #include "core/text.h"
 
 enum { DAMPING_MAX = 7 };

@@ -6,8 +6,8 @@
 
 #include "command/option.h"
 #include "command/printer.h"
-#include "command/quantity_word.h"
 #include "core/arena.h"
+#include "core/quantity.h"
 #include "export/street.h"
 #include "jostle/result.h"
 

@@ -3,6 +3,7 @@
 #ifndef JOSTLE_STUDY_PRINT_H
 #define JOSTLE_STUDY_PRINT_H
 
+#include <limits.h>
 #include <stdio.h>
 
 #include "command/printer.h"
@@ -51,6 +52,27 @@ void study_print_bootstrap_cells(const struct bootstrap *b, struct printer *t);
 double study_print_find_rate(const struct hazard *h, const struct fragility *f, const char *unit);
 // A line with that rate.
 void study_print_rate(double rate);
+
+// Rows of --bootstrap, which draws `drawn` ("records"), of its --seed, and of --hazard.
+#define STUDY_PRINT_BOOTSTRAP_ROW(place, drawn)                                                    \
+    {                                                                                              \
+        "bootstrap", 0, "N", OPTION_WHOLE, 0, place, 1, BOOTSTRAP_MAX,                             \
+            .what = "a number of bootstraps",                                                      \
+            .doc = "fits N times again, with " drawn                                               \
+                   " drawn at random, and prints between which values 95 % of the medians and "    \
+                   "dispersions are"                                                               \
+    }
+#define STUDY_PRINT_SEED_ROW(place)                                                                \
+    {                                                                                              \
+        "seed", 0, "S", OPTION_WHOLE, 0, place, 1, INT_MAX,                                        \
+            .doc = "seed of these draws, a whole number from 1; default: 1"                        \
+    }
+#define STUDY_PRINT_HAZARD_ROW(place)                                                              \
+    {                                                                                              \
+        "hazard", 0, "FILE", OPTION_TEXT, 0, place,                                                \
+            .doc = "rows of intensity and mean annual rate of exceedance at the site: prints "     \
+                   "how often in a year the limit is exceeded"                                     \
+    }
 
 // "done", "failed", or "missing": not in the file.
 const char *study_print_status(const struct study_outcome *outcome);

@@ -2,14 +2,10 @@
 #include "study/bootstrap.h"
 
 #include <gsl/gsl_rng.h>
-#include <gsl/gsl_sort.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "study/percentile.h"
-
-static const double CONFIDENCE = 0.95;
 
 struct draws {
     int *weight;                  // (n_unit)
@@ -31,14 +27,6 @@ static void draw(const struct bootstrap_request *q, struct draws *d) {
     }
 }
 
-static void set_interval(double *value, int n, double *interval) {
-    gsl_sort(value, 1, (size_t)n);
-    for (int i = 0; i < 2; i++) {
-        const double fraction = (1.0 + (i == 0 ? -CONFIDENCE : CONFIDENCE)) / 2.0;
-        interval[i] = n > 0 ? percentile_sorted(value, (size_t)n, fraction) : NAN;
-    }
-}
-
 static int fit_all(const struct bootstrap_request *q, struct draws *d, struct bootstrap *out,
                    struct error *e) {
     gsl_rng_set(d->random, (unsigned long)q->seed);
@@ -54,8 +42,9 @@ static int fit_all(const struct bootstrap_request *q, struct draws *d, struct bo
             d->dispersion[out->n_fitted++] = f.dispersion;
         }
     }
-    set_interval(d->median, out->n_fitted, out->median);
-    set_interval(d->dispersion, out->n_fitted, out->dispersion);
+    const size_t n = (size_t)out->n_fitted;
+    percentile_interval(d->median, n, &out->median[0], &out->median[1]);
+    percentile_interval(d->dispersion, n, &out->dispersion[0], &out->dispersion[1]);
     return STATUS_OK;
 }
 

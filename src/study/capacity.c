@@ -165,13 +165,13 @@ int capacity_search(const struct capacity_request *q, struct capacities *out, st
     out->n = out->at.plan.n_run;
     out->each = calloc((size_t)out->n, sizeof *out->each);
     s.records = record_cache_create(RECORD_CACHE_BYTES);
-    const struct workers_request request = {
-        .n_thread = out->n < q->n_thread ? (int)out->n : q->n_thread,
-        .scratch = (q->plan->table->n_value + 1) * sizeof(double),
-        .n_job = out->n,
-        .work = do_job,
-        .poll = poll_search,
-        .context = &s};
+    const struct workers_request request = {.n_thread = q->n_thread,
+                                            .scratch =
+                                                (q->plan->table->n_value + 1) * sizeof(double),
+                                            .n_job = out->n,
+                                            .work = do_job,
+                                            .poll = poll_search,
+                                            .context = &s};
     const int status = out->each && s.records ? workers_run(&request, e) : error_no_memory(e);
     record_cache_free(s.records);
     return status;

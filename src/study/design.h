@@ -2,14 +2,13 @@
 // Designs of a sensitivity analysis: which value each parameter has in which run. A set gives each
 // parameter one of `n_level` values, and each combination of the other sweeps has a run of a set.
 //
-//     one at a time   set 0 has all medians, sets 1 + 2 i and 2 + 2 i the two quantiles of
-//     parameter i variance        rows of two samples A and B, as sobol.h says. They are the two
-//     halves of points
-//                     of one Sobol' sequence in 2 d dimensions, shifted by a random vector (Cranley
-//                     & Patterson 1976, SIAM J. Numer. Anal. 13, 904-914), so that no step from A
-//                     to B is 0. GSL's sequence has 40 dimensions; beyond d = 20 the points are
-//                     random
-//     Morris          trajectories, as morris.h says, between the quantiles `share` and 1 - share
+// - One at a time: set 0 has all medians. Sets 1 + 2 i and 2 + 2 i have the two quantiles of
+//   parameter i.
+// - Variance: rows of two samples A and B, as sobol.h says. The samples are the two halves of the
+//   points of one Sobol' sequence in 2 d dimensions. A random vector shifts the points (Cranley &
+//   Patterson 1976, SIAM J. Numer. Anal. 13, 904-914), so that no step from A to B is 0. GSL's
+//   sequence has 40 dimensions; beyond d = 20 the points are random.
+// - Morris: trajectories, as morris.h says, between the quantiles `share` and 1 - share.
 #ifndef JOSTLE_DESIGN_H
 #define JOSTLE_DESIGN_H
 

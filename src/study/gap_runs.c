@@ -128,10 +128,9 @@ static int poll_runs(void *context, struct workers *workers, long n_done, struct
 
 int gap_runs_run(const struct gap_runs *s, struct error *e) {
     struct work w = {.runs = s, .records = record_cache_create(RECORD_CACHE_BYTES)};
-    const long n_job = s->n_case * s->which[0].plan->n_run;
     const struct workers_request request = {
-        .n_thread = n_job < s->n_thread ? (int)n_job : s->n_thread,
-        .n_job = n_job,
+        .n_thread = s->n_thread,
+        .n_job = s->n_case * s->which[0].plan->n_run,
         .scratch = 1,  // none is needed: each job has its place in the results
         .work = do_job,
         .poll = poll_runs,

@@ -115,15 +115,13 @@ int keys_make(struct keys *k, const struct study_request *q, const struct plan *
               struct manifest *m, struct error *e) {
     int status = keys_open(k, p->n_mine, e);
     struct making making = {k, q, p, m};
-    const long n_job = (k->n + JOB_RUNS - 1) / JOB_RUNS;
-    const struct workers_request request = {.n_thread =
-                                                n_job < q->n_thread ? (int)n_job : q->n_thread,
+    const struct workers_request request = {.n_thread = q->n_thread,
                                             .scratch = 1,
-                                            .n_job = n_job,
+                                            .n_job = (k->n + JOB_RUNS - 1) / JOB_RUNS,
                                             .work = work,
                                             .poll = poll,
                                             .context = &making};
-    status = status == STATUS_OK && n_job > 0 ? workers_run(&request, e) : status;
+    status = status == STATUS_OK ? workers_run(&request, e) : status;
     if (status == STATUS_OK) {
         keys_index(k);
     }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/quantity.h"
 #include "core/text.h"
 #include "jostle/intensity.h"
 #include "jostle/spectrum.h"
@@ -43,14 +44,14 @@ static const struct {
 };
 enum { N_OF_RECORD = sizeof of_record / sizeof of_record[0] };
 
-// Whether a text begins with the name, in letters of either case, and one of `ends` is behind it;
-// NULL: whatever is.
+// Whether a text begins with the name, in letters of either case, and either ends behind it or goes
+// on with one of `ends`. NULL: the text may go on with any character.
 static bool begins(const char *text, const char *name, const char *ends) {
     while (*name && tolower((unsigned char)*text) == tolower((unsigned char)*name)) {
         text++;
         name++;
     }
-    return !*name && (!ends || strchr(ends, *text));  // the end of the text is one, too
+    return !*name && (!ends || strchr(ends, *text));  // strchr also finds the final 0
 }
 
 static int find_of_record(const char *text) {
@@ -66,35 +67,19 @@ bool measure_is_named(const char *text) {
            begins(text, "Sa_avg(", NULL);
 }
 
-// A number at the start of a text in units of the size `own`, which it has without a unit. Returns
-// what follows; NULL: it is none.
-static const char *read_number(const char *text, const struct unit_system *u,
-                               struct dimension dimension, double own, double *out) {
-    const char *end, *behind;
-    struct dimension found;
-    double size;
-    if (text_number(text, &end, out) != TEXT_NUMBER_OK) {
-        return NULL;
-    }
-    if (!unit_parse(end, u->gravity, &behind, &found, &size)) {
-        return end;
-    }
-    *out = unit_convert(*out, size, own);
-    return dimension_equal(found, dimension) ? behind : NULL;
-}
-
-// What stands in brackets: a period or two, and a damping ratio. Returns what follows; NULL: it is
-// something else.
+// Reads the brackets: a period or two, and a damping ratio. Returns the text behind them; NULL:
+// they have something else.
 static const char *read_periods(const struct unit_system *u, const char *at, struct measure *m) {
     const int n = m->kind == MEASURE_SA_AVG ? 2 : 1;
     for (int i = 0; i < n && at; i++) {
         at = *at == (i == 0 ? '(' : ':')
-                 ? read_number(at + 1, u, dimension_time, u->time, &m->period[i])
+                 ? quantity_word(at + 1, u, &dimension_time, BARE_ALLOWED, &m->period[i])
                  : NULL;
     }
     m->damping = DAMPING;
     if (at && *at == ',') {
-        at = read_number(at + 1 + strspn(at + 1, " "), u, dimension_none, 1.0, &m->damping);
+        at = quantity_word(at + 1 + strspn(at + 1, " "), u, &dimension_none, BARE_ALLOWED,
+                           &m->damping);
     }
     const bool sound = at && *at == ')' && m->period[0] > 0.0 && isfinite(m->period[0]) &&
                        (n == 1 || (m->period[1] > m->period[0] && isfinite(m->period[1]))) &&
@@ -131,7 +116,7 @@ int measure_parse(const struct unit_system *u, const char *text, struct arena *a
     return arena_failed(a) ? error_no_memory(e) : STATUS_OK;
 }
 
-// The ground of the building that is named, or of all; NULL after an error.
+// The ground of the building that the measure names, or the only ground; NULL after an error.
 static const struct ground *find_ground(const struct measure *m, const struct model *model,
                                         struct error *e) {
     for (int i = 0; m->building && i < model->n_building; i++) {
@@ -246,18 +231,16 @@ static int poll(void *context, struct workers *w, long n_done, struct error *e) 
 }
 
 static int measure_all(struct measuring *s, struct error *e) {
-    const long n = s->view->n_run;
-    const struct workers_request request = {
-        .n_thread = n < s->request->n_thread ? (int)n : s->request->n_thread,
-        .scratch = 1,
-        .n_job = n,
-        .work = work,
-        .poll = poll,
-        .context = s};
+    const struct workers_request request = {.n_thread = s->request->n_thread,
+                                            .scratch = 1,
+                                            .n_job = s->view->n_run,
+                                            .work = work,
+                                            .poll = poll,
+                                            .context = s};
     int status = origin_check(&s->manifest, &s->plan, s->view, e);
     s->records = record_cache_create(RECORD_CACHE_BYTES);
     status = status == STATUS_OK && !s->records ? error_no_memory(e) : status;
-    return status == STATUS_OK && n > 0 ? workers_run(&request, e) : status;
+    return status == STATUS_OK ? workers_run(&request, e) : status;
 }
 
 int measure_runs(const struct study_view *v, const struct measure_request *q,

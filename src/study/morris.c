@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/percentile.h"
+
 enum { SEED = 1 };
 
 static unsigned char *levels_of(const struct morris_design *d, size_t trajectory, int run) {
@@ -83,7 +85,7 @@ static void conclude(const double *effect, size_t n, double *size, gsl_rng *rand
         }
         mean[b] = sum / (double)n;
     }
-    sobol_set_interval(mean, &to->mu_star);
+    percentile_interval(mean, SOBOL_BOOTSTRAPS, &to->mu_star.low, &to->mu_star.high);
 }
 
 static int find_all(const struct morris_design *d, const double *demand, double step, double *room,

@@ -6,8 +6,7 @@
 //     mu:     mean of the effects
 //     mu*:    mean of their absolute values (Campolongo, Cariboni & Saltelli 2007, Environ. Model.
 //             Softw. 22, 1509-1518)
-//     sigma:  their standard deviation; 0 for a parameter whose effect is linear and that acts
-//     alone
+//     sigma:  their standard deviation; 0 for a parameter that acts alone and linearly
 #ifndef JOSTLE_MORRIS_H
 #define JOSTLE_MORRIS_H
 

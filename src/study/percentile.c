@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/percentile.h"
 
+#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
+
+static const double CONFIDENCE = 0.95;
 
 double percentile_sorted(const double *value, size_t n, double fraction) {
     size_t finite = n;
@@ -20,4 +23,10 @@ double percentile_sorted(const double *value, size_t n, double fraction) {
     }
     return gsl_stats_quantile_from_sorted_data(value, 1, finite,
                                                finite > 1 ? place / (double)(finite - 1) : 0.0);
+}
+
+void percentile_interval(double *value, size_t n, double *low, double *high) {
+    gsl_sort(value, 1, n);
+    *low = n > 0 ? percentile_sorted(value, n, (1.0 - CONFIDENCE) / 2.0) : NAN;
+    *high = n > 0 ? percentile_sorted(value, n, (1.0 + CONFIDENCE) / 2.0) : NAN;
 }

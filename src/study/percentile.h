@@ -10,4 +10,7 @@
 // whatever is above all others: where one of them would count, the quantile is infinite.
 double percentile_sorted(const double *value, size_t n, double fraction);
 
+// The interval that holds the middle 95 % of the `n` values, which are sorted; NAN: n is 0.
+void percentile_interval(double *value, size_t n, double *low, double *high);
+
 #endif

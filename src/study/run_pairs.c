@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/run_pairs.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "study/demands.h"
 #include "study/percentile.h"
+#include "study/roles.h"
 
 // Numbers that differ by less are the same, as those of a range have rounding errors.
 static const double SAME = 1e-9;
@@ -59,11 +61,6 @@ static int compare_pairs(const void *a, const void *b) {
                                   : (p->row[1] > q->row[1]) - (p->row[1] < q->row[1]);
 }
 
-static int compare_numbers(const void *a, const void *b) {
-    const double *p = a, *q = b;
-    return (*p > *q) - (*p < *q);
-}
-
 static double in_si(const struct study_view *v, const struct sweep *s, int i) {
     return s->known ? s->number[i] * unit_size(&v->units, s->dimension) : s->number[i];
 }
@@ -95,16 +92,9 @@ static int number_values(struct run_pairs *p, struct common *c, struct error *e)
 // The parameter of this name; NULL: there is none. The number of a dimension of paired sweeps is
 // not a parameter.
 static const struct sweep *find(const struct study_view *v, const char *name, int *dimension) {
-    for (int i = 0; i < v->n_sweep; i++) {
-        const struct sweep *s = v->sweep[i]->along ? v->sweep[i]->along : v->sweep[i];
-        for (; s; s = s->along) {
-            if (strcmp(s->name, name) == 0) {
-                *dimension = i;
-                return s;
-            }
-        }
-    }
-    return NULL;
+    const struct sweep *s = roles_find_name(v, name, strlen(name), dimension);
+    const bool counts = s && s == v->sweep[*dimension] && s->along;
+    return counts ? NULL : s;
 }
 
 // Multiplies the ranks by the values of a parameter.
@@ -260,7 +250,7 @@ static int summarise(const struct run_pairs *p, struct run_ratios *r, struct err
     for (long i = 0; i < r->n; i++) {
         square += (log(ratio[i]) - mean) * (log(ratio[i]) - mean);
     }
-    qsort(ratio, (size_t)r->n, sizeof *ratio, compare_numbers);
+    gsl_sort(ratio, 1, (size_t)r->n);
     r->median = r->n > 0 ? percentile_sorted(ratio, (size_t)r->n, 0.5) : NAN;
     r->dispersion = r->n > 1 ? sqrt(square / (n - 1.0)) : NAN;
     free(ratio);

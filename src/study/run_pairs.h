@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The runs of two studies beside each other. Two runs are a pair if all parameters that both
-// studies sweep have the same values. A sweep of one value in both studies is what tells them
-// apart, and does not count.
+// studies sweep have the same values. A sweep that has one value in each study distinguishes the
+// studies and does not count.
 #ifndef JOSTLE_RUN_PAIRS_H
 #define JOSTLE_RUN_PAIRS_H
 
@@ -35,8 +35,7 @@ struct run_ratios {
     const char *text;   // of the demand
     struct edp edp[2];  // as the files have it
     double *value[2];   // (n) of the pairs, in the unit of the first file; from the arena
-    long n;             // pairs of which both values are positive and finite; the others do not
-                        // count:
+    long n;             // pairs whose values are both positive and finite; others do not count
     double median, dispersion;  // of the ratios: the latter of the logarithms; NAN: n < 2
     double smallest, largest;
     long at_smallest, at_largest;  // pairs

@@ -282,13 +282,13 @@ static int make_runs(const struct sensitivity_request *q, struct runs_of_design 
                      struct error *e) {
     struct sensitivity *s = r->out;
     const struct chosen_set first = {&r->design, 0};
-    const struct workers_request request = {
-        .n_thread = s->n_run < q->n_thread ? (int)s->n_run : q->n_thread,
-        .scratch = (q->plan->table->n_value + 1) * sizeof(double),
-        .n_job = s->n_run,
-        .work = do_job,
-        .poll = poll_design,
-        .context = r};
+    const struct workers_request request = {.n_thread = q->n_thread,
+                                            .scratch =
+                                                (q->plan->table->n_value + 1) * sizeof(double),
+                                            .n_job = s->n_run,
+                                            .work = do_job,
+                                            .poll = poll_design,
+                                            .context = r};
     plan_fix(q->plan, number_in_set, &first, &s->others);
     int status = workers_run(&request, e);
     if (status == STATUS_OK && r->bad < s->n_run) {

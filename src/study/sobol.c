@@ -2,7 +2,6 @@
 #include "study/sobol.h"
 
 #include <gsl/gsl_rng.h>
-#include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdbool.h>
@@ -11,8 +10,6 @@
 #include "study/percentile.h"
 
 enum { SEED = 1 };
-
-static const double CONFIDENCE = 0.95;
 
 // The rows that count, and which of them a bootstrap has drawn.
 struct rows {
@@ -55,12 +52,6 @@ static void shares(const struct rows *r, int i, double *first, double *total) {
     *total = variance > 0.0 ? left / (2.0 * (double)r->n * variance) : (double)NAN;
 }
 
-void sobol_set_interval(double *bootstrap, struct sobol_index *index) {
-    gsl_sort(bootstrap, 1, SOBOL_BOOTSTRAPS);
-    index->low = percentile_sorted(bootstrap, SOBOL_BOOTSTRAPS, (1.0 - CONFIDENCE) / 2.0);
-    index->high = percentile_sorted(bootstrap, SOBOL_BOOTSTRAPS, (1.0 + CONFIDENCE) / 2.0);
-}
-
 static void find_share(const struct rows *r, int i, gsl_rng *random, struct sobol_share *to) {
     double first[SOBOL_BOOTSTRAPS], total[SOBOL_BOOTSTRAPS];
     const double *step = r->runs->step + (size_t)i * r->runs->n;
@@ -78,8 +69,8 @@ static void find_share(const struct rows *r, int i, gsl_rng *random, struct sobo
         }
         shares(r, i, &first[b], &total[b]);
     }
-    sobol_set_interval(first, &to->first);
-    sobol_set_interval(total, &to->total);
+    percentile_interval(first, SOBOL_BOOTSTRAPS, &to->first.low, &to->first.high);
+    percentile_interval(total, SOBOL_BOOTSTRAPS, &to->total.low, &to->total.high);
 }
 
 // Takes the rows in which all runs have a finite demand.

@@ -44,9 +44,6 @@ struct sobol_summary {
     size_t n_left_out;       // rows
 };
 
-// Sets the interval from the values (SOBOL_BOOTSTRAPS) of bootstraps, which are sorted.
-void sobol_set_interval(double *bootstrap, struct sobol_index *index);
-
 // Fills `share` (n_parameter). Errors: STATUS_FAILED (fewer than two rows), STATUS_SYSTEM.
 int sobol_find(const struct sobol_runs *runs, struct sobol_share *share, struct sobol_summary *out,
                struct error *e);

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/number.h"
+
 enum { TICK = 100000000 };         // [ns] between polls
 enum { STACK_BYTES = 512 << 10 };  // of a thread, whatever `ulimit -s` says
 
@@ -118,8 +120,7 @@ static void watch(struct workers *w) {
     workers_unlock(w);
 }
 
-static int start(struct workers *w, pthread_t *thread) {
-    const int wanted = w->request->n_thread;
+static int start(struct workers *w, pthread_t *thread, int wanted) {
     int n = 0;
     workers_lock(w);
     for (; n < wanted; n++) {
@@ -161,13 +162,14 @@ static int init_locks(struct workers *w) {
 
 int workers_run(const struct workers_request *q, struct error *e) {
     struct workers w = {.request = q};
+    const int wanted = q->take ? q->n_thread : (int)number_least(q->n_thread, q->n_job);
     atomic_init(&w.stop, false);
-    pthread_t *thread = calloc((size_t)q->n_thread, sizeof *thread);
+    pthread_t *thread = calloc((size_t)wanted + 1, sizeof *thread);
     if (!thread || init_locks(&w) != 0) {
         free(thread);
         return error_no_memory(e);
     }
-    const int n_thread = start(&w, thread);
+    const int n_thread = start(&w, thread, wanted);
     watch(&w);
     for (int i = 0; i < n_thread; i++) {
         pthread_join(thread[i], NULL);

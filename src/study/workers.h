@@ -12,7 +12,7 @@
 struct workers;  // while they work
 
 struct workers_request {
-    int n_thread;    // at least 1
+    int n_thread;    // at least 1; without `take`, no more threads start than there are jobs
     size_t scratch;  // bytes that each thread has for itself
     long n_job;      // without `take`: the jobs are the numbers from 0 to n_job - 1
     // Gives the next job; -1: there is none. Called under the lock; what it leaves in `scratch` is

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quantities on the command line.
-#ifndef JOSTLE_QUANTITY_WORD_H
-#define JOSTLE_QUANTITY_WORD_H
+// Quantities as words of a command line: a number with its unit behind it.
+#ifndef JOSTLE_QUANTITY_H
+#define JOSTLE_QUANTITY_H
 
 #include "jostle/units.h"
 

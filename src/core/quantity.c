@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/quantity_word.h"
+#include "core/quantity.h"
 
 #include <stddef.h>
 #include <string.h>
