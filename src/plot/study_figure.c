@@ -118,12 +118,16 @@ double study_panel_width(const struct canvas *c) {
     return c->area.right - c->area.left - LEFT - RIGHT;
 }
 
-void study_panel(struct canvas *c, double bottom, const struct axis *x, const struct axis *y) {
-    struct panel p = {.area = canvas_inset(c->area, LEFT, RIGHT, bottom, 0.7), .x = *x, .y = *y};
+void study_panel_in(struct canvas *c, struct area a, const struct axis *x, const struct axis *y) {
+    struct panel p = {.area = a, .x = *x, .y = *y};
     p.y.name = NULL;
     panel_open(c, &p);
     p.area.left -= 0.6;
     canvas_upright(c, p.area, y);
+}
+
+void study_panel(struct canvas *c, double bottom, const struct axis *x, const struct axis *y) {
+    study_panel_in(c, canvas_inset(c->area, LEFT, RIGHT, bottom, 0.7), x, y);
 }
 
 void study_foot(const struct canvas *c, const char *text) {
