@@ -151,9 +151,7 @@ static void write_legend(const struct view *v, const struct subject *p, struct c
     }
     snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
     legend_add(&l, panel_line(record_colour, 0), text, "");
-    if (p->n_limit > 0) {
-        legend_add(&l, panel_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
-    }
+    study_limit_legend(p, &l);
     if (v->crosses) {
         legend_add(&l, panel_points("#000000", POINT_CROSS, 0), "the next run failed", "");
     }

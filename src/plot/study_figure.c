@@ -103,6 +103,12 @@ void study_group_text(const struct suite *s, int group, char *text, size_t size)
     script_raise(text);
 }
 
+void study_limit_legend(const struct subject *p, struct legend *l) {
+    if (p->n_limit > 0) {
+        legend_add(l, panel_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
+    }
+}
+
 void study_limit_text(const struct study_demand *d, const struct suite *s, double limit, char *text,
                       size_t size) {
     char number[32], unit[64];

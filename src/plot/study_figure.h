@@ -31,6 +31,9 @@ void study_hit_series(const struct suite *s, struct canvas *c);
 // The name of a group as it is shown, into `text`.
 void study_group_text(const struct suite *s, int group, char *text, size_t size);
 
+// The entry of --limit in the legend, if limits are given.
+void study_limit_legend(const struct subject *p, struct legend *l);
+
 // A limit with its unit, "2 %".
 void study_limit_text(const struct study_demand *d, const struct suite *s, double limit, char *text,
                       size_t size);
