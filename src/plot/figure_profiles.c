@@ -84,8 +84,8 @@ static struct selection choose(const struct runs *runs) {
     for (int k = 0; k < s.n * runs->n; k++) {
         const struct report_building *b = &runs->r[k / s.n]->building[s.building[k % s.n]];
         s.floors = b->n_floor > s.floors ? b->n_floor : s.floors;
+        s.heights = s.heights && runs_has_heights(b);
         for (int i = 0; i < b->n_floor; i++) {
-            s.heights = s.heights && b->height[i] > 0;
             s.storeys = s.storeys || b->stiffness[i] > 0;
             s.hit = s.hit || report_floor_was_hit(runs->r[k / s.n], b->name, i + 1);
         }

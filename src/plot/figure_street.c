@@ -51,10 +51,7 @@ static double level_of(const struct street *s, const struct report_link *c) {
 static void survey(struct street *s) {
     s->heights = true;
     for (int k = 0; k < s->r->n_building; k++) {
-        const struct report_building *b = &s->r->building[k];
-        for (int i = 0; i < b->n_floor; i++) {
-            s->heights = s->heights && b->height[i] > 0;
-        }
+        s->heights = s->heights && runs_has_heights(&s->r->building[k]);
     }
     for (int k = 0; k < s->r->n_building; k++) {
         const struct report_building *b = &s->r->building[k];
