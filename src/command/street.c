@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle street: a deck of a row of buildings from a table.
-#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -9,7 +8,7 @@
 #include "core/arena.h"
 #include "core/quantity.h"
 #include "export/street.h"
-#include "jostle/result.h"
+#include "result/partial_file.h"
 
 static int street_command(int argc, char **argv);
 
@@ -79,21 +78,12 @@ static int write_to(const struct options *o, const struct street *s) {
         street_write(s, &o->motion, stdout);
         return EXIT_DONE;
     }
-    if (result_check_path(o->output, o->existing, &e) != STATUS_OK) {
+    struct partial_file file;
+    if (partial_file_open(&file, o->output, o->existing, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    FILE *to = fopen(o->output, o->existing == RESULT_KEEP ? "wx" : "w");
-    bool good = to != NULL;
-    if (good) {
-        street_write(s, &o->motion, to);
-        good = !ferror(to);
-        good = fclose(to) == 0 && good;
-    }
-    if (!good) {
-        error_set(&e, STATUS_SYSTEM, "cannot write %s: %s", o->output, strerror(errno));
-        return command_fail(&e);
-    }
-    return EXIT_DONE;
+    street_write(s, &o->motion, file.to);
+    return partial_file_publish(&file, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static int make_deck(const struct options *o, struct arena *a, const char *path) {

@@ -3,6 +3,7 @@
 #include "core/text.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <string.h>
 
 bool text_same(const char *a, const char *b) {
@@ -71,6 +72,16 @@ int text_columns(const char *text, size_t n) {
         i += size ? size : 1;
     }
     return columns;
+}
+
+bool text_is_name(const char *name) {
+    for (const char *p = name; *p; p++) {
+        const unsigned char c = (unsigned char)*p;
+        if (!isalnum(c) && c != '_' && c != '-' && c < 0x80) {
+            return false;
+        }
+    }
+    return name[0] && name[0] != '-' && strlen(name) <= 64;
 }
 
 size_t text_cut(const char *text, size_t n) {

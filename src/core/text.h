@@ -59,6 +59,11 @@ bool text_is_control(const char *text, size_t size);
 // The first control character (a tab is one) or stray byte of a text; NULL: the text has none.
 const char *text_not_plain(const char *text);
 
+// True if a building can have the name, which is also that of a group of the result file. It has 1
+// to 64 bytes: letters, digits, _, - and characters beyond ASCII. It does not begin with -, as
+// options do.
+bool text_is_name(const char *name);
+
 // The largest length up to `n` at which `text` can be cut without splitting a character.
 size_t text_cut(const char *text, size_t n);
 

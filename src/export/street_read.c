@@ -34,21 +34,32 @@ static double or_else(double value, double other) {
     return isnan(value) ? other : value;
 }
 
+// Which of `n` words the cell of the key has; -1: none. Another word is an error, whose message
+// says which words are `required`.
+static int read_choice(struct street_table *r, int key, const char *const *word, int n,
+                       const char *required) {
+    const struct piece p = r->cell[key];
+    for (int k = 0; k < n; k++) {
+        if (street_table_is(p, word[k])) {
+            return k;
+        }
+    }
+    if (p.n > 0) {
+        street_table_report(r, SEVERITY_ERROR, p, "%s is '%s'; it must be %s",
+                            street_columns[key].name, lines_excerpt(p).text, required);
+    }
+    return -1;
+}
+
 static const char *read_name(struct street_table *r, struct name_index *names, int number) {
     const struct piece p = r->cell[STREET_NAME];
     const char *name =
         p.n > 0 ? street_table_text(r, p) : arena_format(r->arena, "H%d", number + 1);
-    bool good = name && name[0] != '-' && strlen(name) <= 64 && strcmp(name, "wall") != 0 &&
-                !text_not_plain(name);
-    for (const char *c = name; good && *c; c++) {
-        good = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') ||
-               *c == '_' || *c == '-' || (unsigned char)*c >= 0x80;
-    }
     if (!name) {
         return "";
     }
     const int first = name_index_find(names, name, strlen(name));
-    if (!good) {
+    if (!text_is_name(name) || text_not_plain(name) || strcmp(name, "wall") == 0) {
         street_table_report(r, SEVERITY_ERROR, p,
                             "'%s' cannot name a building; use up to 64 letters, digits, _ and -",
                             lines_excerpt(p).text);
@@ -62,11 +73,11 @@ static const char *read_name(struct street_table *r, struct name_index *names, i
 }
 
 static void read_type(struct street_table *r, enum street_zone zone, struct street_building *b) {
-    const struct piece p = r->cell[STREET_TYPE], code = r->cell[STREET_CODE];
+    const struct piece p = r->cell[STREET_TYPE];
     exclude(r, STREET_CODE, STREET_YEAR);
     b->code = STREET_MODERATE;
     if (p.n == 0) {
-        const int useless = code.n > 0                   ? STREET_CODE
+        const int useless = r->cell[STREET_CODE].n > 0   ? STREET_CODE
                             : r->cell[STREET_YEAR].n > 0 ? STREET_YEAR
                                                          : -1;
         if (useless >= 0) {
@@ -90,16 +101,9 @@ static void read_type(struct street_table *r, enum street_zone zone, struct stre
     if (!isnan(r->value[STREET_YEAR])) {
         b->code = street_code_of(zone, r->value[STREET_YEAR], street_table_is(p, "W1"));
     }
-    for (int k = 0; code.n > 0 && k <= STREET_CODES; k++) {
-        if (k == STREET_CODES) {
-            street_table_report(r, SEVERITY_ERROR, code,
-                                "code is '%s'; it must be high, moderate, low or pre",
-                                lines_excerpt(code).text);
-        } else if (street_table_is(code, street_code_names[k])) {
-            b->code = (enum street_code)k;
-            break;
-        }
-    }
+    const int code =
+        read_choice(r, STREET_CODE, street_code_names, STREET_CODES, "high, moderate, low or pre");
+    b->code = code < 0 ? b->code : (enum street_code)code;
 }
 
 // Height and mass, and the stiffness from the period, or the period from the stiffness.
@@ -128,28 +132,20 @@ static void read_dynamics(struct street_table *r, struct street_building *b) {
 }
 
 static void read_law(struct street_table *r, struct street_building *b) {
-    static const char *const laws[] = {"elastic", "bilinear", "clough", "takeda"};
-    enum { N_LAW = sizeof laws / sizeof laws[0] };
-    const struct piece law = r->cell[STREET_LAW];
+    enum { ELASTIC, BILINEAR, CLOUGH, TAKEDA, LAWS };
+    static const char *const laws[LAWS] = {"elastic", "bilinear", "clough", "takeda"};
     const double of_type =
         b->type ? b->type->strength[b->code] * street_effective_mass(b->storeys) : (double)NAN;
     b->yield = or_else(r->value[STREET_YIELD], of_type);
     b->hardening = or_else(r->value[STREET_HARDENING],
                            b->type ? street_type_hardening(b->type, b->code) : 0.0);
-    b->law = laws[isnan(b->yield) ? 0 : 1];
-    for (int k = 0; law.n > 0 && k <= N_LAW; k++) {
-        if (k == N_LAW) {
-            street_table_report(r, SEVERITY_ERROR, law,
-                                "law is '%s'; it must be elastic, bilinear, clough or takeda",
-                                lines_excerpt(law).text);
-        } else if (street_table_is(law, laws[k])) {
-            b->law = laws[k];
-            break;
-        }
-    }
-    const bool elastic = b->law == laws[0];
+    const int given = read_choice(r, STREET_LAW, laws, LAWS, "elastic, bilinear, clough or takeda");
+    const int law = given >= 0 ? given : isnan(b->yield) ? ELASTIC : BILINEAR;
+    const bool elastic = law == ELASTIC;
+    b->law = laws[law];
     if (!elastic && isnan(b->yield)) {
-        street_table_report(r, SEVERITY_ERROR, law, "law %s needs a type or a yield", b->law);
+        street_table_report(r, SEVERITY_ERROR, r->cell[STREET_LAW],
+                            "law %s needs a type or a yield", b->law);
     }
     for (int k = STREET_YIELD; k <= STREET_HARDENING && elastic; k++) {
         if (r->cell[k].n > 0) {

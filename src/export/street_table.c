@@ -9,9 +9,9 @@
 #include "core/arena.h"
 #include "core/text.h"
 
-static const double G = 9.80665;
+static const double G = 9.80665;  // [m/s^2]
 
-static const struct dimension dimension_area = {0, 2, 0};
+static const struct dimension dimension_area = OF_AREA;
 const struct street_column street_columns[STREET_KEYS] = {
     [STREET_NAME] = {.name = "name"},
     [STREET_TYPE] = {.name = "type"},

@@ -15,7 +15,7 @@
 #include "core/safe.h"
 #include "export/street.h"
 
-static const double G = 9.80665;
+static const double G = 9.80665;  // [m/s^2]
 
 // Floors at levels that differ by less, relative to their height, meet.
 static const double SAME = 1e-6;

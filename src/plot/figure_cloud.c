@@ -67,16 +67,18 @@ static void write_group(struct view *v, int g, const struct fragility_runs *runs
 
 static void write_points(struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
-    struct fragility_runs runs;
-    c->status = fragility_runs_create(s, &runs, c->e);
+    struct fragility_runs runs = {.n = 0};
+    if (c->status == STATUS_OK) {
+        c->status = fragility_runs_create(s, &runs, c->e);
+    }
     for (int g = 0; g < s->n_group && c->status == STATUS_OK; g++) {
         fragility_runs_take(&runs, s, g);
         write_group(v, g, &runs, c);
         c->status = cloud_fit(&runs, NULL, 1.0, false, &v->cloud[g], c->e);
         v->n_collapsed += v->cloud[g].n_collapsed;
     }
-    if (c->status == STATUS_OK && !(v->y.low <= v->y.high)) {
-        c->status = error_set(c->e, STATUS_INPUT, "no run has a demand > 0 at an intensity > 0");
+    if (!(v->y.low <= v->y.high)) {
+        canvas_fail(c, STATUS_INPUT, "no run has a demand > 0 at an intensity > 0");
     }
 }
 
@@ -113,6 +115,10 @@ static struct span with_room(struct span s) {
     return (struct span){s.low / room, s.high * room};
 }
 
+static struct style scatter_line(int group) {
+    return (struct style){STYLE_LINE, script_colour[group], 1, "(10,6)", 0, 0};
+}
+
 static void write_legend(const struct view *v, const struct subject *p, struct canvas *c) {
     struct legend l = {0};
     char text[128];
@@ -125,12 +131,9 @@ static void write_legend(const struct view *v, const struct subject *p, struct c
     }
     if (v->s->n_group == 1) {
         legend_add(&l, panel_line(script_colour[0], 1.5), "regression", "");
-        legend_add(&l, (struct style){STYLE_LINE, script_colour[0], 1, "(10,6)", 0, 0},
-                   "plus and minus its scatter", "");
+        legend_add(&l, scatter_line(0), "plus and minus its scatter", "");
     }
-    if (p->n_limit > 0) {
-        legend_add(&l, panel_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
-    }
+    study_limit_legend(p, &l);
     if (v->n_collapsed > 0) {
         legend_add(&l, panel_points("#000000", POINT_CROSS, 0), "collapsed or failed", "");
     }
@@ -153,8 +156,7 @@ static void draw_panel(const struct view *v, const struct subject *p, struct can
         panel_series(c, panel_points(script_colour[g], script_point[g], 0), "$runs%d using 1:2", g);
         panel_series(c, panel_line(script_colour[g], 1.5), "$line%d using 1:2", g);
         for (int k = 3; k <= 4 && s->n_group == 1; k++) {
-            panel_series(c, (struct style){STYLE_LINE, script_colour[g], 1, "(10,6)", 0, 0},
-                         "$line%d using 1:%d", g, k);
+            panel_series(c, scatter_line(g), "$line%d using 1:%d", g, k);
         }
         if (v->cloud[g].n_collapsed > 0) {
             const double at = v->y.high * pow(v->y.low / v->y.high, APART * g);

@@ -143,28 +143,29 @@ static void write_peaks(struct view *v, int run, int strip, const struct data *d
 }
 
 // The rows of the hardest impact from closure on, with its ends and its peak where they are known.
-static void write_pulse(struct view *v, int run, const struct data *d, FILE *to) {
+static void write_pulse(struct view *v, int run, const struct data *d, struct canvas *c) {
     const struct report *r = v->s->r[run];
     const struct impact *p = &r->impact[v->impact[run]];
     const struct link_peak *peak = &r->contact[v->contact[run]].peak;
     bool done = false;
-    fprintf(to, "$pulse%d << EOD\n# time from closure, force\n0 0\n", run);
+    canvas_block(c, "time from closure, force", "pulse%d", run);
+    fputs("0 0\n", c->data);
     for (size_t i = data_row(d, p->t_start); i < d->n_row && d->column[0][i] <= p->t_end; i++) {
         if (!done && d->column[0][i] >= peak->force_time) {
-            fprintf(to, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
+            fprintf(c->data, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
             done = true;
         }
-        fprintf(to, "%.7g %.7g\n", d->column[0][i] - p->t_start, d->column[1][i]);
+        fprintf(c->data, "%.7g %.7g\n", d->column[0][i] - p->t_start, d->column[1][i]);
         v->rows[run]++;
     }
     if (!done) {
-        fprintf(to, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
+        fprintf(c->data, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
     }
     // What is still closed when the analysis ends has not opened.
     if (p->t_end < r->duration) {
-        fprintf(to, "%.7g 0\n", p->t_end - p->t_start);
+        fprintf(c->data, "%.7g 0\n", p->t_end - p->t_start);
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static void write_strip_data(struct view *v, int run, int strip, struct canvas *c) {
@@ -189,7 +190,7 @@ static void write_strip_data(struct view *v, int run, int strip, struct canvas *
         write_peaks(v, run, strip, &d, c);
     }
     if (i == v->contact[run] && v->impact[run] >= 0) {
-        write_pulse(v, run, &d, c->data);
+        write_pulse(v, run, &d, c);
     }
     data_free(&d);
 }

@@ -42,12 +42,10 @@ static double limit_of(const struct view *v, int i) {
 static void write_counts(struct view *v, struct canvas *c) {
     const struct suite *s = v->p->suite;
     struct fragility_runs runs;
-    if (c->status == STATUS_OK) {
-        c->status = fragility_runs_create(s, &runs, c->e);
-    }
     if (c->status != STATUS_OK) {
         return;
     }
+    c->status = fragility_runs_create(s, &runs, c->e);
     struct fragility_level *level = arena_alloc(s->arena, (size_t)runs.n, sizeof *level);
     if (!level) {
         c->status = error_no_memory(c->e);

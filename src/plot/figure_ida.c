@@ -65,63 +65,64 @@ static int points_of(const struct suite *s, int sample) {
 }
 
 // From the demand that a collapsed run reached to the edge of the picture.
-static void write_flats(struct view *v, FILE *to) {
+static void write_flats(struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const double edge = v->span.high + FLAT * (v->span.high - v->span.low);
-    fprintf(to, "$flats << EOD\n# demand, intensity, of collapses\n");
+    canvas_block(c, "demand, intensity, of collapses", "flats");
     for (int k = 0; k < s->n_sample; k++) {
         const int last = points_of(s, k) - 1;
         if (suite_collapsed(s, 0, k, last)) {
-            study_point(to, v->demand.factor * suite_reached(s, 0, k, last), s->point[last]);
-            study_point(to, edge, s->point[last]);
-            fputc('\n', to);
+            study_point(c->data, v->demand.factor * suite_reached(s, 0, k, last), s->point[last]);
+            study_point(c->data, edge, s->point[last]);
+            fputc('\n', c->data);
             v->flattens = true;
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
     if (v->flattens) {
         span_add(&v->span, edge);
     }
 }
 
-static void write_samples(struct view *v, FILE *to) {
+static void write_samples(struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
-    fprintf(to, "$samples << EOD\n# demand, intensity; a sample behind the other\n");
+    canvas_block(c, "demand, intensity; a sample behind the other", "samples");
     for (int k = 0; k < s->n_sample; k++) {
-        fputs("# ", to);
-        safe_put(to, SAFE_COMMENT, s->sample[k]);
-        fputc('\n', to);
+        fputs("# ", c->data);
+        safe_put(c->data, SAFE_COMMENT, s->sample[k]);
+        fputc('\n', c->data);
         for (int j = 0; j < points_of(s, k); j++) {
             const double x = v->demand.factor * suite_reached(s, 0, k, j);
-            study_point(to, x, s->point[j]);
+            study_point(c->data, x, s->point[j]);
             span_add(&v->span, x);
         }
-        fputc('\n', to);
+        fputc('\n', c->data);
     }
-    fprintf(to, "EOD\n$failures << EOD\n# the last point before a failed run\n");
+    canvas_end(c);
+    canvas_block(c, "the last point before a failed run", "failures");
     for (int k = 0; k < s->n_sample; k++) {
         for (int j = 1; j < s->n_point; j++) {
             const double before = suite_value(s, 0, k, j - 1);
             if (isfinite(before) && !isfinite(suite_value(s, 0, k, j)) &&
                 !suite_collapsed(s, 0, k, j)) {
-                study_point(to, v->demand.factor * before, s->point[j - 1]);
+                study_point(c->data, v->demand.factor * before, s->point[j - 1]);
                 v->crosses = true;
             }
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
-static void write_hit(const struct view *v, FILE *to) {
+static void write_hit(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
-    fprintf(to, "$hit << EOD\n# demand, intensity, of floors that were hit\n");
+    canvas_block(c, "demand, intensity, of floors that were hit", "hit");
     for (int i = 0; i < s->n_sample * s->n_point; i++) {
         const int k = i / s->n_point, j = i % s->n_point;
         if (suite_hit(s, 0, k, j)) {
-            study_point(to, v->demand.factor * suite_value(s, 0, k, j), s->point[j]);
+            study_point(c->data, v->demand.factor * suite_value(s, 0, k, j), s->point[j]);
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static void write_percentiles(struct view *v, struct canvas *c) {
@@ -151,9 +152,7 @@ static void write_legend(const struct view *v, const struct subject *p, struct c
     }
     snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
     legend_add(&l, panel_line(record_colour, 0), text, "");
-    if (p->n_limit > 0) {
-        legend_add(&l, panel_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
-    }
+    study_limit_legend(p, &l);
     if (v->crosses) {
         legend_add(&l, panel_points("#000000", POINT_CROSS, 0), "the next run failed", "");
     }
@@ -190,10 +189,10 @@ static void draw(const struct subject *p, struct canvas *c) {
     const struct suite *s = p->suite;
     struct view v = {.s = s, .span = span_none};
     study_demand_init(&v.demand, &s->edp);
-    write_samples(&v, c->data);
-    write_flats(&v, c->data);
+    write_samples(&v, c);
+    write_flats(&v, c);
     if (s->n_hit > 0) {
-        write_hit(&v, c->data);
+        write_hit(&v, c);
     }
     write_percentiles(&v, c);
     for (int i = 0; i < p->n_limit; i++) {

@@ -94,20 +94,21 @@ static void write_impact(const struct view *v, const struct report *r, long i, F
     }
 }
 
-static void write_data(const struct view *v, int run, FILE *to) {
+static void write_data(const struct view *v, int run, struct canvas *c) {
     const struct report *r = v->s->r[run];
     long hardest[PARTS];
-    fprintf(to, "$impacts%d << EOD\n# time place size %s floor\nNaN NaN NaN NaN NaN\n", run,
-            v->impulse ? "impulse" : "force");
+    canvas_block(c, v->impulse ? "time place size impulse floor" : "time place size force floor",
+                 "impacts%d", run);
+    fputs("NaN NaN NaN NaN NaN\n", c->data);
     for (int contact = 0; contact < r->n_contact; contact++) {
         runs_hardest_of_parts(r, contact, PARTS, hardest);
         for (int k = 0; k < PARTS; k++) {
             if (hardest[k] >= 0) {
-                write_impact(v, r, hardest[k], to);
+                write_impact(v, r, hardest[k], c->data);
             }
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static void band_name(const struct band *band, char *text, size_t size) {
@@ -259,7 +260,7 @@ static void draw(const struct subject *subject, struct canvas *c) {
     }
     v.largest = v.impulse ? impulse : force;
     for (int k = 0; k < s->n; k++) {
-        write_data(&v, k, c->data);
+        write_data(&v, k, c);
     }
     write_title(&v, c);
     write_legend(&v, c);

@@ -32,9 +32,7 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
     for (int k = 0; k < s->n * v.n_building; k++) {
         const struct report_building *b = shown(&v, k / v.n_building, k % v.n_building);
         v.n_mode = b->n_floor > v.n_mode ? b->n_floor : v.n_mode;
-        for (int i = 0; i < b->n_floor; i++) {
-            v.heights = v.heights && b->height[i] > 0;
-        }
+        v.heights = v.heights && runs_has_heights(b);
     }
     v.points = canvas_has_room(c, v.n_mode);
     v.n_mode = v.n_mode < MODES_MAX ? v.n_mode : MODES_MAX;

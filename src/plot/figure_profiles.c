@@ -6,7 +6,6 @@
 // a large ring around their acceleration.
 #include <math.h>
 
-#include "core/safe.h"
 #include "plot/figure.h"
 #include "plot/panel.h"
 #include "plot/script.h"
@@ -85,8 +84,8 @@ static struct selection choose(const struct runs *runs) {
     for (int k = 0; k < s.n * runs->n; k++) {
         const struct report_building *b = &runs->r[k / s.n]->building[s.building[k % s.n]];
         s.floors = b->n_floor > s.floors ? b->n_floor : s.floors;
+        s.heights = s.heights && runs_has_heights(b);
         for (int i = 0; i < b->n_floor; i++) {
-            s.heights = s.heights && b->height[i] > 0;
             s.storeys = s.storeys || b->stiffness[i] > 0;
             s.hit = s.hit || report_floor_was_hit(runs->r[k / s.n], b->name, i + 1);
         }
@@ -201,16 +200,12 @@ static void draw_series(const struct selection *s, const struct profile *p, stru
 }
 
 // Names of buildings beside their rows.
-static void write_names(const struct selection *s, FILE *to) {
-    fprintf(to, "set ytics (");
+static void write_names(const struct selection *s, const struct canvas *c) {
+    fprintf(c->to, "set ytics (");
     for (int k = 0; k < s->n; k++) {
-        char name[64];
-        script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
-        fprintf(to, "%s", k > 0 ? ", " : "");
-        safe_put(to, SAFE_TIC, name);
-        fprintf(to, " %d", s->n - k);
+        panel_tic(c, k, shown(s, 0, k)->name, NAME_WIDTH, s->n - k);
     }
-    fprintf(to, ")\n");
+    fprintf(c->to, ")\n");
 }
 
 // Panel `at` of `n` beside each other; of rows, two above each other where there is room.
@@ -233,7 +228,7 @@ static void draw_panel(const struct selection *s, const struct profile *p, int a
                       .x = value_axis(s, p),
                       .y = s->rows ? rows : runs_height_axis(at == 0, s->heights, top_level(s))});
     if (s->rows && column == 0) {
-        write_names(s, c->to);
+        write_names(s, c);
     }
     draw_series(s, p, c);
 }

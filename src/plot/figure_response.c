@@ -64,9 +64,9 @@ static void write_data(struct view *v, FILE *to) {
 }
 
 // The medians at which a sample is the acceleration of a floor that was hit.
-static void write_hit(const struct view *v, FILE *to) {
+static void write_hit(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
-    fprintf(to, "$hit << EOD\n# parameter, median, where floors were hit\n");
+    canvas_block(c, "parameter, median, where floors were hit", "hit");
     for (int i = 0; i < s->n_group * s->n_point; i++) {
         const int g = i / s->n_point, j = i % s->n_point;
         bool hit = false;
@@ -74,11 +74,11 @@ static void write_hit(const struct view *v, FILE *to) {
             hit |= suite_hit(s, g, k, j);
         }
         if (hit) {
-            study_point(to, s->point[j],
+            study_point(c->data, s->point[j],
                         v->demand.factor * suite_percentile(s, g, j, 0.5, v->work));
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static void write_legend(const struct view *v, struct canvas *c) {
@@ -136,13 +136,9 @@ static void draw_panel(const struct view *v, struct canvas *c) {
         // Names below the axis replace the numbers. If there are too many, some are left out.
         const bool fit = texts_fit(s, width);
         const int every = 1 + (int)(1.4 * s->n_point / width);
-        char cut[128];
         fprintf(c->to, "set xtics %s (", fit ? "norotate" : "rotate by 35 right");
         for (int i = 0; i < s->n_point; i += every) {
-            script_shorten(s->point_name[s->order[i]], fit ? width : name_width, cut, sizeof cut);
-            fprintf(c->to, "%s", i > 0 ? ", " : "");
-            safe_put(c->to, SAFE_TIC, cut);
-            fprintf(c->to, " %d", i + 1);
+            panel_tic(c, i, s->point_name[s->order[i]], fit ? width : name_width, i + 1);
         }
         fprintf(c->to, ")\n");
     }
@@ -175,7 +171,7 @@ static void draw(const struct subject *p, struct canvas *c) {
     }
     write_data(&v, c->data);
     if (s->n_hit > 0) {
-        write_hit(&v, c->data);
+        write_hit(&v, c);
     }
     const bool named = strcmp(s->over, "sample") != 0;
     if (s->n_sample > 1) {

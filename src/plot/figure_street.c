@@ -4,10 +4,8 @@
 // beside each other in the order of the deck; only heights are to scale.
 #include <math.h>
 
-#include "core/safe.h"
 #include "plot/figure.h"
 #include "plot/panel.h"
-#include "plot/script.h"
 
 enum { NAMES_MAX = 24 };  // more buildings have numbers at the axis
 
@@ -53,10 +51,7 @@ static double level_of(const struct street *s, const struct report_link *c) {
 static void survey(struct street *s) {
     s->heights = true;
     for (int k = 0; k < s->r->n_building; k++) {
-        const struct report_building *b = &s->r->building[k];
-        for (int i = 0; i < b->n_floor; i++) {
-            s->heights = s->heights && b->height[i] > 0;
-        }
+        s->heights = s->heights && runs_has_heights(&s->r->building[k]);
     }
     for (int k = 0; k < s->r->n_building; k++) {
         const struct report_building *b = &s->r->building[k];
@@ -98,14 +93,10 @@ static void write_contacts(const struct street *s, struct canvas *c) {
     canvas_end(c);
 }
 
-static void write_names(const struct street *s, double room, struct canvas *c) {
+static void write_names(const struct street *s, double room, const struct canvas *c) {
     fprintf(c->to, "set xtics (");
     for (int k = 0; k < s->r->n_building; k++) {
-        char name[64];
-        script_shorten(s->r->building[k].name, room, name, sizeof name);
-        fprintf(c->to, "%s", k > 0 ? ", " : "");
-        safe_put(c->to, SAFE_TIC, name);
-        fprintf(c->to, " %d", k + 1);
+        panel_tic(c, k, s->r->building[k].name, room, k + 1);
     }
     fprintf(c->to, ")\n");
 }

@@ -23,22 +23,23 @@ struct scales {
 };
 
 // The curve from a force of 0 at closure to one of 0 at opening.
-static void write_curve(const struct impact_curve *curve, int c, const struct scales *s, FILE *to) {
-    fprintf(to, "$curve%d << EOD\n# time force penetration\n", c);
+static void write_curve(const struct impact_curve *curve, int number, const struct scales *s,
+                        struct canvas *c) {
+    canvas_block(c, "time force penetration", "curve%d", number);
     for (size_t i = 0; i < curve->n; i++) {
         const struct isolated_point *p = &curve->point[i];
         const double time = (curve->start + p->time) / s->time.size;
         const double depth = p->penetration / s->length.size;
         const bool edge = i == 0 || i + 1 == curve->n;
         if (i == 0) {
-            fprintf(to, "%.9g 0 %.9g\n", time, depth);
+            fprintf(c->data, "%.9g 0 %.9g\n", time, depth);
         }
-        fprintf(to, "%.9g %.9g %.9g\n", time, p->force / s->force.size, depth);
+        fprintf(c->data, "%.9g %.9g %.9g\n", time, p->force / s->force.size, depth);
         if (edge && i > 0) {
-            fprintf(to, "%.9g 0 %.9g\n", time, depth);
+            fprintf(c->data, "%.9g 0 %.9g\n", time, depth);
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static void write_samples(const struct impact_figure *f, const struct scales *s, struct canvas *c) {
@@ -125,7 +126,7 @@ int impact_figure_write(const struct impact_figure *f, const struct figure_files
     const char *name[IMPACT_FIGURE_CURVES];
     for (int c = 0; c < f->n_curve; c++) {
         name[c] = f->curve[c].name;
-        write_curve(&f->curve[c], c, &s, to->data);
+        write_curve(&f->curve[c], c, &s, &canvas);
     }
     if (f->n_sample > 0) {
         write_samples(f, &s, &canvas);
@@ -157,11 +158,11 @@ int impact_figure_write_forces(const struct force_figure *f, const struct figure
     const struct scale force = pictures_scale(pictures_forces, y.high);
     struct legend l = {0};
     for (int c = 0; c < f->n_curve; c++) {
-        fprintf(to->data, "$force%d << EOD\n# value force\n", c);
+        canvas_block(&canvas, "value force", "force%d", c);
         for (size_t i = 0; i < f->curve[c].n; i++) {
             fprintf(to->data, "%.9g %.9g\n", f->curve[c].x[i], f->curve[c].force[i] / force.size);
         }
-        fprintf(to->data, "EOD\n");
+        canvas_end(&canvas);
         legend_add(&l, panel_line(script_colour[c], 0), f->curve[c].name, "");
     }
     canvas_head(&canvas, "Peak force of an isolated impact", "%s", f->subtitle);

@@ -72,22 +72,22 @@ static bool is_line(const struct loop_curve *c, const struct extent *x, size_t f
 }
 
 // Points on a line are left out, but not turns.
-static void write_curve(const struct loop_figure *f, int c, const struct extent *x,
-                        const struct scales *s, FILE *to) {
-    fprintf(to, "$curve%d << EOD\n# turn drift shear energy plastic tangent\n", c);
+static void write_curve(const struct loop_figure *f, int k, const struct extent *x,
+                        const struct scales *s, struct canvas *c) {
+    canvas_block(c, "turn drift shear energy plastic tangent", "curve%d", k);
     size_t kept = 0;
     for (size_t i = 0; i < f->n; i++) {
         const bool turns = i % (size_t)f->n_part == 0;
-        if (!turns && is_line(&f->curve[c], x, kept, i + 1)) {
+        if (!turns && is_line(&f->curve[k], x, kept, i + 1)) {
             continue;
         }
         kept = i;
-        const struct storey_point *p = &f->curve[c].point[i];
-        fprintf(to, "%.6g %.6g %.6g %.6g %.6g %.6g\n", (double)i / f->n_part,
+        const struct storey_point *p = &f->curve[k].point[i];
+        fprintf(c->data, "%.6g %.6g %.6g %.6g %.6g %.6g\n", (double)i / f->n_part,
                 p->drift / s->drift.size, p->shear / s->shear.size, p->dissipated / s->energy.size,
-                p->plastic / s->drift.size, tangent_of(&f->curve[c], p));
+                p->plastic / s->drift.size, tangent_of(&f->curve[k], p));
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 static void draw_panels(const struct loop_figure *f, const struct extent *x, const struct scales *s,
@@ -134,15 +134,15 @@ int loop_figure_write(const struct loop_figure *f, const struct figure_files *to
     const char *name[LOOP_FIGURE_CURVES];
     for (int c = 0; c < f->n_curve; c++) {
         name[c] = f->curve[c].name;
-        write_curve(f, c, &x, &s, to->data);
+        write_curve(f, c, &x, &s, &canvas);
     }
     if (f->n_sample > 0) {
-        fprintf(to->data, "$measured << EOD\n# drift shear\n");
+        canvas_block(&canvas, "drift shear", "measured");
         for (size_t i = 0; i < f->n_sample; i++) {
             fprintf(to->data, "%.6g %.6g\n", f->drift[i] / s.drift.size,
                     f->shear[i] / s.shear.size);
         }
-        fprintf(to->data, "EOD\n");
+        canvas_end(&canvas);
     }
     canvas_head(&canvas, f->title, "%s", f->subtitle);
     pictures_law_legend(&canvas, name, f->n_curve, f->n_sample);

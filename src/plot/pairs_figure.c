@@ -48,14 +48,6 @@ static void pairs_data(const struct pairs_figure *f, const struct study_demand *
     canvas_end(c);
 }
 
-// Opens a panel with the name of its upright axis beside it.
-static void pairs_panel(struct canvas *c, const struct panel *p, const struct axis *name) {
-    struct area beside = p->area;
-    beside.left -= 0.6;
-    panel_open(c, p);
-    canvas_upright(c, beside, name);
-}
-
 // One study against the other, with the line of equality.
 static void pairs_scatter(const struct pairs_figure *f, const struct study_demand *d,
                           const struct pairs_spans *s, struct canvas *c) {
@@ -70,11 +62,7 @@ static void pairs_scatter(const struct pairs_figure *f, const struct study_deman
                                 .span = s->value};
     }
     const struct area a = canvas_part(c, 0, f->at ? 0.5 : 1, 0, 1);
-    const struct panel p = {
-        .area = canvas_inset(a, 0, f->at ? 1.5 : 0.5, 3.2, 0.7),
-        .x = axis[1],
-        .y = {.unit = d->unit, .dimension = f->edp->dimension, .span = s->value}};
-    pairs_panel(c, &p, &axis[0]);
+    study_panel_in(c, canvas_inset(a, 0, f->at ? 1.5 : 0.5, 3.2, 0.7), &axis[1], &axis[0]);
     panel_series(c, panel_line(line_colour, 0), "$equal using 1:2");
     panel_series(c, panel_points(script_colour[0], POINT_DISC, 0.8), "$pairs using 1:2");
     panel_close(c);
@@ -85,19 +73,16 @@ static void pairs_ratio(const struct pairs_figure *f, const struct pairs_spans *
                         struct canvas *c) {
     const bool is_number = dimension_equal(f->at_dimension, dimension_none);
     const bool wide = s->ratio.low > 0.0 && s->ratio.high > LOG_FROM * s->ratio.low;
-    struct axis ratio = {.name = "", .unit = "", .span = span_with_room(s->ratio, NAN)};
+    struct axis ratio = {.name = "ratio", .unit = "", .span = span_with_room(s->ratio, NAN)};
     if (wide) {
         ratio.kind = AXIS_LOGARITHMIC;
         ratio.span = (struct span){s->ratio.low / 1.1, s->ratio.high * 1.1};
     }
-    const struct panel p = {.area = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 4.5, 0.5, 3.2, 0.7),
-                            .x = {.name = f->at_name,
-                                  .unit = is_number ? "" : NULL,
-                                  .dimension = f->at_dimension,
-                                  .span = s->at},
-                            .y = ratio,
-                            .caption = NULL};
-    pairs_panel(c, &p, &(struct axis){.name = "ratio", .unit = ""});
+    const struct axis at = {.name = f->at_name,
+                            .unit = is_number ? "" : NULL,
+                            .dimension = f->at_dimension,
+                            .span = s->at};
+    study_panel_in(c, canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 4.5, 0.5, 3.2, 0.7), &at, &ratio);
     panel_series(c, panel_line(line_colour, 0), "$one using 1:2");
     panel_series(c, panel_points(script_colour[0], POINT_DISC, 0.8), "$pairs using 4:3");
     panel_close(c);

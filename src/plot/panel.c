@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 
+#include "core/safe.h"
 #include "plot/script.h"
 
 struct style panel_line(const char *colour, double width) {
@@ -86,6 +87,14 @@ void panel_upright(const struct canvas *c, double x, struct style s) {
     fprintf(c->to, "\n");
 }
 
+void panel_tic(const struct canvas *c, int i, const char *name, double width, int place) {
+    char cut[128];
+    script_shorten(name, width, cut, sizeof cut);
+    fprintf(c->to, "%s", i > 0 ? ", " : "");
+    safe_put(c->to, SAFE_TIC, cut);
+    fprintf(c->to, " %d", place);
+}
+
 void panel_close(struct canvas *c) {
     fprintf(c->to, "\nunset label\nunset arrow\nunset object\n");
 }
@@ -107,12 +116,12 @@ void panel_shades(const struct canvas *c, enum shades shades, double most) {
 
 void panel_shades_scale(struct canvas *c, struct area a, const struct axis *axis) {
     const double most = axis->span.high;
-    fprintf(c->data, "$shades << EOD\n# borders of the shade, its middle\n");
+    canvas_block(c, "borders of the shade, its middle", "shades");
     for (int i = 0; i < N_SHADE; i++) {
         fprintf(c->data, "%.7g %.7g %.7g\n", most * i / N_SHADE, most * (i + 1) / N_SHADE,
                 most * (i + 0.5) / N_SHADE);
     }
-    fprintf(c->data, "EOD\n");
+    canvas_end(c);
     panel_open(c, &(struct panel){
                       .area = a,
                       .x = {.span = {0, 1}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1},

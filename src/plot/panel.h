@@ -45,6 +45,10 @@ struct style panel_points(const char *colour, int point, double size);
 // before its first series.
 void panel_open(struct canvas *c, const struct panel *p);
 
+// Tic number `i`, from 0, of those between "set xtics (" and ")": a name at the place, cut where it
+// is wider than `width` em.
+void panel_tic(const struct canvas *c, int i, const char *name, double width, int place);
+
 // Draws a series over those before it. `data` is the format of a data block and its columns, such
 // as
 // "$rows%d using 1:2"; its arguments are literals and numbers, as check_script.sh demands.

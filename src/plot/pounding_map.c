@@ -15,18 +15,18 @@ static double border(const struct pounding_map *map, int i) {
     return i == map->n ? p[i - 1] * sqrt(p[i - 1] / p[i - 2]) : sqrt(p[i - 1] * p[i]);
 }
 
-static struct span write_data(const struct pounding_map *map, FILE *to) {
+static struct span write_data(const struct pounding_map *map, struct canvas *c) {
     struct span force = span_none;
-    fprintf(to, "$forces << EOD\n# T1, T2, borders of T1, borders of T2, force\n");
+    canvas_block(c, "T1, T2, borders of T1, borders of T2, force", "forces");
     for (int i = 0; i < map->n; i++) {
         for (int k = 0; k < map->n; k++) {
             const double value = map->force[(size_t)i * (size_t)map->n + (size_t)k];
-            fprintf(to, "%.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", map->period[i], map->period[k],
+            fprintf(c->data, "%.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", map->period[i], map->period[k],
                     border(map, i), border(map, i + 1), border(map, k), border(map, k + 1), value);
             span_add(&force, value);
         }
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
     return (struct span){0, force.high > 0 ? force.high : 1};
 }
 
@@ -45,7 +45,7 @@ int pounding_map_write(const struct pounding_map *map, const struct figure_files
                                      .units = map->units};
     struct canvas c;
     figure_open(&head, to, &c, e);
-    const struct span force = write_data(map, c.data);
+    const struct span force = write_data(map, &c);
     canvas_head(&c, map->title, "%s", map->subtitle);
     const struct panel p = {.area = canvas_inset(c.area, 5.8, 9.5, 3.2, 0.7),
                             .x = period_axis(map, "T1, period of the left structure"),

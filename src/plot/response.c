@@ -31,28 +31,30 @@ static double target_value(const struct response_sheet *sheet, double period) {
     return sheet->target ? target_at(sheet->target, period) / sheet->gravity : NAN;
 }
 
-static void write_data(const struct response_sheet *sheet, FILE *to) {
+static void write_data(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
-    fprintf(to,
-            "$spectra << EOD\n"
-            "# period, then for each damping ratio: records, mean, 16 %%, 50 %%, 84 %%%s\n",
-            sheet->target ? "; target" : "");
+    const char *columns =
+        sheet->target
+            ? "period, then for each damping ratio: records, mean, 16 %, 50 %, 84 %; target"
+            : "period, then for each damping ratio: records, mean, 16 %, 50 %, 84 %";
+    canvas_block(c, columns, "spectra");
     for (int p = 0; p < s->n_period; p++) {
         if (s->period[p] == 0.0) {
             continue;
         }
-        fprintf(to, "%.9g", s->period[p]);
+        fprintf(c->data, "%.9g", s->period[p]);
         for (int d = 0; d < s->n_damping; d++) {
             for (int k = 0; k < s->n_record + SPECTRA_STATISTICS; k++) {
-                fprintf(to, " %.9g", spectra_at(s, k, d, p)->value[SPECTRUM_PSA] / sheet->gravity);
+                fprintf(c->data, " %.9g",
+                        spectra_at(s, k, d, p)->value[SPECTRUM_PSA] / sheet->gravity);
             }
         }
         if (sheet->target) {
-            fprintf(to, " %.9g", target_value(sheet, s->period[p]));
+            fprintf(c->data, " %.9g", target_value(sheet, s->period[p]));
         }
-        fprintf(to, "\n");
+        fprintf(c->data, "\n");
     }
-    fprintf(to, "EOD\n");
+    canvas_end(c);
 }
 
 // Behind its name: the factor that brings it to the target.
@@ -204,7 +206,7 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
                                      .units = &si};
     struct canvas c;
     figure_open(&head, to, &c, e);
-    write_data(sheet, c.data);
+    write_data(sheet, &c);
     write_title(sheet, &c);
     write_legend(sheet, &c);
     const struct panel p = {.area = canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7),

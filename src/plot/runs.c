@@ -247,6 +247,14 @@ void runs_facing(const struct runs *s, struct facing *f) {
     }
 }
 
+bool runs_has_heights(const struct report_building *b) {
+    int n = 0;
+    while (n < b->n_floor && b->height[n] > 0) {
+        n++;
+    }
+    return n == b->n_floor;
+}
+
 double runs_level(const struct report_building *b, int floors, bool heights) {
     double level = 0;
     for (int i = 0; i < floors; i++) {

@@ -97,6 +97,9 @@ void runs_hardest_of_parts(const struct report *r, int contact, int parts, long 
 // The building called `name`; -1: a wall.
 int runs_building(const struct report *r, const char *name);
 
+// True if all storeys of the building have heights.
+bool runs_has_heights(const struct report_building *b);
+
 // Of so many floors of the building: their height, or where there are no heights their number.
 double runs_level(const struct report_building *b, int floors, bool heights);
 

@@ -103,6 +103,12 @@ void study_group_text(const struct suite *s, int group, char *text, size_t size)
     script_raise(text);
 }
 
+void study_limit_legend(const struct subject *p, struct legend *l) {
+    if (p->n_limit > 0) {
+        legend_add(l, panel_line("#000000", 0), p->n_limit > 1 ? "limits" : "limit", "");
+    }
+}
+
 void study_limit_text(const struct study_demand *d, const struct suite *s, double limit, char *text,
                       size_t size) {
     char number[32], unit[64];
@@ -118,12 +124,16 @@ double study_panel_width(const struct canvas *c) {
     return c->area.right - c->area.left - LEFT - RIGHT;
 }
 
-void study_panel(struct canvas *c, double bottom, const struct axis *x, const struct axis *y) {
-    struct panel p = {.area = canvas_inset(c->area, LEFT, RIGHT, bottom, 0.7), .x = *x, .y = *y};
+void study_panel_in(struct canvas *c, struct area a, const struct axis *x, const struct axis *y) {
+    struct panel p = {.area = a, .x = *x, .y = *y};
     p.y.name = NULL;
     panel_open(c, &p);
     p.area.left -= 0.6;
     canvas_upright(c, p.area, y);
+}
+
+void study_panel(struct canvas *c, double bottom, const struct axis *x, const struct axis *y) {
+    study_panel_in(c, canvas_inset(c->area, LEFT, RIGHT, bottom, 0.7), x, y);
 }
 
 void study_foot(const struct canvas *c, const char *text) {

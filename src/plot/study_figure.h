@@ -31,11 +31,17 @@ void study_hit_series(const struct suite *s, struct canvas *c);
 // The name of a group as it is shown, into `text`.
 void study_group_text(const struct suite *s, int group, char *text, size_t size);
 
+// The entry of --limit in the legend, if limits are given.
+void study_limit_legend(const struct subject *p, struct legend *l);
+
 // A limit with its unit, "2 %".
 void study_limit_text(const struct study_demand *d, const struct suite *s, double limit, char *text,
                       size_t size);
 
-// Opens the panel: the room at the left is for numbers of five characters.
+// Opens a panel in the area, with the name of its upright axis clear of numbers of five characters.
+void study_panel_in(struct canvas *c, struct area a, const struct axis *x, const struct axis *y);
+
+// Opens the only panel of a figure.
 void study_panel(struct canvas *c, double bottom, const struct axis *x, const struct axis *y);
 // Writes what stands across below the panel, at the foot of the sheet.
 void study_foot(const struct canvas *c, const char *text);

@@ -9,67 +9,73 @@ const char layout_isolated_name[] = "isolated";
 static void visit_building(const struct report *r, int k, layout_visit_group *visit,
                            void *context) {
     const struct report_building *b = &r->building[k];
-    const size_t n = (size_t)b->n_floor, n_member = (size_t)b->n_member,
-                 n_part = (size_t)b->n_share;
-    struct layout_group g = {LAYOUT_BUILDING,    "buildings",  b->name, "floor", n,   b,
-                             {&layout_building}, &layout_peak, k,       0,       NULL};
-    visit(context, &g);
-    if (n_member > 0) {
-        g = (struct layout_group){LAYOUT_MEMBERS,
-                                  b->path,
-                                  "members",
-                                  "member",
-                                  n_member,
-                                  b->member,
-                                  {&layout_member},
-                                  &layout_member_peak[b->hinged],
-                                  k,
-                                  0,
-                                  NULL};
-        visit(context, &g);
+    const size_t n = (size_t)b->n_floor;
+    visit(context, &(struct layout_group){.kind = LAYOUT_BUILDING,
+                                          .parent = "buildings",
+                                          .name = b->name,
+                                          .scale = "floor",
+                                          .n = n,
+                                          .base = b,
+                                          .own = {&layout_building},
+                                          .envelope = &layout_peak,
+                                          .building = k});
+    if (b->n_member > 0) {
+        visit(context, &(struct layout_group){.kind = LAYOUT_MEMBERS,
+                                              .parent = b->path,
+                                              .name = "members",
+                                              .scale = "member",
+                                              .n = (size_t)b->n_member,
+                                              .base = b->member,
+                                              .own = {&layout_member},
+                                              .envelope = &layout_member_peak[b->hinged],
+                                              .building = k});
     }
-    if (n_part > 0) {
-        g = (struct layout_group){LAYOUT_PARTS,    b->path, "parts", "part", n_part, b->share,
-                                  {&layout_share}, NULL,    k,       0,      NULL};
-        visit(context, &g);
+    if (b->n_share > 0) {
+        visit(context, &(struct layout_group){.kind = LAYOUT_PARTS,
+                                              .parent = b->path,
+                                              .name = "parts",
+                                              .scale = "part",
+                                              .n = (size_t)b->n_share,
+                                              .base = b->share,
+                                              .own = {&layout_share},
+                                              .building = k});
     }
     for (int i = 0; i < b->n_share; i++) {
-        const struct report_share *s = &b->share[i];
-        g = (struct layout_group){LAYOUT_PART, b->parts,           s->name, "floor", n,   s,
-                                  {NULL},      &layout_share_peak, k,       i,       NULL};
-        visit(context, &g);
+        visit(context, &(struct layout_group){.kind = LAYOUT_PART,
+                                              .parent = b->parts,
+                                              .name = b->share[i].name,
+                                              .scale = "floor",
+                                              .n = n,
+                                              .base = &b->share[i],
+                                              .envelope = &layout_share_peak,
+                                              .building = k,
+                                              .number = i});
     }
     if (b->foundation) {
-        g = (struct layout_group){LAYOUT_FOUNDATION,
-                                  b->path,
-                                  "foundation",
-                                  "slab",
-                                  1,
-                                  b->foundation,
-                                  {NULL},
-                                  &layout_foundation,
-                                  k,
-                                  0,
-                                  NULL};
-        visit(context, &g);
+        visit(context, &(struct layout_group){.kind = LAYOUT_FOUNDATION,
+                                              .parent = b->path,
+                                              .name = "foundation",
+                                              .scale = "slab",
+                                              .n = 1,
+                                              .base = b->foundation,
+                                              .envelope = &layout_foundation,
+                                              .building = k});
     }
 }
 
 static void visit_links(const struct link_group *l, const struct report_link *link, int first,
                         int n, layout_visit_group *visit, void *context) {
-    const struct column_table *level = layout_has_levels(link, n) ? &layout_level : NULL;
     if (n > 0 || l == &layout_contacts) {
-        visit(context, &(struct layout_group){LAYOUT_LINKS,
-                                              NULL,
-                                              l->name,
-                                              l->scale,
-                                              (size_t)n,
-                                              link,
-                                              {&layout_link, level},
-                                              l->peaks,
-                                              0,
-                                              first,
-                                              l});
+        visit(context, &(struct layout_group){
+                           .kind = LAYOUT_LINKS,
+                           .name = l->name,
+                           .scale = l->scale,
+                           .n = (size_t)n,
+                           .base = link,
+                           .own = {&layout_link, layout_has_levels(link, n) ? &layout_level : NULL},
+                           .envelope = l->peaks,
+                           .number = first,
+                           .links = l});
     }
 }
 
@@ -81,13 +87,14 @@ void layout_groups(const struct report *r, layout_visit_group *visit, void *cont
     visit_links(&layout_contacts, r->contact, 0, n, visit, context);
     visit_links(&layout_links, r->link, n, m, visit, context);
     visit_links(&layout_columns, r->column, n + m, r->n_column, visit, context);
-    struct layout_group g = {LAYOUT_ENERGY,    NULL, "energy", NULL, 1,   r,
-                             {&layout_energy}, NULL, 0,        0,    NULL};
-    visit(context, &g);
-    g = (struct layout_group){
-        LAYOUT_TOTALS, NULL, "totals", NULL, 1, r, {&layout_totals, &layout_collapse},
-        NULL,          0,    0,        NULL};
-    visit(context, &g);
+    visit(context,
+          &(struct layout_group){
+              .kind = LAYOUT_ENERGY, .name = "energy", .n = 1, .base = r, .own = {&layout_energy}});
+    visit(context, &(struct layout_group){.kind = LAYOUT_TOTALS,
+                                          .name = "totals",
+                                          .n = 1,
+                                          .base = r,
+                                          .own = {&layout_totals, &layout_collapse}});
 }
 
 struct each {

@@ -67,7 +67,7 @@ static int put_runs(struct study_writer *w, struct block *b, struct error *e) {
     return STATUS_OK;
 }
 
-// Takes a group without members away.
+// Removes the group from its parent if it has no members.
 static void drop_empty(struct h5 *h, hid_t parent, const char *name, hid_t group) {
     H5G_info_t info;
     if (!h->failed && !h5_failed(h, H5Gget_info(group, &info)) && info.nlinks == 0) {

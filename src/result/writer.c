@@ -238,7 +238,7 @@ int result_finish(struct result_writer *w, const struct results *r, struct error
     return status;
 }
 
-// The rows go to the writer, the question whether to go on to who asked for the analysis.
+// Asks the observer of result_analyse whether the analysis goes on.
 static int poll(void *context, double time, struct error *e) {
     const struct result_writer *w = context;
     return w->watch->poll(w->watch->context, time, e);

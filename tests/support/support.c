@@ -16,6 +16,7 @@
 #include "core/arena.h"
 #include "core/text.h"
 
+struct arena *support_arena;
 static struct arena *texts;
 static char *folder;
 static pid_t owner;  // of the folder: a forked child must not remove it
@@ -103,6 +104,18 @@ const char *support_path(const char *name) {
         fail_msg("out of memory");
     }
     return path;
+}
+
+int support_arena_open(void **state) {
+    (void)state;
+    support_arena = arena_create();
+    return support_arena ? 0 : -1;
+}
+
+int support_arena_close(void **state) {
+    (void)state;
+    arena_free(support_arena);
+    return 0;
 }
 
 void support_write_bytes(const char *path, const char *bytes, size_t n) {

@@ -20,6 +20,11 @@ void support_close(double got, double want, double rtol, const char *file, int l
 #define assert_near(got, want, atol) support_near((got), (want), (atol), __FILE__, __LINE__)
 void support_near(double got, double want, double atol, const char *file, int line);
 
+// The memory of a group of tests with this set-up and tear-down.
+extern struct arena *support_arena;
+int support_arena_open(void **state);
+int support_arena_close(void **state);
+
 // A folder of this process, made at the first call and removed with all it holds at exit.
 const char *support_temporary(void);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cloud analysis against closed forms; the
-// bootstrap against the known scatter of a mean; stripes whose runs have records of their own.
+// Cloud analysis against closed forms; the bootstrap against the known scatter of a mean; stripes
+// whose runs have records of their own.
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>

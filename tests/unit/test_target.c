@@ -4,29 +4,14 @@
 
 #include <math.h>
 
-#include "core/arena.h"
 #include "support/support.h"
 
 static const double G = 9.80665;
 
-static struct arena *arena;
-
-static int set_up(void **state) {
-    (void)state;
-    arena = arena_create();
-    return arena ? 0 : -1;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    arena_free(arena);
-    return 0;
-}
-
 static struct target read(const char *text) {
     struct target t = {0};
     struct error e = {0};
-    if (target_read(arena, support_write("target.txt", text), &t, &e) != STATUS_OK) {
+    if (target_read(support_arena, support_write("target.txt", text), &t, &e) != STATUS_OK) {
         fail_msg("%s", e.message);
     }
     return t;
@@ -37,7 +22,7 @@ static void refused(const char *text, const char *cause) {
     struct target t;
     struct error e = {0};
     const char *path = support_write("target.txt", text);
-    assert_int_equal(target_read(arena, path, &t, &e), STATUS_INPUT);
+    assert_int_equal(target_read(support_arena, path, &t, &e), STATUS_INPUT);
     char message[512];
     snprintf(message, sizeof message, "%s:%s", path, cause);
     assert_string_equal(e.message, message);
@@ -119,5 +104,5 @@ int main(void) {
         cmocka_unit_test(a_point_at_0_is_joined_by_a_straight_line),
         cmocka_unit_test(there_is_none_outside),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, support_arena_open, support_arena_close);
 }

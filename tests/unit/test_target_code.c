@@ -2,30 +2,15 @@
 // Spectra of codes: printed values, corners, what is read and what is refused.
 #include <math.h>
 
-#include "core/arena.h"
 #include "motion/target.h"
 #include "support/support.h"
 
 static const double G = 9.80665;
 
-static struct arena *arena;
-
-static int set_up(void **state) {
-    (void)state;
-    arena = arena_create();
-    return arena ? 0 : -1;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    arena_free(arena);
-    return 0;
-}
-
 static struct target open_for(const char *text, double damping) {
     struct target t = {0};
     struct error e = {0};
-    if (target_open(arena, text, damping, &t, &e) != STATUS_OK) {
+    if (target_open(support_arena, text, damping, &t, &e) != STATUS_OK) {
         fail_msg("%s", e.message);
     }
     return t;
@@ -34,7 +19,7 @@ static struct target open_for(const char *text, double damping) {
 static void refused(const char *text, double damping, const char *message) {
     struct target t;
     struct error e = {0};
-    assert_int_equal(target_open(arena, text, damping, &t, &e), STATUS_INPUT);
+    assert_int_equal(target_open(support_arena, text, damping, &t, &e), STATUS_INPUT);
     assert_string_equal(e.message, message);
 }
 
@@ -194,5 +179,5 @@ int main(void) {
         cmocka_unit_test(nzs1170_grows_near_a_fault),
         cmocka_unit_test(faults_are_named),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, support_arena_open, support_arena_close);
 }

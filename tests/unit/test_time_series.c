@@ -2,23 +2,8 @@
 // Files of time and value.
 #include <string.h>
 
-#include "core/arena.h"
 #include "motion/time_series.h"
 #include "support/support.h"
-
-static struct arena *arena;
-
-static int set_up(void **state) {
-    (void)state;
-    arena = arena_create();
-    return arena ? 0 : -1;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    arena_free(arena);
-    return 0;
-}
 
 // A force whose unit is N, or must be given; its times are not negative.
 static int read_force(const char *text, double unit, struct time_series *s, struct error *e) {
@@ -26,7 +11,7 @@ static int read_force(const char *text, double unit, struct time_series *s, stru
         {"time", dimension_time, 1.0, &range_non_negative},
         {"value", dimension_force, unit, NULL},
     };
-    return time_series_read(arena, support_write("force.txt", text), column, s, e);
+    return time_series_read(support_arena, support_write("force.txt", text), column, s, e);
 }
 
 static struct time_series read(const char *text) {
@@ -111,5 +96,5 @@ int main(void) {
         cmocka_unit_test(numbers_are_within_their_range),
         cmocka_unit_test(a_unit_may_have_to_be_given),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, support_arena_open, support_arena_close);
 }

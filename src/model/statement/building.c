@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <ctype.h>
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 #include "deck/reader.h"
 #include "model/builder.h"
 
@@ -25,24 +25,13 @@ static const struct row rows[N_ROW] = {
                   "proportional damping leave it out"},
 };
 
-// A name has letters, digits, _ - and UTF-8, because it names a group of the result file.
-static bool good_name(const char *name) {
-    for (const char *p = name; *p; p++) {
-        unsigned char c = (unsigned char)*p;
-        if (!isalnum(c) && c != '_' && c != '-' && c < 0x80) {
-            return false;
-        }
-    }
-    return name[0] && name[0] != '-' && strlen(name) <= 64;
-}
-
 static bool check_name(struct builder *b, const struct word *w, const char *name) {
     struct deck_quote quote;
     if (strcmp(name, "wall") == 0) {
         return deck_error(b->deck, w,
                           "'wall' is the rigid wall of contacts and cannot name a building");
     }
-    if (!good_name(name)) {
+    if (!text_is_name(name)) {
         return deck_error(b->deck, w,
                           "%s cannot name a building; use up to 64 letters, digits, _ and -",
                           deck_quote(&quote, w, name));
